@@ -24,7 +24,7 @@
 //! | 5 | [`proof`] | judging programs, what they come to |
 //! | 6 | [`kind`] | what every workbook kind comes to |
 //! | 7 | [`kinds`] | impeller, pipes and lathe, a folder each, one formula family a file |
-//! | 8 | [`workbook`], [`report`], [`drawing`], [`typeset`], [`view`], [`store`], [`cli`] | the outside world, one wall each |
+//! | 8 | [`workbook`], [`report`], [`drawing`], [`typeset`], [`view`], [`store`], [`graft`], [`cli`] | the outside world, one wall each |
 //!
 //! Nothing below floor 8 reads a clock, a file, the environment or chance: the same input gives the same bytes on every
 //! machine.
@@ -81,5 +81,7 @@ pub mod report;
 pub mod store;
 pub mod view;
 pub mod workbook;
+
+pub mod graft;
 
 pub mod cli;

@@ -44,6 +44,8 @@ impl Arguments {
             others,
             line(&format!("rodete check {kind}.xlsx"), "shows the limits and what would stop a build"),
             line(&format!("rodete build {kind}.xlsx"), &format!("writes tables, programs and a report to {kind}-out")),
+            line(&format!("rodete watch {kind}.xlsx"), "builds again whenever the workbook is saved"),
+            line(&format!("rodete compare {kind}.xlsx B.xlsx"), "shows how two workbooks and their programs differ"),
             line(
                 &format!("rodete view {kind}.xlsx"),
                 &format!("writes {kind}.html: part and programs, to play in a browser"),
@@ -88,7 +90,9 @@ fn exits() -> String {
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     /// Write a ready-to-edit workbook
-    #[command(after_help = "Example: rodete new impeller my-impeller.xlsx --lang en")]
+    #[command(
+        after_help = "Example: rodete new impeller my-impeller.xlsx --lang en\n         rodete new impeller --into my-book.xlsx"
+    )]
     New(New),
     /// Check workbooks and print derived limits and findings; write nothing
     #[command(after_help = "Example: rodete check impeller.xlsx")]
@@ -99,8 +103,26 @@ pub(super) enum Command {
     /// the workbook kind has them, <stem>-report.pdf and the set-up sheet <stem>-setup.pdf into one folder, all or nothing:
     /// a file appears under its name only when the whole set is complete. Several workbooks are built in parallel, and a rejected one does not
     /// stop the others.
-    #[command(after_help = "Example: rodete build impeller.xlsx --open")]
+    ///
+    /// With --into the results sheets go into the workbook itself, behind its own sheets; its charts, macros, pivots, images, names,
+    /// protection and formats stay as they are. Building again replaces the sheets where they stand, so that formulas over them
+    /// go on working. Close the workbook in Excel and LibreOffice first.
+    #[command(after_help = "Example: rodete build impeller.xlsx --open\n         rodete build my-book.xlsx --into")]
     Build(Build),
+    /// Build workbooks again whenever they are saved
+    ///
+    /// Prints one line for each save: inputs and programs that changed, cautions and errors that are new or gone, and how long it took.
+    /// A save that Excel or LibreOffice makes in steps counts once; a build that a newer save overtakes writes nothing. A rejected
+    /// workbook leaves the earlier files as they are. Ctrl-C ends.
+    #[command(after_help = "Example: rodete watch impeller.xlsx --no-report --view")]
+    Watch(Watch),
+    /// Compare two workbooks of one kind: inputs, derived values, findings, programs
+    ///
+    /// Takes input workbooks and results workbooks, and computes both. Programs are compared motion by motion, as the control would run
+    /// them: comments and block numbers do not count. Exit 0 whether they differ or not; JSON says it with the key same. Exit 3 for
+    /// workbooks of two kinds.
+    #[command(after_help = "Example: rodete compare impeller.xlsx impeller-2.xlsx -o differences.xlsx")]
+    Compare(Compare),
     /// Write one HTML file that shows a program, or a workbook's part and programs
     ///
     /// The file opens in any browser, offline: part, tool and path in three dimensions, the blocks, the machine's
@@ -163,8 +185,20 @@ pub(super) struct Manual {
 }
 
 /// The commands that have a page.
-const COMMANDS: [&str; 10] =
-    ["new", "check", "build", "view", "verify", "simulate", "offsets", "explain", "completions", "man"];
+const COMMANDS: [&str; 12] = [
+    "new",
+    "check",
+    "build",
+    "watch",
+    "compare",
+    "view",
+    "verify",
+    "simulate",
+    "offsets",
+    "explain",
+    "completions",
+    "man",
+];
 
 /// Arguments of `explain`.
 #[derive(Debug, Args)]
@@ -199,6 +233,9 @@ pub(super) struct New {
     pub(super) kind: String,
     /// File to write; an existing file is never replaced [default: <KIND>.xlsx]
     pub(super) file: Option<PathBuf>,
+    /// Put the form into this workbook, behind its own sheets; it is kept once as <BOOK>.bak
+    #[arg(long, value_name = "BOOK", conflicts_with = "file")]
+    pub(super) into: Option<PathBuf>,
     /// Language of the workbook
     #[arg(long, value_name = "LANGUAGE", value_parser = language(), default_value = "en")]
     pub(super) lang: Language,
@@ -233,6 +270,9 @@ pub(super) struct Build {
     /// Language of sheets, report and messages [default: the workbook's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
+    /// Put the results sheets into the workbook itself instead of <stem>-results.xlsx; it is kept once as <WORKBOOK>.bak
+    #[arg(long)]
+    pub(super) into: bool,
     /// Write no report and no printable templates
     #[arg(long)]
     pub(super) no_report: bool,
@@ -288,6 +328,61 @@ pub(super) struct ControlOptions {
     /// The machine works in inches: var file, tool table, and programs that do not give their unit
     #[arg(long)]
     pub(super) inch: bool,
+}
+
+/// Arguments of `watch`.
+#[derive(Debug, Args)]
+pub(super) struct Watch {
+    /// Workbooks to watch
+    #[arg(required = true, value_name = "WORKBOOK")]
+    pub(super) workbooks: Vec<PathBuf>,
+    /// Folder for the outputs [default: <stem>-out beside each workbook]
+    #[arg(short, long, value_name = "DIR")]
+    pub(super) output: Option<PathBuf>,
+    /// Language of sheets, report and messages [default: the workbook's]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
+    pub(super) lang: Option<Language>,
+    /// Look at the files every so many seconds, from 0.1 to 3600, for network shares that report no changes
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub(super) poll: Option<f64>,
+    /// Write the viewer's page <stem>-viewer.html with each build; it refreshes itself in the browser
+    #[arg(long)]
+    pub(super) view: bool,
+    /// Write no report and no printable templates
+    #[arg(long)]
+    pub(super) no_report: bool,
+    /// Folder of your own typst files: each replaces the built-in file of the same name
+    #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
+    pub(super) templates: Option<PathBuf>,
+    /// Typst program that typesets the report [default: RODETE_TYPST, or the built-in typst]
+    #[arg(long, value_name = "PATH")]
+    pub(super) typst: Option<PathBuf>,
+}
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub(super) struct Compare {
+    /// Workbook A
+    #[arg(value_name = "A.xlsx")]
+    pub(super) one: PathBuf,
+    /// Workbook B
+    #[arg(value_name = "B.xlsx")]
+    pub(super) other: PathBuf,
+    /// Write the comparison as a workbook
+    #[arg(short, long, value_name = "FILE.xlsx")]
+    pub(super) output: Option<PathBuf>,
+    /// Language of the messages and of the workbook written [default: that of A]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
+    pub(super) lang: Option<Language>,
+    /// Print one JSON document instead of text
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+/// Seconds between two looks.
+fn seconds(typed: &str) -> Result<f64, String> {
+    let seconds = typed.parse().ok().filter(|seconds| (0.1..=3600.0).contains(seconds));
+    seconds.ok_or_else(|| "from 0.1 to 3600".to_owned())
 }
 
 /// Arguments of `verify`.
@@ -439,14 +534,15 @@ mod tests {
         assert_eq!(names, COMMANDS);
         for command in whole.get_subcommands() {
             let example = command.get_after_help().map(ToString::to_string).unwrap_or_default();
-            let words = example.strip_prefix("Example: ").expect("an example").split(['|', '>']).next();
-            let words = words.unwrap_or_default().replace('"', "\0");
-            let quoted = words
-                .split('\0')
-                .enumerate()
-                .flat_map(|(at, part)| if at % 2 == 1 { vec![part] } else { part.split_whitespace().collect() });
-            let read = Arguments::read(quoted.map(OsString::from), KINDS);
-            assert!(read.is_ok(), "{example}: {read:?}");
+            for line in example.strip_prefix("Example: ").expect("an example").lines() {
+                let words = line.split(['|', '>']).next().unwrap_or_default().replace('"', "\0");
+                let quoted = words
+                    .split('\0')
+                    .enumerate()
+                    .flat_map(|(at, part)| if at % 2 == 1 { vec![part] } else { part.split_whitespace().collect() });
+                let read = Arguments::read(quoted.map(OsString::from), KINDS);
+                assert!(read.is_ok(), "{line}: {read:?}");
+            }
         }
     }
 

@@ -9,7 +9,9 @@ use std::sync::atomic::AtomicBool;
 use super::args::Build;
 use super::delivery::{self, Delivery, REPORT, SETUP, endings, leftovers, program_name};
 use super::interrupt::{self, AtWork};
+use super::into::{self, Into};
 use super::locale::spoken;
+use super::made::Made;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::verdict::Ending;
@@ -27,8 +29,28 @@ use crate::workbook::results::Tables;
 /// The variable that names a typst command line.
 const TYPST: &str = "RODETE_TYPST";
 
+/// What the command line asks of every workbook.
+pub(super) struct Asked<'a> {
+    /// The workbooks: no output may replace one.
+    pub(super) workbooks: &'a [PathBuf],
+    /// The language of sheets and report, if not the workbook's.
+    pub(super) language: Option<Language>,
+    /// No report is set.
+    pub(super) no_report: bool,
+    /// The folder of typst files of one's own.
+    pub(super) templates: Option<&'a Path>,
+    /// The typst that sets the report.
+    pub(super) typst: Option<&'a Path>,
+    /// The results go into the workbook.
+    pub(super) into: bool,
+    /// The viewer's page is written for every kind, and refreshes itself.
+    pub(super) view: bool,
+    /// What the results hold.
+    pub(super) tables: Tables,
+}
+
 /// What all workbooks of one command share.
-struct Settings<'a> {
+pub(super) struct Settings<'a> {
     /// The language of sheets and report, if not the workbook's.
     language: Option<Language>,
     /// What the results hold.
@@ -37,12 +59,38 @@ struct Settings<'a> {
     typst: Option<Typst>,
     /// The typst files of one's own, or why there is no report with them.
     templates: Result<Vec<Template>, Box<Finding>>,
+    /// The results go into the workbook.
+    into: bool,
     /// The folder of all outputs, if there is one.
     folder: Option<&'a Folder>,
     /// Every workbook named: no output may replace one.
     inputs: Vec<&'a Path>,
     /// The kinds of workbooks.
     kinds: &'a [&'a dyn Kind],
+    /// The viewer's page is written for every kind, and refreshes itself.
+    view: bool,
+}
+
+impl<'a> Settings<'a> {
+    /// What is asked, over a folder of all outputs.
+    pub(super) fn of(
+        asked: &Asked<'a>,
+        folder: Option<&'a Folder>,
+        kinds: &'a [&'a dyn Kind],
+        interrupted: Arc<AtomicBool>,
+    ) -> Self {
+        Self {
+            language: asked.language,
+            typst: (!asked.no_report).then(|| typst(asked.typst.map(Path::to_owned), interrupted)),
+            templates: asked.templates.map_or_else(|| Ok(Vec::new()), stationery::templates),
+            into: asked.into,
+            folder,
+            inputs: asked.workbooks.iter().map(PathBuf::as_path).collect(),
+            kinds,
+            view: asked.view,
+            tables: asked.tables,
+        }
+    }
 }
 
 /// What a report is set with.
@@ -67,17 +115,19 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
         Ok(folder) => folder,
         Err(refusal) => return refused(&refusal, language, terminal),
     };
-    let settings = Settings {
+    let asked = Asked {
+        workbooks: &arguments.workbooks,
         language: arguments.lang,
+        no_report: arguments.no_report,
+        templates: arguments.templates.as_deref(),
+        typst: arguments.typst.as_deref(),
+        view: false,
         tables: if arguments.values { Tables::Values } else { Tables::Live },
-        typst: if arguments.no_report { None } else { Some(typst(arguments.typst.clone(), interrupted)) },
-        templates: arguments.templates.as_deref().map_or_else(|| Ok(Vec::new()), stationery::templates),
-        folder: folder.as_ref(),
-        inputs: arguments.workbooks.iter().map(PathBuf::as_path).collect(),
-        kinds,
+        into: arguments.into,
     };
+    let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);
     let mut sink = Sink::new(BUILD, arguments.lang, arguments.json);
-    let work = |item: &Item| reading::verdict(&item.workbook, |verdict| build(item, &settings, verdict));
+    let work = |item: &Item| made(item, &settings, &|| false).ending;
     let mut to_open = Vec::new();
     side_by_side::run(&items, work, terminal, |verdict, terminal| {
         to_open.extend(opened::chosen(&verdict).filter(|_| arguments.open));
@@ -103,8 +153,27 @@ fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
     typst.with_interrupt(interrupted)
 }
 
-fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(), Refusal> {
+/// Builds one workbook. `overtaken` says whether it was saved again meanwhile: then nothing is written.
+pub(super) fn made(item: &Item, settings: &Settings<'_>, overtaken: &dyn Fn() -> bool) -> Made {
+    let mut made = Made::default();
+    let ending = reading::verdict(&item.workbook, |verdict| build(item, settings, overtaken, &mut made, verdict));
+    Made { ending, ..made }
+}
+
+fn build(
+    item: &Item,
+    settings: &Settings<'_>,
+    overtaken: &dyn Fn() -> bool,
+    made: &mut Made,
+    verdict: &mut Ending,
+) -> Result<(), Refusal> {
+    if settings.into {
+        // What a killed run left may be the workbook itself: before it is read.
+        verdict.findings.extend(into::settled(item)?);
+    }
     let (bytes, filled) = reading::read(&item.workbook, settings.kinds, verdict)?;
+    made.read(&filled);
+    let into = if settings.into { Some(Into::open(item, &bytes, &filled, &settings.inputs)?) } else { None };
     let own = if settings.folder.is_none() { Some(Folder::open(&item.folder)?) } else { None };
     let Some(folder) = settings.folder.or(own.as_ref()) else { return Ok(()) };
     verdict.findings.extend(folder.settled().cloned());
@@ -113,25 +182,30 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
         set.check(&store::file_name(&item.stem, &ending))?;
     }
     let language = settings.language.unwrap_or(filled.values.language);
-    let wants = Wants { scene: filled.form.viewer };
-    let mut outcome = reading::compute(&item.workbook, filled, settings.kinds, wants, verdict)?;
-    if outcome.stopped() {
+    let wants = Wants { scene: filled.form.viewer || settings.view };
+    let outcome = made.outcome.insert(reading::compute(&item.workbook, filled, settings.kinds, wants, verdict)?);
+    made.overtaken = overtaken();
+    if made.overtaken || outcome.stopped() {
         return Ok(());
     }
+    let notes = into.as_ref().map(|into| into.notes().to_vec()).unwrap_or_default();
+    verdict.findings.extend(notes);
     let scene = outcome.scene.take().transpose()?;
-    let logo = if settings.typst.is_some() { stationery::logo(&item.workbook, &outcome) } else { Ok(None) };
+    let logo = if settings.typst.is_some() { stationery::logo(&item.workbook, outcome) } else { Ok(None) };
     let logo = logo.unwrap_or_else(|caution| {
         verdict.findings.push((*caution).clone());
         outcome.told(*caution);
         None
     });
     let (printed, viewer) = (settings.typst.is_some(), scene.is_some());
-    let delivery = Delivery { item, outcome: &outcome, language, tables: settings.tables, printed, viewer };
+    let outcome = &*outcome;
+    let (tables, live) = (settings.tables, settings.view);
+    let delivery = Delivery { item, outcome, language, tables, printed, viewer, live, into: into.is_some() };
     delivery.write(scene, &mut set)?;
     let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
         let at_work = AtWork::begin();
-        failed = drawings::print(item, &outcome, language, typst, &mut set)?;
+        failed = drawings::print(item, outcome, language, typst, &mut set)?;
         drop(at_work);
         // The report tells the sum of the results: what these list must be settled before.
         if !failed.is_empty() {
@@ -140,7 +214,7 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
         let unset = match &settings.templates {
             Ok(templates) => {
                 let setter = Setter { stationery: Stationery { logo, templates }, language, typst };
-                typeset(item, &bytes, &outcome, &setter, &mut set, verdict)?
+                typeset(item, &bytes, outcome, &setter, &mut set, verdict)?
             }
             Err(refused) => Some((**refused).clone()),
         };
@@ -148,6 +222,13 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
             delivery.list_again(&[], &mut set)?;
         }
         failed.extend(unset);
+    }
+    if let Some(into) = into {
+        into.put(outcome, &delivery.listed(&set), settings.tables, language, &mut set)?;
+    }
+    made.overtaken = overtaken();
+    if made.overtaken {
+        return Ok(());
     }
     verdict.files = set.commit()?;
     verdict.folder = Some(item.folder.clone());

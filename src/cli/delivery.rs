@@ -65,6 +65,10 @@ pub(super) struct Delivery<'a> {
     pub(super) printed: bool,
     /// The viewer goes with it.
     pub(super) viewer: bool,
+    /// The viewer's page refreshes itself.
+    pub(super) live: bool,
+    /// The results go into a workbook, when all else is known: here they are left out.
+    pub(super) into: bool,
 }
 
 /// What the report lists without carrying it: the results, the bodies, and of a turning its viewer.
@@ -109,12 +113,20 @@ impl Delivery<'_> {
         all.filter(|(name, _)| delivered(name)).map(shown).collect()
     }
 
+    /// The files of the set, as the first sheet of the results lists them.
+    pub(super) fn listed(&self, set: &Set<'_>) -> Vec<results::File> {
+        self.files(|name| set.draft(name).is_some())
+    }
+
     /// Writes the results anew where something that they list was not set after all: they list the files of the set, and
     /// those that are `still` to come.
     ///
     /// # Errors
     /// Exit 5 where the file cannot be written.
     pub(super) fn list_again(&self, still: &[&str], set: &mut Set<'_>) -> Result<(), Refusal> {
+        if self.into {
+            return Ok(());
+        }
         let Self { item, outcome, language, .. } = *self;
         let still: Vec<OsString> = still.iter().map(|ending| store::file_name(&item.stem, ending)).collect();
         let files = self.files(|name| set.draft(name).is_some() || still.iter().any(|one| one == name));
@@ -130,9 +142,11 @@ impl Delivery<'_> {
     pub(super) fn write(&self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
         let Self { item, outcome, language, tables, .. } = *self;
         let files = self.files(|_| true);
-        set.write(&store::file_name(&item.stem, RESULTS), |out| {
-            results::write(outcome, &files, tables, language, out)
-        })?;
+        if !self.into {
+            set.write(&store::file_name(&item.stem, RESULTS), |out| {
+                results::write(outcome, &files, tables, language, out)
+            })?;
+        }
         for program in &outcome.programs {
             set.write(&program_name(item, program), |out| program.write(out))?;
         }
@@ -144,7 +158,8 @@ impl Delivery<'_> {
         }
         if let Some(scene) = scene {
             let scene = scene.titled(outcome.part().to_owned(), language);
-            set.write(&store::file_name(&item.stem, VIEWER), |out| view::write(&scene, out))?;
+            let write = if self.live { view::write_live } else { view::write };
+            set.write(&store::file_name(&item.stem, VIEWER), |out| write(&scene, out))?;
         }
         Ok(())
     }

@@ -8,6 +8,7 @@ use super::show;
 use crate::escape::printable;
 use crate::finding::{Finding, Place, Raise};
 use crate::gcode::header::Named;
+use crate::graft;
 use crate::store;
 use crate::workbook::{self, Input};
 
@@ -38,7 +39,9 @@ pub(super) fn compared(program: &Path, head: &[u8]) -> Option<Finding> {
             let path = folder.join(&name);
             // What cannot be read is as good as not there.
             let Ok(bytes) = workbook::open_as(Input::Workbook, &path) else { continue };
-            if store::sha256(&bytes) == named.sha256 {
+            let made_from = || graft::made_from(&bytes);
+            // A workbook that its own results went into is another file since, and says which one it was.
+            if store::sha256(&bytes) == named.sha256 || made_from().is_some_and(|one| one == named.sha256) {
                 return Some(WorkbookUnchanged { workbook: shown }.at(Place::File));
             }
             changed.get_or_insert(shown);

@@ -5,6 +5,7 @@
 
 mod args;
 mod build;
+mod compare;
 mod completions;
 mod delivery;
 mod drawings;
@@ -12,8 +13,10 @@ mod explain;
 mod fault;
 mod finding;
 mod interrupt;
+mod into;
 mod json;
 mod locale;
+mod made;
 mod made_from;
 mod new;
 mod offsets;
@@ -34,6 +37,7 @@ mod turning;
 mod verdict;
 mod verify;
 mod view;
+mod watch;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -95,6 +99,8 @@ fn command(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind], t
         Command::New(new) => new::run(&new, kinds, terminal),
         Command::Check(arguments) => check(&arguments, kinds, terminal),
         Command::Build(arguments) => build::run(&arguments, kinds, terminal),
+        Command::Watch(arguments) => watch::run(&arguments, kinds, terminal),
+        Command::Compare(arguments) => compare::run(&arguments, kinds, terminal),
         Command::Simulate(arguments) => simulate::run(&arguments, kinds, terminal),
         Command::Verify(arguments) => verify::run(&arguments, terminal),
         Command::View(arguments) => view::run(&arguments, kinds, terminal),

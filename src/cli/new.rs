@@ -6,23 +6,25 @@ use std::path::{Path, PathBuf};
 use super::args::New;
 use super::rules::*;
 use super::terminal::Terminal;
-use super::{fault, finding, refused, show};
+use super::{fault, finding, into, refused, show};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::graft::{Donor, Host};
 use crate::kind::Kind;
 use crate::parameter::Case;
-use crate::store::{Existing, Folder, Set, Written};
-use crate::text::Text;
-use crate::workbook::template;
+use crate::store::{self, Existing, Folder, Set, Written};
+use crate::text::{Language, Text};
+use crate::workbook::{self, template};
 
 /// Writes the workbook and says what to do next.
 pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     super::interrupt::listen();
     match write(arguments, kinds) {
-        Ok((written, settled)) => {
-            finding::general(&settled, arguments.lang, terminal);
+        Ok((written, told)) => {
+            finding::general(&told, arguments.lang, terminal);
             for file in written {
                 let path = show::path(&file.path);
                 let word = if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.clone() };
+                let word = if arguments.into.is_some() { format!("{word} --into") } else { word };
                 let text = Text::new(
                     format!("{path} está listo para rellenar; después: rodete build {word}\n"),
                     format!("{path} is ready to edit; then: rodete build {word}\n"),
@@ -35,7 +37,7 @@ pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal)
     }
 }
 
-fn write(arguments: &New, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
+fn write(arguments: &New, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Vec<Finding>), Refusal> {
     let Some((form, kind)) = kinds.iter().map(|kind| (kind.form(), kind)).find(|(form, _)| form.kind == arguments.kind)
     else {
         return Err(fault::refusal("a kind without a form"));
@@ -45,13 +47,39 @@ fn write(arguments: &New, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Option<F
         let case = arguments.case.clone().unwrap_or_default();
         NoSuchCase { kind, case, cases }.refused(Exit::CommandLine, Place::File)
     })?;
+    if let Some(book) = &arguments.into {
+        return put(book, *kind, case, arguments.lang);
+    }
     let file = arguments.file.clone().unwrap_or_else(|| PathBuf::from(format!("{}.xlsx", form.kind)));
     let name = workbook_name(&file)?;
     let folder = Folder::open(file.parent().unwrap_or(Path::new("")))?;
     let mut set = Set::new(&folder, &[], Existing::Keep);
     let (values, lists) = (case.values(arguments.lang), (case.listed)(arguments.lang));
     set.write(name, |out| template::write(*kind, &values, &lists, &case.note, arguments.lang, out))?;
-    Ok((set.commit()?, folder.settled().cloned()))
+    Ok((set.commit()?, folder.settled().cloned().into_iter().collect()))
+}
+
+/// Puts the form into a workbook.
+///
+/// # Errors
+/// Exit 3 where no form may be put in, 4 where the workbook cannot be read, 5 where it cannot be written.
+fn put(book: &Path, kind: &dyn Kind, case: &Case, language: Language) -> Result<(Vec<Written>, Vec<Finding>), Refusal> {
+    let bytes = workbook::open(book)?;
+    store::replaceable(book, &[])?;
+    let folder = Folder::open(book.parent().unwrap_or(Path::new("")))?;
+    let host = Host::open(&bytes)?;
+    let present = host.present();
+    let mut told: Vec<Finding> = folder.settled().cloned().into_iter().collect();
+    told.extend(host.notes().iter().cloned());
+    let (values, lists) = (case.values(language), (case.listed)(language));
+    let (donor, sheets) =
+        into::composed(book, |out| template::write_into(kind, &values, &lists, &case.note, language, &present, out))?;
+    let grown = host.put(&Donor { bytes: &donor, sheets: &sheets, inputs: Vec::new(), source: "" })?;
+    let mut set = Set::new(&folder, &[], Existing::Replace);
+    set.replace(book, &bytes, &grown)?;
+    let mut written = set.commit()?;
+    written.retain(|one| one.path == book);
+    Ok((written, told))
 }
 
 /// The case with a name, or the usual one; `None` where there is none of that name.

@@ -83,6 +83,12 @@ rules! {
         remedy "ábralo usted; los archivos están escritos", "open it yourself; the files are written";
         why "El escritorio abre el archivo con su programa predeterminado.", "The desktop opens the file with its default program.";
         example Example::Never(t("depende del escritorio, no de la entrada", "it depends on the desktop, not on the input"));
+    "U0117" OtherKind Stop { one: String, kind: &'static str, other: String, other_kind: &'static str }
+        es "{one} es un libro de {kind} y {other} de {other_kind}"
+        en "{one} is a workbook of {kind}, {other} of {other_kind}"
+        remedy "compare dos libros de la misma clase", "compare two workbooks of one kind";
+        why "Los libros de dos clases no tienen las mismas entradas.", "Workbooks of two kinds do not have the same inputs.";
+        example made!("two-kinds", "compare impeller.xlsx lathe.xlsx", "compare impeller.xlsx lathe.xlsx");
     "U0121" StockWithoutTurning Stop {}
         es "--stock vale para un programa de torno, no para esta entrada"
         en "--stock is for a turning program, not for this input"

@@ -58,18 +58,24 @@ fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -
     };
     let style = Style::new().bold().fg_color(Some(colour.into()));
     let folder = verdict.folder.as_deref().map(path).unwrap_or_default();
-    let count = verdict.files.len();
+    let count = verdict.files.iter().filter(|file| !verdict.is_beside(&file.path)).count();
+    let (es, en) = match verdict.book() {
+        Some(book) => (format!(", resultados en {}", path(book)), format!(", results in {}", path(book))),
+        None => Default::default(),
+    };
     let report = verdict.files.iter().any(|file| file.name.to_string_lossy().ends_with(REPORT));
     let end = match (verdict.exit, count) {
         (Exit::Done, 0) if !writes => t("se puede generar", "can be built"),
-        (Exit::Done, _) => Text::new(format!("{count} archivos en {folder}"), format!("{count} files in {folder}")),
+        (Exit::Done, _) => {
+            Text::new(format!("{count} archivos en {folder}{es}"), format!("{count} files in {folder}{en}"))
+        }
         (Exit::ReportFailed, _) if report => Text::new(
-            format!("{count} archivos en {folder}, sin todas las plantillas en PDF"),
-            format!("{count} files in {folder}, without all templates in PDF"),
+            format!("{count} archivos en {folder}{es}, sin todas las plantillas en PDF"),
+            format!("{count} files in {folder}{en}, without all templates in PDF"),
         ),
         (Exit::ReportFailed, _) => Text::new(
-            format!("{count} archivos en {folder}, sin informe"),
-            format!("{count} files in {folder}, without a report"),
+            format!("{count} archivos en {folder}{es}, sin informe"),
+            format!("{count} files in {folder}{en}, without a report"),
         ),
         _ if !writes => t("no se puede generar", "cannot be built"),
         (Exit::Refused, _) => t("rechazado; no se ha escrito nada", "rejected; nothing was written"),
@@ -101,7 +107,8 @@ fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> S
         0 => t("", ""),
         _ => t("atienda las precauciones; ", "see to the cautions; "),
     };
-    let next = match (verdict.exit, written(REPORT).or_else(|| written(RESULTS))) {
+    let results = || written(RESULTS).or_else(|| verdict.book().map(path));
+    let next = match (verdict.exit, written(REPORT).or_else(results)) {
         (Exit::Done | Exit::ReportFailed, Some(file)) => {
             let sheet = written(SETUP);
             let [es, en] = sheet.map_or_else(Default::default, |sheet| {

@@ -75,7 +75,8 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
         let item = Item { workbook: path.clone(), stem: store::stem(path), folder: output.clone() };
         let scene = followed.outcome.scene.take().transpose()?;
         let viewer = scene.is_some();
-        Delivery { item: &item, outcome: &followed.outcome, language, tables: Tables::Live, printed: false, viewer }
+        let (outcome, tables, printed) = (&followed.outcome, Tables::Live, false);
+        Delivery { item: &item, outcome, language, tables, printed, viewer, live: false, into: false }
             .write(scene, &mut set)?;
         verdict.files = set.commit()?;
         verdict.folder = Some(output.clone());

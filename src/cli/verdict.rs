@@ -1,6 +1,6 @@
 //! What a command says about one workbook.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::store::Written;
@@ -50,6 +50,18 @@ impl Ending {
     pub(super) fn refuse(&mut self, refusal: Refusal) {
         self.exit = gravest(self.exit, refusal.exit);
         self.findings.extend(refusal.findings);
+    }
+
+    /// The workbook, where the results went into it.
+    pub(super) fn book(&self) -> Option<&Path> {
+        self.files.iter().map(|file| file.path.as_path()).find(|path| *path == self.workbook)
+    }
+
+    /// True for a file that is not of the folder's set: the workbook that the results went into, and the one that was kept.
+    pub(super) fn is_beside(&self, path: &Path) -> bool {
+        self.book().is_some_and(|book| {
+            path == book || path.parent() == book.parent() && path.extension().is_some_and(|one| one == "bak")
+        })
     }
 
     /// How many findings of a grade there are.

@@ -189,6 +189,10 @@ impl<M: Method> Kind for Of<M> {
         M::RULES
     }
 
+    fn setting(&self, fields: &Fields, program: &Program) -> Option<Setting> {
+        M::design(fields).ok().map(|design| M::setting(&design, program))
+    }
+
     fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>> {
         M::design(fields).map(drop)
     }

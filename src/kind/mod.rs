@@ -4,6 +4,7 @@
 //! the way from its values to an outcome is [`Of`](method::Of), written once.
 
 pub mod checks;
+pub mod comparison;
 pub mod live_form;
 pub mod method;
 pub mod rules;
@@ -21,6 +22,7 @@ use crate::figure::{Arc, Figure, Paper};
 use crate::finding::rules::ValueNotFinite;
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule};
 use crate::gcode::control::Control;
+use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
 use crate::kind::live_form::LiveForm;
 use crate::number::grid::OutOfFormat;
@@ -56,6 +58,11 @@ pub trait Kind: Send + Sync {
     /// The rows of its own findings, one list for each of its `rules.rs`. Kinds may share lists.
     fn rules(&self) -> &'static [&'static [&'static Rule]] {
         &[]
+    }
+
+    /// What a program of a filled-in form is read with; `None` where its control says it all.
+    fn setting(&self, _fields: &Fields, _program: &Program) -> Option<Setting> {
+        None
     }
 
     /// The contradictions between the values of a filled-in form, which are reported before anything is computed.

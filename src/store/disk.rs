@@ -23,6 +23,8 @@ pub enum Step {
     Create,
     /// Bytes are written into a file.
     Write,
+    /// A file gets the mode of another.
+    Permit,
     /// A file's contents are brought to the disk.
     Sync,
     /// A file gets a second name.
@@ -89,6 +91,12 @@ impl Disk {
     pub(super) fn write(&self, mut file: &File, path: &Path, bytes: &[u8]) -> io::Result<usize> {
         self.before(Step::Write, path)?;
         file.write(bytes)
+    }
+
+    /// Gives a file the mode of another.
+    pub(super) fn permit(&self, path: &Path, like: &Path) -> io::Result<()> {
+        self.before(Step::Permit, path)?;
+        fs::set_permissions(path, fs::metadata(like)?.permissions())
     }
 
     pub(super) fn sync(&self, file: &File, path: &Path) -> io::Result<()> {

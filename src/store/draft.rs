@@ -118,6 +118,11 @@ impl Draft {
         Ok(())
     }
 
+    /// True once the file has its final name, or was left where it is.
+    pub(super) const fn is_left(&self) -> bool {
+        self.file.is_none()
+    }
+
     /// Leaves the file where it is, and lets go of it.
     pub(super) fn leave(&mut self, unfinished: &mut Unfinished) {
         unfinished.forget(&self.path);

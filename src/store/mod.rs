@@ -18,6 +18,8 @@
 //! - Every change goes through the [`Disk`], which shows each step to whoever watches: that is how it is tried what
 //!   stands in the folder when any one of them fails or is the last.
 //! - An output that is a symbolic link, a folder or a device is refused; a folder may be reached through a link.
+//! - A workbook that is input and output at once ([`Set::replace`]) is replaced in its own folder, with the set or not at all: the
+//!   notice tells of it where that folder is the set's or the one above. It must still be the one that was read.
 //! - New files get the mode that the umask gives, not that of a temporary file.
 //! - On a refusal, folders that were made for the outputs are removed again if they are empty.
 
@@ -28,6 +30,7 @@ mod lock;
 mod name;
 mod notice;
 mod reason;
+mod replaced;
 pub mod rules;
 mod set;
 mod summed;
@@ -38,5 +41,6 @@ pub use draft::{Output, abandon, sha256};
 pub use folder::Folder;
 pub use name::{file_name, namesake, stem};
 pub use notice::{settle, settle_on};
+pub use replaced::replaceable;
 pub use set::{Existing, Set, Written};
 pub use summed::{Sum, Summed};

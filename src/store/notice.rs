@@ -19,6 +19,7 @@ use super::draft::{PREFIX, SUFFIX, sum};
 use super::folder::here;
 use super::lock::Lock;
 use super::reason::{refusal, shown};
+use super::replaced::KEPT;
 use super::rules::*;
 use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::limits::NOTICE_BYTES;
@@ -26,6 +27,9 @@ use crate::text::{Text, t};
 
 /// The notice's name.
 const NAME: &str = ".rodete-delivery.json";
+
+/// The way to the folder above.
+pub(super) const ABOVE: &str = "../";
 
 /// The files of a set.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -88,8 +92,21 @@ impl Entry {
 
 impl Notice {
     /// Adds a file: its final name, its sum, the draft, and the second name of the file that it replaces.
-    pub(super) fn add(&mut self, name: &OsStr, sha256: &str, draft: &Path, second: Option<&Path>) -> io::Result<()> {
-        let last = |path: &Path| path.file_name().map(OsStr::to_owned).ok_or(ErrorKind::InvalidFilename);
+    /// `way` leads from the folder of the notice to that of the file.
+    pub(super) fn add(
+        &mut self,
+        way: &str,
+        name: &OsStr,
+        sha256: &str,
+        draft: &Path,
+        second: Option<&Path>,
+    ) -> io::Result<()> {
+        let led = |name: &OsStr| {
+            let mut led = OsString::from(way);
+            led.push(name);
+            led
+        };
+        let last = |path: &Path| path.file_name().map(led).ok_or(ErrorKind::InvalidFilename);
         let before = match second {
             None => None,
             Some(second) => {
@@ -97,7 +114,7 @@ impl Notice {
                 Some(Before { second: last(second)?, sha256 })
             }
         };
-        self.files.push(Entry { name: name.to_owned(), sha256: sha256.to_owned(), draft: last(draft)?, before });
+        self.files.push(Entry { name: led(name), sha256: sha256.to_owned(), draft: last(draft)?, before });
         Ok(())
     }
 
@@ -137,7 +154,8 @@ impl Notice {
         if notice.sound() { Ok(Some(notice)) } else { Err(illegible(&path)) }
     }
 
-    /// True where every name is that of a file in the folder itself, and what may be moved or removed is ours.
+    /// True where every name is that of a file in the folder itself, and what may be moved or removed is ours. In the folder above a
+    /// workbook alone may be replaced, and kept.
     fn sound(&self) -> bool {
         let plain = |name: &OsStr| {
             let mut steps = Path::new(name).components();
@@ -148,7 +166,18 @@ impl Notice {
             plain(name) && bytes.starts_with(PREFIX.as_bytes()) && bytes.ends_with(SUFFIX.as_bytes())
         };
         self.files.iter().all(|entry| {
-            plain(&entry.name) && ours(&entry.draft) && entry.before.iter().all(|before| ours(&before.second))
+            let seconds = || entry.before.iter().map(|before| &*before.second);
+            let Some(book) = above(&entry.name) else {
+                return plain(&entry.name) && ours(&entry.draft) && seconds().all(ours);
+            };
+            let names = std::iter::once(&*entry.draft).chain(seconds());
+            let name = book.to_string_lossy().to_lowercase();
+            let kept = name.strip_suffix(KEPT);
+            let workbook = [".xlsx", ".xlsm"].iter().any(|ending| kept.unwrap_or(&name).ends_with(ending));
+            plain(book)
+                && workbook
+                && (kept.is_some() || entry.before.is_some())
+                && names.map(above).all(|name| name.is_some_and(ours))
         })
     }
 
@@ -245,6 +274,15 @@ impl Notice {
     }
 }
 
+/// The name of a file in the folder above, from the way to it.
+fn above(name: &OsStr) -> Option<&OsStr> {
+    let mut steps = Path::new(name).components();
+    match (steps.next(), steps.next(), steps.next()) {
+        (Some(Component::ParentDir), Some(Component::Normal(name)), None) => Some(name),
+        _ => None,
+    }
+}
+
 /// True where a folder holds a notice.
 pub(super) fn stands(folder: &Path) -> bool {
     fs::symlink_metadata(folder.join(NAME)).is_ok()
@@ -304,7 +342,7 @@ pub(super) fn settle_locked(folder: &Path, disk: &Disk) -> Result<Option<Finding
 }
 
 /// The SHA-256 of an ordinary file; `None` where there is no file.
-fn sum_of(path: &Path) -> io::Result<Option<String>> {
+pub(super) fn sum_of(path: &Path) -> io::Result<Option<String>> {
     match fs::symlink_metadata(path) {
         Ok(found) if found.is_file() => {}
         Ok(_) => return Ok(Some(String::new())),

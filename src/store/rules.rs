@@ -131,13 +131,27 @@ rules! {
         remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
         why "rodete no sobrescribe su libro con los resultados.", "rodete does not overwrite your workbook with results.";
         example made!("input-as-output", "view part.html -o part.html", "view part.html -o part.html");
-    "S0134" OutputIsOpen Stop { path: String, program: &'static str, lock: String }
-        es "{path} está abierto en {program}"
-        en "{path} is open in {program}"
+    "S0134" OutputIsOpen Stop { path: String, program: &'static str, owner: Text, lock: String }
+        es "{path} está abierto en {program}{owner}"
+        en "{path} is open in {program}{owner}"
         remedy "ciérrelo en {program}; si no está abierto en ninguna parte, borre {lock}",
             "close it in {program}; if it is not open anywhere, delete {lock}";
         why "Quien lo tiene abierto lo guardaría después encima del nuevo.", "Whoever has it open could later save it over the new one.";
         example made!("open-output", "un resultado junto al que está su ~$ de Excel", "a result with Excel's ~$ of it beside it");
+    "S0135" BookReadOnly Stop { path: String }
+        es "{path} está protegido contra escritura"
+        en "{path} is write-protected"
+        remedy "quite la protección del archivo, o genere los resultados sin --into", "remove the file's protection, or build without --into";
+        why "Quien lo protegió no quiere que cambie.", "Whoever protected it does not want it to change.";
+        example made!("into-protected", "build --into de un libro sin permiso de escritura",
+            "build --into of a workbook without permission to write");
+    "S0136" BookChanged Stop { path: String }
+        es "{path} ha cambiado mientras rodete trabajaba con él"
+        en "{path} changed while rodete was working on it"
+        remedy "repita la orden", "run the command again";
+        why "Alguien lo guardó entretanto, y sus cambios se perderían.", "Somebody saved it meanwhile, and those changes would be lost.";
+        example Example::Never(t(
+            "depende de quién guarda el libro y cuándo, no de la entrada", "it depends on who saves the workbook and when, not on the input"));
     "S0141" WrittenTwice Stop { path: String }
         es "{path} se escribiría dos veces"
         en "{path} would be written twice"

@@ -14,6 +14,7 @@ use super::folder::Folder;
 use super::lock::Lock;
 use super::notice::{self, Notice};
 use super::reason::{mixed, put_back, refusal, shown, unwritable};
+use super::replaced::{self, Home};
 use super::rules::*;
 use super::target;
 use crate::escape::printable;
@@ -43,18 +44,22 @@ pub struct Written {
 }
 
 #[derive(Debug)]
-struct Pending {
-    draft: Draft,
-    written: Written,
+pub(super) struct Pending {
+    pub(super) draft: Draft,
+    pub(super) written: Written,
+    /// Where it stands.
+    pub(super) home: Home,
+    /// Of a workbook that is input and output at once, the SHA-256 that it had when it was read.
+    pub(super) before: Option<String>,
 }
 
 /// A set of outputs in one folder. Dropped before [`Set::commit`], it leaves nothing behind.
 #[derive(Debug)]
 pub struct Set<'f> {
-    folder: &'f Folder,
-    inputs: Vec<PathBuf>,
+    pub(super) folder: &'f Folder,
+    pub(super) inputs: Vec<PathBuf>,
     existing: Existing,
-    pending: Vec<Pending>,
+    pub(super) pending: Vec<Pending>,
 }
 
 impl<'f> Set<'f> {
@@ -105,7 +110,7 @@ impl<'f> Set<'f> {
         filled.map_err(|error| fault(&path, &error))?;
         let (bytes, sha256) = draft.sum().map_err(|error| unwritable(&path, &error))?;
         let written = Written { name: name.to_owned(), path, bytes, sha256 };
-        self.pending.push(Pending { draft, written });
+        self.pending.push(Pending { draft, written, home: Home::own(self.folder.place()), before: None });
         self.pending
             .last()
             .map(|one| &one.written)
@@ -162,13 +167,21 @@ impl<'f> Set<'f> {
     /// Exit 5 where a file cannot be put there, or another run holds the folder's lock for long. The files that were
     /// there before are then back; where that fails too, the message names those that stand in their new version.
     pub fn commit(mut self) -> Result<Vec<Written>, Refusal> {
-        for one in &self.pending {
-            target::check(&one.written.path, &self.inputs)?;
-        }
+        self.check_all()?;
         self.sync()?;
         let (place, disk) = (self.folder.place(), self.folder.disk());
         let _lock = Lock::wait(place, disk)?;
         notice::settle_locked(place, disk)?;
+        let other = self.pending.iter().map(|one| &one.home).find(|home| home.is_other()).map(|home| home.path.clone());
+        let _other = match &other {
+            Some(other) => {
+                let lock = Lock::wait(other, disk)?;
+                notice::settle_locked(other, disk)?;
+                Some(lock)
+            }
+            None => None,
+        };
+        self.check_read()?;
         let mut unfinished = unfinished();
         // One file alone is whole at any moment: nothing needs to be noted.
         let done = if self.pending.len() > 1 { self.together(&mut unfinished) } else { self.alone(&mut unfinished) };
@@ -176,6 +189,31 @@ impl<'f> Set<'f> {
         drop(unfinished);
         done?;
         Ok(self.pending.drain(..).map(|one| one.written).collect())
+    }
+
+    /// Checks every final name again: much may have happened since the files were begun.
+    fn check_all(&self) -> Result<(), Refusal> {
+        for one in &self.pending {
+            if one.before.is_some() {
+                let inputs: Vec<&Path> = self.inputs.iter().map(PathBuf::as_path).collect();
+                replaced::replaceable(&one.written.path, &inputs)?;
+            } else {
+                target::check(&one.written.path, &self.inputs)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that a workbook that is replaced still is the one that was read.
+    fn check_read(&self) -> Result<(), Refusal> {
+        for Pending { written, before, .. } in &self.pending {
+            let Some(before) = before else { continue };
+            let found = notice::sum_of(&written.path).map_err(|error| unwritable(&written.path, &error))?;
+            if found.as_ref() != Some(before) {
+                return Err(refusal(&BookChanged { path: shown(&written.path) }));
+            }
+        }
+        Ok(())
     }
 
     /// Brings one file under its final name.
@@ -200,18 +238,30 @@ impl<'f> Set<'f> {
             notice.end(place, disk);
             return Err(put_back(&path, &error));
         }
-        let renamed = self
-            .pending
-            .iter_mut()
-            .try_for_each(|one| {
-                let path = one.written.path.clone();
+        let mut rename = |elsewhere: bool| {
+            let these = self.pending.iter_mut().filter(|one| one.home.way.is_none() == elsewhere);
+            these.map(|one| (one.written.path.clone(), one)).try_for_each(|(path, one)| {
                 one.draft.become_final(&path, existing == Existing::Replace, unfinished).map_err(|error| (path, error))
             })
-            .and_then(|()| disk.sync_folder(place).map_err(|error| (place.to_owned(), error)));
+        };
+        // What no notice tells of comes last, when nothing can fail behind it.
+        let renamed = rename(false)
+            .and_then(|()| disk.sync_folder(place).map_err(|error| (place.to_owned(), error)))
+            .and_then(|()| rename(true));
+        // The rename of a file that stands elsewhere survives a power cut once that folder is on the disk, too; whether it does
+        // changes nothing here.
+        for one in self.pending.iter().filter(|one| one.home.is_other()) {
+            let _ = disk.sync_folder(&one.home.path);
+        }
         let Err((path, error)) = renamed else {
             notice.end(place, disk);
             return Ok(());
         };
+        for one in
+            self.pending.iter().filter(|one| one.home.way.is_none() && one.before.is_none() && one.draft.is_left())
+        {
+            let _ = disk.remove(&one.written.path);
+        }
         let stuck = notice.put_back(place, disk);
         if stuck.is_empty() && disk.sync_folder(place).is_ok() {
             notice.end(place, disk);
@@ -237,11 +287,12 @@ fn prepare(
     existing: Existing,
     notice: &mut Notice,
 ) -> Result<(), (PathBuf, io::Error)> {
-    for Pending { draft, written } in pending {
+    for Pending { draft, written, home, .. } in pending {
+        let Some(way) = home.way else { continue };
         let wrong = |error| (written.path.clone(), error);
         let there = existing == Existing::Replace && is_there(&written.path).map_err(wrong)?;
-        let second = if there { Some(disk.second_name(&written.path, place).map_err(wrong)?) } else { None };
-        if let Err(error) = notice.add(&written.name, &written.sha256, draft.path(), second.as_deref()) {
+        let second = if there { Some(disk.second_name(&written.path, &home.path).map_err(wrong)?) } else { None };
+        if let Err(error) = notice.add(way, &written.name, &written.sha256, draft.path(), second.as_deref()) {
             if let Some(second) = second {
                 let _ = disk.remove(&second);
             }

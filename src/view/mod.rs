@@ -9,4 +9,4 @@
 
 mod page;
 
-pub use page::{html, write};
+pub use page::{html, write, write_live};

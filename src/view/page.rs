@@ -25,6 +25,9 @@ const SCRIPTS: [&str; 11] = [
     include_str!("main.js"),
 ];
 
+/// The last script of a page that refreshes itself.
+const REFRESH: &str = include_str!("refresh.js");
+
 /// JSON for a script element: `<` is escaped, so no text can end the element.
 struct Inside;
 
@@ -44,6 +47,19 @@ impl Formatter for Inside {
 /// # Errors
 /// Passes on the error of `out`.
 pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
+    written(scene, &[], out)
+}
+
+/// Writes the file that shows a scene, and loads itself again every few seconds while nobody uses it: whoever writes it anew
+/// is seen in the browser.
+///
+/// # Errors
+/// Passes on the error of `out`.
+pub fn write_live(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
+    written(scene, &[REFRESH], out)
+}
+
+fn written(scene: &Scene, more: &[&str], out: &mut dyn Write) -> io::Result<()> {
     let language = if scene.language == Language::Es { "es" } else { "en" };
     // Each mark appears once in the page, in this order.
     let mut rest = PAGE;
@@ -56,7 +72,7 @@ pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
             "{{title}}" => out.write_all(element_text(&scene.title).as_bytes())?,
             "{{style}}" => out.write_all(STYLE.as_bytes())?,
             "{{scene}}" => scene.serialize(&mut Serializer::with_formatter(&mut *out, Inside))?,
-            _ => SCRIPTS.iter().try_for_each(|script| out.write_all(script.as_bytes()))?,
+            _ => SCRIPTS.iter().chain(more).try_for_each(|script| out.write_all(script.as_bytes()))?,
         }
     }
     out.write_all(rest.as_bytes())
@@ -117,8 +133,18 @@ mod tests {
     }
 
     #[test]
+    fn only_a_live_page_loads_itself_again() {
+        let (scene, mut live) = (scene("a", "b"), Vec::new());
+        write_live(&scene, &mut live).unwrap();
+        let live = String::from_utf8(live).unwrap();
+        assert!(live.contains("location.reload()") && live.ends_with("</html>\n"));
+        assert_eq!(live.replace(REFRESH, ""), html(&scene));
+        assert!(!html(&scene).contains("location.reload()"));
+    }
+
+    #[test]
     fn every_script_is_short_enough_to_be_read() {
-        for script in SCRIPTS.iter().chain([&PAGE, &STYLE]) {
+        for script in SCRIPTS.iter().chain([&PAGE, &STYLE, &REFRESH]) {
             assert!(script.lines().count() <= 600, "{}", script.lines().next().unwrap_or_default());
         }
     }

@@ -11,7 +11,7 @@ use crate::finding::{Exit, Place, Raise, Refusal};
 use super::gate::Gated;
 use super::listing::SheetEntry;
 use super::rules::package::WorkbookUnread;
-use super::sheet_cells::{self, SheetCells};
+use super::sheet_cells::{self, Columns, SheetCells};
 use super::survey::survey;
 use super::{limits, xml};
 
@@ -53,6 +53,6 @@ impl<'a> Book<'a> {
         } else {
             sheet_cells::stream(&mut self.xlsx, &sheet.name, &sheet.part, columns)?
         };
-        Ok(SheetCells { name: sheet.name.clone(), rows, survey })
+        Ok(SheetCells { columns: Columns::WRITTEN, name: sheet.name.clone(), rows, survey })
     }
 }

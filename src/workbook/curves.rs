@@ -9,9 +9,12 @@ use rust_xlsxwriter::{ColNum, RowNum, Workbook, utility::column_number_to_name};
 use super::error::WriteError;
 use super::live::{self, LiveTables};
 use crate::table::{Cells, Entry, Table};
+use crate::text::{Text, t};
 
 /// The name of the sheet.
 pub const NAME: &str = "Curves";
+/// The same, in both languages.
+pub static SHEET: Text = t(NAME, NAME);
 
 /// The row of the names, and the first of the points, from 0.
 const FIRST: RowNum = 1;
@@ -52,14 +55,11 @@ impl<'a> Curves<'a> {
         Ok(Some((self.sheet.clone(), FIRST, place, FIRST + points, place)))
     }
 
-    /// Writes the hidden sheet, if anything is drawn from it.
+    /// Writes the hidden sheet.
     ///
     /// # Errors
     /// For a value that is not finite.
     pub fn write(&self, workbook: &mut Workbook) -> Result<(), WriteError> {
-        if self.drawn.is_empty() {
-            return Ok(());
-        }
         let sheet = workbook.add_worksheet().set_name(&self.sheet)?;
         sheet.set_hidden(true);
         for (place, (table, column)) in (0..).zip(&self.drawn) {

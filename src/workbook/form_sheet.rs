@@ -203,8 +203,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
             guard::banner(sheet, row, [SYMBOL, RANGE], "", self.language, [&styles.source, &styles.stale])?;
         }
         if let Some(live) = self.live_part() {
-            row += 1;
-            live.write_line(sheet, row, RANGE, styles)?;
+            live.write_line(sheet, 0, [VALUE, RANGE], styles)?;
         }
         for note in self.notes.iter().filter(|note| !note.is_empty()) {
             row += 1;

@@ -4,6 +4,8 @@
 //! in UTF-16 for an empty one. Whatever it relies on is therefore looked at here first, with this module's own walk over
 //! the same parts.
 
+use std::collections::BTreeMap;
+
 use crate::escape::{excerpt, printable};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 
@@ -20,6 +22,8 @@ pub struct Gated<'a> {
     pub package: Package<'a>,
     /// The sheets in their order.
     pub sheets: Vec<SheetEntry>,
+    /// What the workbook's defined names stand for, by the names in lower case.
+    pub names: BTreeMap<String, String>,
     /// Parts that the reader gets in place of those of the package.
     pub plain: Vec<(String, Vec<u8>)>,
     /// How many shared texts there are.
@@ -37,7 +41,7 @@ pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
     signature(bytes)?;
     let mut package = Package::open(bytes)?;
     format(&mut package)?;
-    let Listing { folder, sheets, plain } = listing::sheets(&mut package)?;
+    let Listing { folder, sheets, names, plain } = listing::sheets(&mut package)?;
     let strings = shared_tables::strings(&mut package, &format!("{folder}sharedStrings.xml"))?;
     shared_tables::styles(&mut package, &format!("{folder}styles.xml"))?;
     structure(&mut package, &format!("{folder}theme/theme1.xml"), limits::ATTRIBUTE, |_, _| Ok(()))?;
@@ -45,7 +49,7 @@ pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
     if package.has_ending("vbaproject.bin") {
         notes.push(MacrosNotRead {}.at(Place::File));
     }
-    Ok(Gated { package, sheets, plain, strings, notes })
+    Ok(Gated { package, sheets, names, plain, strings, notes })
 }
 
 /// Judges the first bytes.

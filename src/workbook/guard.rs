@@ -24,6 +24,8 @@ use crate::text::{Language, Text, t};
 
 /// The sheet of the copies.
 pub const SHEET: &str = "Verified";
+/// Its name, in both languages.
+pub static NAME: Text = t(SHEET, SHEET);
 /// The defined name of how many inputs differ.
 pub const STALE: &str = "stale_inputs";
 /// What stands in the first cell of that sheet.
@@ -119,13 +121,19 @@ impl Guard {
         self.columns.push(column);
     }
 
-    /// Writes the hidden sheet and defines its name. `files` are what was made from these inputs.
+    /// Writes the hidden sheet under a name and defines the name of its count. `files` are what was made from these inputs.
     ///
     /// # Errors
     /// For a number that is not finite, and for more inputs than a sheet has rows.
-    pub fn write(&self, workbook: &mut Workbook, files: &[String], styles: &Styles) -> Result<(), WriteError> {
-        workbook.define_name(STALE, &format!("={SHEET}!$C$1"))?;
-        let sheet = workbook.add_worksheet().set_name(SHEET)?;
+    pub fn write(
+        &self,
+        workbook: &mut Workbook,
+        name: &str,
+        files: &[String],
+        styles: &Styles,
+    ) -> Result<(), WriteError> {
+        workbook.define_name(STALE, &format!("={}!$C$1", quote_sheet_name(name)))?;
+        let sheet = workbook.add_worksheet().set_name(name)?;
         sheet.set_hidden(true).set_column_width(0, 32)?.set_column_width(1, 32)?;
         let rows = self.inputs.len() + self.columns.len();
         let last = RowNum::try_from(rows).map_err(|_| WriteError::TooLarge("guard"))? + 1;
@@ -201,7 +209,8 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values) ->
     let mut lists: Vec<String> = values
         .lists
         .iter()
-        .filter(|one| columns.iter().all(|(_, name)| *name != one.sheet))
+        // In a workbook of one's own the lists are not watched.
+        .filter(|one| !columns.is_empty() && columns.iter().all(|(_, name)| *name != one.sheet))
         .map(|one| one.sheet.clone())
         .collect();
     for (column, (key, name)) in (u32::from(LISTS)..).zip(&columns) {

@@ -20,6 +20,8 @@ pub const ATTRIBUTES: usize = 100_000;
 pub const DEPTH: usize = 256;
 /// Sheets of the workbook.
 pub const SHEETS: usize = 1_000;
+/// Defined names that are kept; a form has fewer than a hundred.
+pub const NAMES: usize = 10_000;
 /// An attribute of the part of cell formats, in bytes: they are copied for every format.
 pub const FORMAT_ATTRIBUTE: usize = 320;
 /// Cell formats, as many as spreadsheet programs allow.

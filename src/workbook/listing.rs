@@ -3,7 +3,9 @@
 //! Names and targets are resolved as calamine resolves them, so that both look at the same parts. A target may go through
 //! folders with `./` and `../`, which calamine does not follow: it gets the same package with plain targets.
 
-use quick_xml::escape::escape;
+use std::collections::BTreeMap;
+
+use quick_xml::escape::{escape, resolve_xml_entity};
 use quick_xml::events::Event;
 
 use crate::escape::excerpt;
@@ -44,6 +46,8 @@ pub struct Listing {
     pub folder: String,
     /// The sheets in their order.
     pub sheets: Vec<SheetEntry>,
+    /// What the workbook's defined names stand for, by the names in lower case; those of one sheet alone are left out.
+    pub names: BTreeMap<String, String>,
     /// The parts of relationships with plain targets, by name, where a target has `./` or `../` in it; else empty.
     pub plain: Vec<(String, Vec<u8>)>,
 }
@@ -143,7 +147,9 @@ pub fn sheets(package: &mut Package<'_>) -> Result<Listing, Refusal> {
     let relations = relations(package, &folder, &workbook)?;
     let part = format!("{folder}{workbook}");
     let mut sheets = Vec::new();
+    let (mut names, mut open) = (BTreeMap::new(), None);
     structure(package, &part, limits::ATTRIBUTE, |_, event| {
+        defined(event, &mut open, &mut names);
         let Event::Start(start) = event else { return Ok(()) };
         if start.local_name().as_ref() != "sheet" {
             return Ok(());
@@ -204,7 +210,36 @@ pub fn sheets(package: &mut Package<'_>) -> Result<Listing, Refusal> {
             relationships(listed.map(|(one, target)| (one.id.as_str(), one.kind.as_str(), target.as_str()))),
         ));
     }
-    Ok(Listing { folder, sheets, plain })
+    Ok(Listing { folder, sheets, names, plain })
+}
+
+/// Follows a defined name of the workbook through its events; `open` is the one that is being read.
+fn defined(event: &Event<'_>, open: &mut Option<(String, String)>, names: &mut BTreeMap<String, String>) {
+    match event {
+        Event::Start(start) if start.local_name().as_ref() == "definedName" => {
+            let of_sheet = raw(start, "localSheetId").is_some();
+            *open = attribute(start, "name").filter(|_| !of_sheet).map(|name| (name.to_lowercase(), String::new()));
+        }
+        Event::Text(text) => add(open, text),
+        Event::CData(text) => add(open, text),
+        Event::GeneralRef(reference) => {
+            let character = reference.resolve_char_ref().ok().flatten().map(String::from);
+            let said = character.or_else(|| resolve_xml_entity(reference).map(str::to_owned));
+            add(open, &said.unwrap_or_default());
+        }
+        Event::End(end) if end.local_name().as_ref() == "definedName" && names.len() < limits::NAMES => {
+            names.extend(open.take());
+        }
+        _ => {}
+    }
+}
+
+fn add(open: &mut Option<(String, String)>, text: &str) {
+    if let Some((_, formula)) = open
+        && formula.len() + text.len() <= limits::ATTRIBUTE
+    {
+        formula.push_str(text);
+    }
 }
 
 #[cfg(test)]

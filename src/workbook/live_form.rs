@@ -1,5 +1,5 @@
 //! The live part of a form: beside the inputs what follows from them, with red and green, and a view that is drawn anew with
-//! every value that is typed. The first row below the title says in one line whether the limits hold.
+//! every value that is typed. A line beside the title says whether the limits hold.
 //!
 //! Its cells hold no stored results: every spreadsheet computes them when it opens the form.
 
@@ -45,7 +45,7 @@ fn uncomputed(formula: &str) -> Formula {
 }
 
 impl LivePart<'_> {
-    /// Writes the line that says whether the limits hold, over columns A to `last` of a row.
+    /// Writes the line that says whether the limits hold, over some columns of a row: beside the title, where it stays in sight.
     ///
     /// # Errors
     /// For cells outside the sheet.
@@ -53,7 +53,7 @@ impl LivePart<'_> {
         &self,
         sheet: &mut Worksheet,
         row: RowNum,
-        last: ColNum,
+        [first, last]: [ColNum; 2],
         styles: &Styles,
     ) -> Result<(), WriteError> {
         static HOLD: Text = t(
@@ -72,13 +72,13 @@ impl LivePart<'_> {
             HOLD.get(language),
             BROKEN.get(language)
         );
-        sheet.merge_range(row, 0, row, last, "", &styles.source)?;
-        sheet.write_formula_with_format(row, 0, uncomputed(&formula), &styles.source)?;
+        sheet.merge_range(row, first, row, last, "", &styles.source)?;
+        sheet.write_formula_with_format(row, first, uncomputed(&formula), &styles.source)?;
         let rule = |when: &str, format: &Format| {
             ConditionalFormatFormula::new().set_rule(format!("={when}").as_str()).set_format(format.clone())
         };
-        sheet.add_conditional_format(row, 0, row, last, &rule("OR(NOT(live_ok),live_wrong>0)", &styles.stale))?;
-        sheet.add_conditional_format(row, 0, row, last, &rule("AND(live_ok,live_wrong=0)", &styles.holds))?;
+        sheet.add_conditional_format(row, first, row, last, &rule("OR(NOT(live_ok),live_wrong>0)", &styles.stale))?;
+        sheet.add_conditional_format(row, first, row, last, &rule("AND(live_ok,live_wrong=0)", &styles.holds))?;
         Ok(())
     }
 

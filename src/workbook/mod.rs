@@ -9,12 +9,13 @@
 //! # Limits
 //! See [`limits`]. Whatever the bytes are, reading ends in bounded time and memory.
 
-mod address;
+pub mod address;
 mod book;
 pub mod cell;
 mod chart_sheet;
 pub mod charts;
 pub mod checks_sheet;
+pub mod comparison_book;
 mod curves;
 pub mod drawn;
 pub mod error;
@@ -24,7 +25,7 @@ pub mod guard;
 pub mod limits;
 mod list_rows;
 pub mod list_sheet;
-mod listing;
+pub mod listing;
 pub mod live;
 mod live_form;
 pub mod long_rows;
@@ -32,7 +33,7 @@ pub mod names;
 pub mod offsets_sheet;
 pub mod offsets_table;
 mod open;
-mod package;
+pub mod package;
 pub mod page;
 pub mod program_sheet;
 mod raw_value;
@@ -53,7 +54,7 @@ mod unit;
 pub mod validation;
 mod value;
 mod words;
-mod xml;
+pub mod xml;
 
 pub use gate::gate;
 pub use open::{Input, open, open_as, open_program};

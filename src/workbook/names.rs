@@ -1,8 +1,69 @@
 //! Names of sheets: within the rules, and unique ignoring case.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::limits::SHEET_NAME;
+
+/// The sheets of a workbook that others are put into.
+#[derive(Clone, Debug, Default)]
+pub struct Present {
+    /// The names of all its sheets.
+    pub taken: Vec<String>,
+    /// The names of those that were put in before, by their keys: letters, digits and `_`.
+    pub ours: BTreeMap<String, String>,
+    /// The names of the form's sheets, by their places in the form; one that is missing has none.
+    pub forms: BTreeMap<usize, String>,
+    /// How the folder of the other files is called.
+    pub folder: String,
+}
+
+/// What a sheet is called in marks and in names of parts: letters, digits and `_`.
+#[must_use]
+pub fn slug(key: &str) -> String {
+    key.chars().map(|one| if one.is_ascii_alphanumeric() { one.to_ascii_lowercase() } else { '_' }).collect()
+}
+
+/// What a sheet of a workbook that was written is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// A sheet of the form or of a list: it is filled in.
+    Form,
+    /// A sheet of results, with its key.
+    Result(String),
+}
+
+/// A sheet of a workbook that was written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Made {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub role: Role,
+}
+
+/// The sheet and the cell that a formula names alone, as `'Annex 1'!$A$1`; `None` for any other formula.
+#[must_use]
+pub fn cell(formula: &str) -> Option<(String, String)> {
+    let formula = formula.trim().trim_start_matches('=');
+    let (sheet, cell) = formula.rsplit_once('!')?;
+    let cell: String = cell.chars().filter(|one| *one != '$').collect();
+    let plain = cell.chars().skip_while(char::is_ascii_alphabetic).collect::<String>();
+    if plain.is_empty() || plain.len() == cell.len() || !plain.bytes().all(|one| one.is_ascii_digit()) {
+        return None;
+    }
+    let sheet = match sheet.strip_prefix('\'').and_then(|sheet| sheet.strip_suffix('\'')) {
+        Some(quoted) => quoted.replace("''", "'"),
+        // LibreOffice may mark the sheet as absolute.
+        None => sheet.trim_start_matches('$').to_owned(),
+    };
+    (!sheet.is_empty() && !sheet.starts_with('#')).then_some((sheet, cell))
+}
+
+/// A sheet's name as formulas write it.
+#[must_use]
+pub fn quoted(sheet: &str) -> String {
+    format!("'{}'", sheet.replace('\'', "''"))
+}
 
 /// The names of a workbook's sheets that are taken.
 #[derive(Debug, Default)]
@@ -11,6 +72,12 @@ pub struct SheetNames {
 }
 
 impl SheetNames {
+    /// The names beside those of a workbook.
+    #[must_use]
+    pub fn beside(present: &Present) -> Self {
+        Self { taken: present.taken.iter().map(|name| name.to_lowercase()).collect() }
+    }
+
     /// Takes a name as near to the one wanted as the rules allow.
     pub fn take(&mut self, wanted: &str) -> String {
         let cleaned = clean(wanted);
@@ -50,7 +117,18 @@ fn fitted(text: &str, most: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::SheetNames;
+    use super::{SheetNames, cell};
+
+    #[test]
+    fn a_formula_that_is_one_cell_is_told_from_others() {
+        let own = |sheet: &str, cell: &str| Some((sheet.to_owned(), cell.to_owned()));
+        assert_eq!(cell("'It''s 1'!$A$1"), own("It's 1", "A1"));
+        assert_eq!(cell("DATA!$C$7"), own("DATA", "C7"));
+        assert_eq!(cell("$Data.A1!$C$7"), own("Data.A1", "C7"));
+        for other in ["#REF!$A$1", "'A'!$A$1:$B$2", "1+1", "'A'!#REF!", "\"text\"", "A1", "'A'!name"] {
+            assert_eq!(cell(other), None, "{other}");
+        }
+    }
 
     #[test]
     fn every_name_taken_is_one_that_a_workbook_allows() {

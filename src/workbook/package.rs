@@ -1,6 +1,6 @@
 //! The zip package of a workbook: its entries under caps, every one unpacked to its end.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::io::{self, Cursor, Read, Write};
 
 use zip::result::ZipError;
@@ -113,6 +113,52 @@ impl<'a> Package<'a> {
         for (name, content) in parts {
             let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
             writer.start_file(name.as_str(), stored).map_err(|error| broken(name, &error))?;
+            writer.write_all(content).map_err(|error| broken(name, &ZipError::Io(error)))?;
+        }
+        Ok(writer.finish().map_err(|error| broken("", &error))?.into_inner())
+    }
+
+    /// The names of the entries as they stand in the package, in its order.
+    #[must_use]
+    pub fn names(&self) -> Vec<String> {
+        let name = |index| self.archive.name_for_index(index).and_then(Result::ok).unwrap_or_default().into_owned();
+        (0..self.archive.len()).map(name).collect()
+    }
+
+    /// The package without some entries, with other contents in some, and with further ones at its end. Names are those of
+    /// [`Package::names`]. What is not named is copied as it lies there, packed and dated.
+    ///
+    /// # Errors
+    /// [`Exit::Unreadable`] where an entry cannot be taken over.
+    pub fn changed(
+        &self,
+        gone: &BTreeSet<String>,
+        changed: &BTreeMap<String, Vec<u8>>,
+        added: &[(String, Vec<u8>)],
+    ) -> Result<Vec<u8>, Refusal> {
+        let mut archive = self.archive.clone();
+        let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
+        writer.set_raw_comment(archive.comment().into()).map_err(|error| broken("", &error))?;
+        let packed = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Deflated)
+            .last_modified_time(zip::DateTime::default())
+            .unix_permissions(0o600);
+        for (index, name) in self.names().iter().enumerate() {
+            if gone.contains(name) {
+                continue;
+            }
+            let entry = archive.by_index_raw(index).map_err(|error| broken(name, &error))?;
+            if let Some(content) = changed.get(name) {
+                let dated = packed.last_modified_time(entry.last_modified().unwrap_or_default());
+                drop(entry);
+                writer.start_file(name.as_str(), dated).map_err(|error| broken(name, &error))?;
+                writer.write_all(content).map_err(|error| broken(name, &ZipError::Io(error)))?;
+            } else {
+                writer.raw_copy_file(entry).map_err(|error| broken(name, &error))?;
+            }
+        }
+        for (name, content) in added {
+            writer.start_file(name.as_str(), packed).map_err(|error| broken(name, &error))?;
             writer.write_all(content).map_err(|error| broken(name, &ZipError::Io(error)))?;
         }
         Ok(writer.finish().map_err(|error| broken("", &error))?.into_inner())

@@ -9,11 +9,11 @@ use super::curves::Curves;
 use super::drawn::Drawn;
 use super::error::WriteError;
 use super::form_sheet::Filling;
-use super::guard::{Copy, Guard, SHEET};
+use super::guard::{self, Copy, Guard};
 use super::limits;
-use super::live::LiveTables;
+use super::live::{self, LiveTables};
 use super::long_rows::LongRows;
-use super::names::SheetNames;
+use super::names::{Made, Present, Role, SheetNames, slug};
 use super::page::{Page, properties};
 use super::program_sheet::{self, ProgramSheet};
 use super::save::{Additions, save};
@@ -24,6 +24,8 @@ use super::template::{HOW, Look, OPTIONAL, write_lists};
 use super::{chart_sheet, checks_sheet, curves};
 use crate::figure::Figure;
 use crate::kind::{Outcome, checks};
+use crate::parameter::Sheet;
+use crate::parameter::list::Naming;
 use crate::table::Table;
 use crate::text::{Language, Text, t};
 
@@ -43,6 +45,33 @@ pub fn write<W: Write + Seek + Send>(
     language: Language,
     out: W,
 ) -> Result<(), WriteError> {
+    write_for(outcome, files, tables, language, None, out).map(|_| ())
+}
+
+/// The same for sheets that are put into the workbook of the form: the form and its lists are written, too, under the names that
+/// they have there. Gives the sheets that were written.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_into<W: Write + Seek + Send>(
+    outcome: &Outcome,
+    files: &[File],
+    tables: Tables,
+    language: Language,
+    present: &Present,
+    out: W,
+) -> Result<Vec<Made>, WriteError> {
+    write_for(outcome, files, tables, language, Some(present), out)
+}
+
+fn write_for<W: Write + Seek + Send>(
+    outcome: &Outcome,
+    files: &[File],
+    tables: Tables,
+    language: Language,
+    present: Option<&Present>,
+    out: W,
+) -> Result<Vec<Made>, WriteError> {
     let sketch = outcome.kind.sketch();
     let mut results = Results {
         outcome,
@@ -55,16 +84,17 @@ pub fn write<W: Write + Seek + Send>(
             landscape: false,
             single: false,
         },
-        names: SheetNames::default(),
+        names: present.map_or_else(SheetNames::default, SheetNames::beside),
+        present,
         sheets: Vec::new(),
+        made: Vec::new(),
         workbook: Workbook::new(),
         additions: Additions::default(),
         guard: Guard::default(),
     };
-    let guarded = results.names.take(SHEET);
-    debug_assert_eq!(guarded, SHEET, "the first name is free");
+    let guarded = results.take("verified", &guard::NAME);
     // It stands first and is filled last, when the others are known.
-    let first = results.names.take(summary_sheet::NAME.get(language));
+    let first = results.take("summary", &summary_sheet::NAME);
     results.workbook.add_worksheet().set_name(&first)?;
     results.write_forms(sketch.as_ref())?;
     let placed = results.places();
@@ -72,21 +102,31 @@ pub fn write<W: Write + Seek + Send>(
     results.write_tables(&placed, live)?;
     results.write_programs()?;
     results.write_checks()?;
-    let again = if within_limits(outcome) { &AGAIN } else { &TOO_LARGE };
-    let summary = Summary { outcome, files, sheets: &results.sheets, again, live, language };
+    let again = match present {
+        Some(_) => &AGAIN_INTO,
+        None if within_limits(outcome) => &AGAIN,
+        None => &TOO_LARGE,
+    };
+    let beside = present.map(|present| present.folder.as_str());
+    let summary = Summary { outcome, files, beside, sheets: &results.sheets, again, live, language };
     let names = summary.write(results.workbook.worksheet_from_index(0)?, &results.styles, &results.page)?;
     let first = quote_sheet_name(&first);
     for (name, row) in names {
         results.workbook.define_name(name, &format!("={first}!$C${}", row + 1))?;
     }
     let made: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
-    results.guard.write(&mut results.workbook, &made, &results.styles)?;
-    save(&mut results.workbook, results.additions, out)
+    results.guard.write(&mut results.workbook, &guarded, &made, &results.styles)?;
+    save(&mut results.workbook, results.additions, out)?;
+    Ok(results.made)
 }
 
 static AGAIN: Text = t(
     "Este libro es a su vez una entrada válida: cambie los valores en la hoja siguiente y vuelva a calcular.",
     "This workbook is itself a valid input: change the values on the next sheet and build again.",
+);
+static AGAIN_INTO: Text = t(
+    "Este libro lleva sus entradas: cambie los valores en la hoja del formulario y vuelva a generar con --into.",
+    "This workbook holds its inputs: change the values on the form's sheet and build again with --into.",
 );
 static TOO_LARGE: Text = t(
     "Este libro es demasiado grande para volver a leerlo: cambie los valores en el libro de entrada.",
@@ -99,18 +139,41 @@ struct Results<'a> {
     styles: Styles,
     page: Page<'a>,
     names: SheetNames,
+    /// The workbook that the sheets are put into.
+    present: Option<&'a Present>,
     /// The names of the sheets behind the first, with what they hold.
     sheets: Vec<(String, String)>,
+    /// Every sheet.
+    made: Vec<Made>,
     workbook: Workbook,
     additions: Additions<'a>,
     guard: Guard,
 }
 
 impl<'a> Results<'a> {
-    /// A free name for the next sheet, noted with what it holds.
-    fn name(&mut self, wanted: &Text, holds: &Text) -> String {
-        let name = self.names.take(wanted.get(self.language));
+    /// The name of a sheet of results: the one that it has already, else a free one.
+    fn take(&mut self, key: &str, wanted: &Text) -> String {
+        let there = self.present.and_then(|present| present.ours.get(&slug(key)));
+        let name = there.cloned().unwrap_or_else(|| self.names.take(wanted.get(self.language)));
+        self.made.push(Made { name: name.clone(), role: Role::Result(key.to_owned()) });
+        name
+    }
+
+    /// The same, noted with what the sheet holds.
+    fn name(&mut self, key: &str, wanted: &Text, holds: &Text) -> String {
+        let name = self.take(key, wanted);
         self.sheets.push((name.clone(), holds.get(self.language).to_owned()));
+        name
+    }
+
+    /// The name of a form's sheet, which is noted where there is one.
+    fn form_name(&mut self, index: usize, sheet: &Sheet) -> String {
+        let there = self.present.map(|present| present.forms.get(&index));
+        let name = there.flatten().cloned().unwrap_or_else(|| self.names.take(sheet.name.get(self.language)));
+        if there.is_none_or(|there| there.is_some()) {
+            self.sheets.push((name.clone(), sheet.title.get(self.language).to_owned()));
+        }
+        self.made.push(Made { name: name.clone(), role: Role::Form });
         name
     }
 
@@ -118,7 +181,7 @@ impl<'a> Results<'a> {
         let (outcome, language) = (self.outcome, self.language);
         self.additions.drawn = sketch.map(|figure| Drawn { figure, language });
         for (index, sheet) in outcome.fields.form().sheets.iter().enumerate() {
-            let name = self.name(&sheet.name, &sheet.title);
+            let name = self.form_name(index, sheet);
             if index == 0 {
                 self.workbook.set_properties(&properties(sheet.title.get(language))?);
             }
@@ -128,6 +191,7 @@ impl<'a> Results<'a> {
             let worksheet = self.workbook.add_worksheet();
             let layout = Filling { sheet, values, notes: &notes, guarded: true, live: None, sketch, language }
                 .write(worksheet, &self.styles)?;
+            worksheet.set_name(&name)?;
             layout.finish(worksheet, &self.page, language)?;
             for (defined, cell) in layout.defined_names(&name) {
                 self.workbook.define_name(defined, &cell)?;
@@ -136,13 +200,21 @@ impl<'a> Results<'a> {
                 self.guard.watch(parameter.name, Copy::of(parameter, values(parameter.key), language));
             }
         }
-        let Self { names, sheets, guard, .. } = self;
+        let Self { names, sheets, made, present, guard, .. } = self;
         let lists = &outcome.fields.values().lists;
         let form = outcome.fields.form();
         let look = Look { styles: &self.styles, page: &self.page, language };
-        write_lists(&mut self.workbook, form, lists, &look, Some(guard), |wanted, list| {
-            let name = names.take(wanted);
-            sheets.push((name.clone(), list.title.get(language).to_owned()));
+        // The lists of a workbook of one's own stand where their owner put them.
+        let guard = Some(guard).filter(|_| present.is_none());
+        write_lists(&mut self.workbook, form, lists, &look, guard, |wanted, list| {
+            let one = matches!(list.naming, Naming::One(_));
+            let there =
+                present.map(|_| lists.iter().find(|rows| rows.list == list.key && (one || rows.sheet == wanted)));
+            let name = there.flatten().map_or_else(|| names.take(wanted), |rows| rows.sheet.clone());
+            if there.is_none_or(|there| there.is_some()) {
+                sheets.push((name.clone(), list.title.get(language).to_owned()));
+            }
+            made.push(Made { name: name.clone(), role: Role::Form });
             name
         })
     }
@@ -152,16 +224,22 @@ impl<'a> Results<'a> {
         static CHARTS: Text = t("Gráficos de las tablas", "Charts of the tables");
         let outcome = self.outcome;
         if !outcome.charts.is_empty() {
-            self.name(&chart_sheet::NAME, &CHARTS);
+            self.name("charts", &chart_sheet::NAME, &CHARTS);
         }
-        outcome.tables.iter().map(|table| Placed { sheet: self.name(&table.name, &table.title), table }).collect()
+        outcome
+            .tables
+            .iter()
+            .map(|table| Placed { sheet: self.name(table.key, &table.name, &table.title), table })
+            .collect()
     }
 
     /// The charts, then the tables.
     fn write_tables(&mut self, placed: &[Placed<'a>], live: LiveTables<'_>) -> Result<(), WriteError> {
         let (outcome, language) = (self.outcome, self.language);
         let before = self.sheets.len() - placed.len();
-        let mut curves = Curves::new(live, self.names.take(curves::NAME));
+        let follows = live.on() && placed.iter().any(|one| live::last(one.table.index).is_some());
+        let picked = follows && !outcome.charts.is_empty();
+        let mut curves = Curves::new(live, if picked { self.take("curves", &curves::SHEET) } else { String::new() });
         if !outcome.charts.is_empty() {
             let mut drawn = Vec::new();
             for chart in &outcome.charts {
@@ -190,7 +268,7 @@ impl<'a> Results<'a> {
             sheet.write(worksheet, &self.styles, &live)?;
             sheet.finish(worksheet, &self.page)?;
         }
-        curves.write(&mut self.workbook)
+        if picked { curves.write(&mut self.workbook) } else { Ok(()) }
     }
 
     /// The programs, where they do not stand on sheets of the form as the user's own.
@@ -207,7 +285,7 @@ impl<'a> Results<'a> {
             return Ok(());
         };
         static BLOCKS: Text = t("Los programas, bloque a bloque", "The programs, block by block");
-        let name = self.name(if own { &program_sheet::OWN } else { &program_sheet::NAME }, &BLOCKS);
+        let name = self.name("programs", if own { &program_sheet::OWN } else { &program_sheet::NAME }, &BLOCKS);
         let index = self.workbook.worksheets().len();
         let worksheet = self.workbook.add_worksheet().set_name(&name)?;
         programs.write(worksheet, self.language, &self.styles, &self.page)?;
@@ -223,7 +301,7 @@ impl<'a> Results<'a> {
             "Todo lo que se encontró: paradas, precauciones, notas y comprobaciones, con su lugar y su remedio",
             "All that was found: stops, cautions, notes and checks, with places and remedies",
         );
-        let name = self.name(&table.name, &FOUND);
+        let name = self.name(table.key, &table.name, &FOUND);
         let worksheet = self.workbook.add_worksheet().set_name(name)?;
         checks_sheet::write(worksheet, &table, findings, self.language, &self.styles, &self.page)
     }

@@ -1,6 +1,7 @@
 //! From the cells of a workbook to the checked values of a form.
 //!
-//! Values are found by the symbol in column A, wherever its row stands; capitals count (N and n are two parameters). The
+//! Values are found by the symbol in column A, wherever its row stands; capitals count (N and n are two parameters). Where the sheet has
+//! another name, or columns were moved, the defined names of the values lead to it. The
 //! schema cell is read first: a workbook of another version is refused for that alone, unless the form says what an earlier one
 //! called its parameters.
 
@@ -14,18 +15,21 @@ use crate::parameter::list::{List, Naming};
 use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values};
 use crate::text::{Language, Text, t};
 
-use super::address;
+use super::address::{self, Position};
 use super::book::Book;
-use super::gate::gate;
+use super::gate::{Gated, gate};
 use super::guard;
 use super::list_rows;
 use super::listing::{self, SheetEntry};
+use super::names;
 use super::rules::form::*;
 use super::sheet_cells::{Content, SheetCells};
 use super::survey::COLUMNS;
-use super::value::{self, VALUE, expected, named};
+use super::value::{self, expected, named};
 use super::words;
 
+/// Values are looked for in the columns before this one.
+const MOVED: u32 = 26;
 /// Most unknown symbols that are mentioned.
 const UNKNOWN: usize = 20;
 /// Most cells with formulas that are named.
@@ -54,16 +58,7 @@ pub struct Filled {
 pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     let mut book = Book::open(gate(bytes)?)?;
     let mut findings = std::mem::take(&mut book.gated.notes);
-    let (entry, language) = first_sheet(&book.gated.sheets, forms)?;
-    let sheet = book.read(&entry, COLUMNS)?;
-    if sheet.survey.unsound {
-        let exit = sheet.survey.exit();
-        return Err(refusal(exit, sheet.survey.findings));
-    }
-    if !sheet.survey.filled {
-        return Err(no_cells(&entry));
-    }
-    let (form, earlier) = form_of(&sheet, forms, language)?;
+    let First { entry, language, sheet, version: (form, earlier) } = first(&mut book, forms)?;
     let mut values = Values { language, ..Values::default() };
     let mut exit = Exit::Refused;
     let mut first = Some(sheet);
@@ -73,16 +68,17 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         } else {
             find(&book.gated.sheets, &described.name, language, &mut findings)?
         };
-        let Some(entry) = found else {
+        let led = if index == 0 { None } else { led(&book.gated, described) };
+        let Some(entry) = found.or_else(|| led.as_ref().map(|led| led.entry.clone())) else {
             if !described.optional {
                 let sheet = described.name.get(language);
                 findings.push(SheetMissing { sheet }.at(Place::File));
             }
             continue;
         };
-        let mut sheet = match first.take() {
-            Some(sheet) => sheet,
-            None => match book.read(&entry, COLUMNS) {
+        let (entry, mut sheet) = match first.take() {
+            Some(sheet) => (entry, sheet),
+            None => match further(&mut book, entry, led, described) {
                 Ok(sheet) => sheet,
                 // Told together with what was found on the sheets before it.
                 Err(mut refusal) => {
@@ -139,17 +135,115 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
 
 /// What was changed since the programs of the same workbook were made, by the copies that stand in it.
 fn changed(book: &mut Book<'_>, form: &'static Form, values: &Values) -> Result<Option<Finding>, Refusal> {
-    let Some(entry) = book.gated.sheets.iter().find(|entry| entry.name == guard::SHEET).cloned() else {
-        return Ok(None);
-    };
-    let sheet = book.read(&entry, guard::COLUMNS)?;
-    let Some(guard::Stale { inputs, lists, files }) = guard::stale(&sheet, form, values) else { return Ok(None) };
+    let named = |entry: &&SheetEntry| entry.name.starts_with(guard::SHEET);
+    let sheets: Vec<SheetEntry> = book.gated.sheets.iter().filter(named).cloned().collect();
+    let mut stale = None;
+    for entry in sheets {
+        stale = guard::stale(&book.read(&entry, guard::COLUMNS)?, form, values).or(stale);
+    }
+    let Some(guard::Stale { inputs, lists, files }) = stale else { return Ok(None) };
     let symbols = inputs.iter().map(|key| (*key).to_owned());
     let inputs_told = symbols.chain(lists.iter().map(|sheet| excerpt(sheet, SHOWN))).collect::<Vec<_>>().join(", ");
     let programs = files.join(", ");
     let place = if inputs.is_empty() { Place::File } else { Place::Parameters(inputs) };
     let stale = InputsChanged { inputs: inputs_told, programs }.at(place);
     Ok(Some(values.locate(stale)))
+}
+
+/// The sheet that a form begins with, read.
+struct First {
+    entry: SheetEntry,
+    language: Language,
+    sheet: SheetCells,
+    version: Version,
+}
+
+/// Where a defined name leads.
+#[derive(Clone)]
+struct Led {
+    entry: SheetEntry,
+    at: Position,
+    symbol: &'static str,
+}
+
+/// Where the defined names of a sheet's parameters lead, by the first of them that leads to a sheet of cells: this finds a form
+/// whose sheet has another name, or whose columns were moved.
+fn led(gated: &Gated<'_>, described: &'static Sheet) -> Option<Led> {
+    let parameters = described.sections.iter().flat_map(|section| section.parameters);
+    parameters.filter_map(|one| leads(gated, one)).next()
+}
+
+/// Where the defined name of a parameter leads.
+fn leads(gated: &Gated<'_>, parameter: &'static Parameter) -> Option<Led> {
+    let (sheet, cell) = names::cell(gated.names.get(&parameter.name.to_lowercase())?)?;
+    let entry = gated.sheets.iter().find(|entry| entry.name.to_lowercase() == sheet.to_lowercase())?;
+    let at = address::parse(&cell).filter(|at| at.1 < MOVED)?;
+    (entry.kind == listing::SheetKind::Cells).then(|| Led { entry: entry.clone(), at, symbol: parameter.symbol() })
+}
+
+/// A sheet of a form with its columns where a name leads.
+fn read_led(book: &mut Book<'_>, led: &Led) -> Result<Option<SheetCells>, Refusal> {
+    let mut sheet = book.read(&led.entry, COLUMNS.max(led.at.1 + 1 + COLUMNS))?;
+    let Some(columns) = sheet.columns_about(led.at, led.symbol) else { return Ok(None) };
+    sheet.columns = columns;
+    Ok(Some(sheet))
+}
+
+/// A further sheet of a form: the one of its name, or where that has none of its symbols, the one that the names lead to.
+fn further(
+    book: &mut Book<'_>,
+    entry: SheetEntry,
+    led: Option<Led>,
+    described: &'static Sheet,
+) -> Result<(SheetEntry, SheetCells), Refusal> {
+    let sheet = book.read(&entry, COLUMNS)?;
+    let symbols = rows_by_symbol(&sheet);
+    let parameters = || described.sections.iter().flat_map(|section| section.parameters);
+    let known = parameters().any(|one| symbols.contains_key(one.symbol()));
+    if let Some(led) = led.filter(|_| !known)
+        && let Some(sheet) = read_led(book, &led)?
+    {
+        return Ok((led.entry, sheet));
+    }
+    Ok((entry, sheet))
+}
+
+/// The sheet that a form begins with: the one of its name; where that is no form, the one that the name of the schema cell leads
+/// to.
+fn first(book: &mut Book<'_>, forms: &[&'static Form]) -> Result<First, Refusal> {
+    let refused = match first_named(book, forms) {
+        Ok(first) => return Ok(first),
+        Err(refused) => refused,
+    };
+    let schema = forms.iter().flat_map(|form| form.parameters()).map(|(_, one)| one);
+    let led = schema.filter(|one| matches!(one.kind, FieldKind::Schema)).find_map(|one| leads(&book.gated, one));
+    let Some(led) = led else { return Err(refused) };
+    let Some(sheet) = read_led(book, &led)? else { return Err(refused) };
+    let is = |name: &Text, language| *name.get(language) == *led.entry.name;
+    let names = || forms.iter().filter_map(|form| form.sheets.first()).map(|sheet| &sheet.name);
+    let named = Language::ALL.into_iter().find(|language| names().any(|name| is(name, *language)));
+    let spoken = || if sheet.says("Significado") { Language::Es } else { Language::En };
+    let language = named.unwrap_or_else(spoken);
+    let version = form_of(&sheet, forms, None)?;
+    sound(&sheet, &led.entry)?;
+    Ok(First { entry: led.entry, language, sheet, version })
+}
+
+/// The sheet that a form begins with, by its name.
+fn first_named(book: &mut Book<'_>, forms: &[&'static Form]) -> Result<First, Refusal> {
+    let (entry, language) = first_sheet(&book.gated.sheets, forms)?;
+    let sheet = book.read(&entry, COLUMNS)?;
+    sound(&sheet, &entry)?;
+    let version = form_of(&sheet, forms, Some(language))?;
+    Ok(First { entry, language, sheet, version })
+}
+
+/// Refuses a sheet that cannot be read, and one without cells.
+fn sound(sheet: &SheetCells, entry: &SheetEntry) -> Result<(), Refusal> {
+    if sheet.survey.unsound {
+        return Err(refusal(sheet.survey.exit(), sheet.survey.findings.clone()));
+    }
+    if sheet.survey.filled { Ok(()) } else { Err(no_cells(entry)) }
 }
 
 /// One refusal for everything that was found, gravest first.
@@ -324,14 +418,14 @@ fn same_but_for_case(one: &str, other: &str) -> bool {
 type Version = (&'static Form, Option<&'static Earlier>);
 
 /// The form whose schema stands in the sheet's schema cell.
-fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> Result<Version, Refusal> {
+/// `language`: the one in which the sheet has the form's name; `None` where it has another name.
+fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Option<Language>) -> Result<Version, Refusal> {
     let symbols = rows_by_symbol(sheet);
     let mut wanted: Vec<(&'static Form, &'static Parameter)> = Vec::new();
-    for form in forms
-        .iter()
-        .copied()
-        .filter(|form| form.sheets.first().is_some_and(|one| *one.name.get(language) == *sheet.name))
-    {
+    for form in forms.iter().copied().filter(|form| {
+        let is = |language| form.sheets.first().is_some_and(|one| *one.name.get(language) == *sheet.name);
+        language.is_none_or(is)
+    }) {
         wanted.extend(
             form.parameters().find(|(_, one)| matches!(one.kind, FieldKind::Schema)).map(|(_, one)| (form, one)),
         );
@@ -343,11 +437,11 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> R
         return Err(if rows.is_empty() {
             SchemaRowMissing { symbol, known }.refused(Exit::Refused, Place::Sheet(sheet.name.clone()))
         } else {
-            let cells = rows.iter().map(|row| sheet.place((*row, 0))).collect();
+            let cells = rows.iter().map(|row| sheet.place((*row, sheet.columns.symbol))).collect();
             SchemaRowTwice { symbol }.refused(Exit::Refused, Place::Cells(cells))
         });
     };
-    let at = (*row, VALUE);
+    let at = (*row, sheet.columns.value);
     let found = match sheet.cell(at).map(|cell| &cell.content) {
         Some(Content::Text(text, _)) => excerpt(text.trim(), SHOWN),
         Some(Content::Number(number)) => decimal(*number),
@@ -375,7 +469,7 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> R
 fn rows_by_symbol(sheet: &SheetCells) -> BTreeMap<&str, Vec<u32>> {
     let mut rows: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
     for &row in sheet.rows.keys() {
-        if let Some(symbol) = sheet.text((row, 0)) {
+        if let Some(symbol) = sheet.text((row, sheet.columns.symbol)) {
             rows.entry(symbol).or_default().push(row);
         }
     }
@@ -403,7 +497,7 @@ fn take(
     unknown(sheet, &known, findings);
     for parameter in &parameters {
         if let Some(row) = found(parameter).first() {
-            values.cells.insert(parameter.key, sheet.place((*row, VALUE)));
+            values.cells.insert(parameter.key, sheet.place((*row, sheet.columns.value)));
         }
     }
     let empty = parameters.iter().all(|one| found(one).iter().all(|row| !value::is_filled(sheet, *row)));
@@ -423,7 +517,7 @@ fn take(
                 }
             }
             rows => {
-                let cells = rows.iter().take(10).map(|row| sheet.place((*row, 0))).collect();
+                let cells = rows.iter().take(10).map(|row| sheet.place((*row, sheet.columns.symbol))).collect();
                 let row = SymbolTwice { symbol: parameter.symbol(), count: rows.len() };
                 findings.push(row.at(Place::Cells(cells)));
             }
@@ -439,15 +533,16 @@ fn missing_row(parameter: &'static Parameter, sheet: &SheetCells) -> Finding {
 /// Mentions rows that have a value and a symbol that the form does not know. Headings are not among them: what stands
 /// above the first symbol, and rows whose value cell is empty or says "value" itself.
 fn unknown(sheet: &SheetCells, symbols: &[&str], findings: &mut Vec<Finding>) {
-    let known = |row: u32| sheet.text((row, 0)).is_some_and(|symbol| symbols.contains(&symbol));
+    let known = |row: u32| sheet.text((row, sheet.columns.symbol)).is_some_and(|symbol| symbols.contains(&symbol));
     let rows = sheet.rows.keys().copied().skip_while(|row| !known(*row)).filter(|row| {
-        let heading = sheet.text((*row, VALUE)).is_some_and(|text| ["Value", "Valor"].contains(&text));
+        let heading = sheet.text((*row, sheet.columns.value)).is_some_and(|text| ["Value", "Valor"].contains(&text));
         !known(*row) && !heading && sheet.cell((*row, 0)).is_some() && value::is_filled(sheet, *row)
     });
     let rows: Vec<u32> = rows.collect();
     for row in rows.iter().take(UNKNOWN) {
-        let symbol = sheet.text((*row, 0)).map_or_else(|| "?".to_owned(), |symbol| excerpt(symbol, SHOWN));
-        findings.push(SymbolUnknown { symbol }.at(Place::Cells(vec![sheet.place((*row, 0))])));
+        let symbol =
+            sheet.text((*row, sheet.columns.symbol)).map_or_else(|| "?".to_owned(), |symbol| excerpt(symbol, SHOWN));
+        findings.push(SymbolUnknown { symbol }.at(Place::Cells(vec![sheet.place((*row, sheet.columns.symbol))])));
     }
     if let Some(count) = rows.len().checked_sub(UNKNOWN).filter(|more| *more > 0) {
         findings.push(MoreSymbolsUnknown { count }.at(Place::Sheet(sheet.name.clone())));

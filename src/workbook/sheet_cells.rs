@@ -43,9 +43,27 @@ pub struct Cell {
 /// The rows of a sheet: as many cells each as columns are read.
 pub type Rows = BTreeMap<u32, Vec<Option<Cell>>>;
 
+/// Where the columns of a form stand on a sheet, counted from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Columns {
+    /// The symbols.
+    pub symbol: u32,
+    /// The values.
+    pub value: u32,
+    /// The units.
+    pub unit: u32,
+}
+
+impl Columns {
+    /// As a form is written: A, C and D.
+    pub const WRITTEN: Self = Self { symbol: 0, value: 2, unit: 3 };
+}
+
 /// A sheet, as far as it is read.
 #[derive(Debug)]
 pub struct SheetCells {
+    /// Where the columns of a form stand.
+    pub columns: Columns,
     /// The sheet's name as it stands in the workbook.
     pub name: String,
     /// The rows that hold something in the columns that are read, by their index from 0.
@@ -68,6 +86,28 @@ impl SheetCells {
             Content::Text(text, _) => Some(text.trim()).filter(|text| !text.is_empty()),
             _ => None,
         }
+    }
+
+    /// True where a cell holds this text.
+    #[must_use]
+    pub fn says(&self, text: &str) -> bool {
+        self.rows
+            .iter()
+            .any(|(row, cells)| (0_u32..).take(cells.len()).any(|column| self.text((*row, column)) == Some(text)))
+    }
+
+    /// The columns of a form whose value of a symbol stands in a cell: the symbol stands to the left of it in its row, the
+    /// heading of the units somewhere above.
+    #[must_use]
+    pub fn columns_about(&self, (row, value): Position, symbol: &str) -> Option<Columns> {
+        let symbol = (0..value).rev().find(|column| self.text((row, *column)) == Some(symbol))?;
+        let heads = |row: u32| {
+            let cells = self.rows.get(&row).map_or(0, Vec::len);
+            let mut columns = (0_u32..).take(cells);
+            columns.find(|column| self.text((row, *column)).is_some_and(|text| ["Unit", "Unidad"].contains(&text)))
+        };
+        let unit = self.rows.range(..row).rev().find_map(|(row, _)| heads(*row)).unwrap_or(value + 1);
+        Some(Columns { symbol, value, unit })
     }
 
     /// The place of a cell, for findings.

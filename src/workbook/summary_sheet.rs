@@ -35,6 +35,8 @@ pub struct Summary<'a> {
     pub outcome: &'a Outcome,
     /// The files that are delivered with the results.
     pub files: &'a [File],
+    /// The folder that they are in, where it is not that of the workbook.
+    pub beside: Option<&'a str>,
     /// The other sheets: their names and contents.
     pub sheets: &'a [(String, String)],
     /// How to use this workbook as an input.
@@ -132,10 +134,13 @@ impl Summary<'_> {
         if self.files.is_empty() {
             return t("Solo este libro.", "Only this workbook.");
         }
-        static BESIDE: Text = t("En la carpeta de este libro:", "In the folder of this workbook:");
+        let beside = self.beside.map_or_else(
+            || t("En la carpeta de este libro:", "In the folder of this workbook:"),
+            |folder| Text::new(format!("En la carpeta {folder}:"), format!("In the folder {folder}:")),
+        );
         let list = |language: Language| {
             let files = self.files.iter().map(|(name, what)| format!("{name}: {}", what.get(language)));
-            std::iter::once(BESIDE.get(language).to_owned()).chain(files).collect::<Vec<_>>().join("\n")
+            std::iter::once(beside.get(language).to_owned()).chain(files).collect::<Vec<_>>().join("\n")
         };
         Text::new(list(Language::Es), list(Language::En))
     }

@@ -10,6 +10,7 @@ use super::form_sheet::{Filling, Layout};
 use super::guard::Guard;
 use super::list_sheet::ListSheet;
 use super::live_form::{LivePart, VIEW};
+use super::names::{Made, Present, Role, SheetNames};
 use super::page::{Page, properties};
 use super::save::{Additions, save};
 use super::style::Styles;
@@ -43,6 +44,24 @@ pub fn write<W: Write + Seek + Send>(
     language: Language,
     out: W,
 ) -> Result<(), WriteError> {
+    write_into(kind, values, lists, note, language, &Present::default(), out).map(|_| ())
+}
+
+/// The same for sheets that are put into a workbook: a form's sheet whose name is taken there gets another. Gives the sheets that
+/// were written.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_into<W: Write + Seek + Send>(
+    kind: &dyn Kind,
+    values: &[(&'static str, Value)],
+    lists: &[Rows],
+    note: &Text,
+    language: Language,
+    present: &Present,
+    out: W,
+) -> Result<Vec<Made>, WriteError> {
+    let (mut names, mut made) = (SheetNames::beside(present), Vec::new());
     let form = kind.form();
     let find = |key: &str| values.iter().find(|(one, _)| *one == key).map(|(_, value)| value);
     let part = match find(form.part.key()) {
@@ -57,7 +76,8 @@ pub fn write<W: Write + Seek + Send>(
     }
     let sketch = kind.sketch();
     let drawn = sketch.as_ref().map(|figure| Drawn { figure, language });
-    let live = kind.live();
+    // In a workbook of one's own there may be names that are the same, and other things beside the inputs.
+    let live = kind.live().filter(|_| present.taken.is_empty());
     let charts = live.iter().map(|_| VIEW).collect();
     let additions = Additions { drawn, uncomputed: live.is_some(), charts, ..Additions::default() };
     for (index, sheet) in form.sheets.iter().enumerate() {
@@ -66,20 +86,27 @@ pub fn write<W: Write + Seek + Send>(
         let live = live.as_ref().filter(|_| index == 0);
         let layout = Filling { sheet, values: find, notes: &notes, guarded: false, live, sketch, language }
             .write(worksheet, &styles)?;
+        let name = names.take(sheet.name.get(language));
+        worksheet.set_name(&name)?;
         layout.finish(worksheet, &page, language)?;
-        for (name, cell) in layout.defined_names(sheet.name.get(language)) {
-            workbook.define_name(name, &cell)?;
+        for (defined, cell) in layout.defined_names(&name) {
+            workbook.define_name(defined, &cell)?;
         }
-        for (name, cell) in &layout.live {
-            workbook.define_name(name, cell)?;
+        for (defined, cell) in &layout.live {
+            workbook.define_name(defined, cell)?;
         }
+        made.push(Made { name, role: Role::Form });
     }
     let look = Look { styles: &styles, page: &page, language };
-    write_lists(&mut workbook, form, lists, &look, None, |name, _| name.to_owned())?;
+    write_lists(&mut workbook, form, lists, &look, None, |name, _| {
+        made.push(Made { name: name.to_owned(), role: Role::Form });
+        name.to_owned()
+    })?;
     if let Some(form) = &live {
         LivePart { form, sheet: "", column: 0, language }.write_view(&mut workbook)?;
     }
-    save(&mut workbook, additions, out)
+    save(&mut workbook, additions, out)?;
+    Ok(made)
 }
 
 /// What stands under the title of a sheet.

@@ -13,10 +13,6 @@ use super::sheet_cells::{Content, SheetCells};
 use super::typed_number;
 use super::{unit, words};
 
-/// The column of the values, C.
-pub const VALUE: u32 = 2;
-/// The column of the units, D.
-const UNIT: u32 = 3;
 /// Most characters of machine codes.
 const CODES: usize = 200;
 /// Most characters of a date.
@@ -27,7 +23,7 @@ const SHOWN: usize = 40;
 /// Reads the value of a parameter from a row; what is wrong with it goes to `findings`. `None` where it is empty or
 /// wrong.
 pub fn read(parameter: &'static Parameter, sheet: &SheetCells, row: u32, findings: &mut Vec<Finding>) -> Option<Value> {
-    let mut reading = Reading { parameter, sheet, at: (row, VALUE), findings };
+    let mut reading = Reading { parameter, sheet, at: (row, sheet.columns.value), findings };
     let value = reading.value();
     if is_filled(sheet, row) {
         reading.unit();
@@ -48,7 +44,7 @@ pub fn read_at(
 /// True where the value cell of a row holds anything, right or wrong.
 #[must_use]
 pub fn is_filled(sheet: &SheetCells, row: u32) -> bool {
-    holds(sheet, (row, VALUE))
+    holds(sheet, (row, sheet.columns.value))
 }
 
 /// True where a cell holds anything, right or wrong.
@@ -250,7 +246,7 @@ impl Reading<'_> {
 
     /// Compares the unit cell with the unit the parameter has.
     fn unit(&mut self) {
-        let at = (self.at.0, UNIT);
+        let at = (self.at.0, self.sheet.columns.unit);
         let written = match self.sheet.cell(at).map(|held| &held.content) {
             None => String::new(),
             Some(Content::Text(text, _)) => text.trim().to_owned(),

@@ -4,6 +4,7 @@
 
 mod coded;
 mod common;
+mod compare;
 mod delivered;
 mod environment;
 mod faults;
@@ -14,4 +15,5 @@ mod spoken;
 mod usage;
 mod verify;
 mod view;
+mod watch;
 mod work;

@@ -9,6 +9,7 @@ use std::path::Path;
 use std::time::{Duration, SystemTime};
 
 mod killed;
+mod replaced;
 
 use rodete::finding::{Exit, Refusal};
 use rodete::store::{Existing, Folder, Set, Written, namesake, sha256};

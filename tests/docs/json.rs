@@ -74,6 +74,7 @@ fn every_key_of_every_document_stands_on_the_page() {
     let place = |name: &str| folder.path().join(name);
     let taken = [
         ("workbooks/impeller.xlsx", "impeller.xlsx"),
+        ("workbooks/impeller-tfg-2021.xlsx", "other.xlsx"),
         ("tests/controls/linuxcnc/good/g92-from-file.var", "a.var"),
         ("tests/lathe/alarms/depth-of-cut.nc", "deep.nc"),
         ("tests/golden/annex-09-blade-as-printed.nc", "blade.nc"),
@@ -82,11 +83,12 @@ fn every_key_of_every_document_stands_on_the_page() {
     for (path, name) in taken {
         fs::copy(root().join(path), place(name)).unwrap();
     }
-    let commands: [(&str, &[&[&str]]); 4] = [
+    let commands: [(&str, &[&[&str]]); 5] = [
         (
             "`check` and `build`",
             &[&["check", "impeller.xlsx", "--json"], &["build", "impeller.xlsx", "--no-report", "--json"]],
         ),
+        ("`compare`", &[&["compare", "impeller.xlsx", "other.xlsx", "--json"]]),
         ("`verify`", &[&["verify", "blade.nc", "--tools", "tools.tbl", "--json"]]),
         (
             "`simulate`",

@@ -20,6 +20,7 @@ use rodete::typeset::compiler::Typst;
 use rodete::typeset::failure::ReportFailure;
 
 use super::common;
+use super::common::workbook::Parts;
 use super::made::may_read_all;
 
 /// The pieces of a row's sentence between its fields.
@@ -162,6 +163,11 @@ fn made(key: &str, folder: &Path) -> Option<Line> {
                 _ => "build impeller.xlsx --templates nowhere".to_owned(),
             }
         }
+        "two-kinds" => {
+            run(folder, &["new", "lathe"].map(str::to_owned), Language::En);
+            run(folder, &["new", "impeller"].map(str::to_owned), Language::En);
+            "compare impeller.xlsx lathe.xlsx".to_owned()
+        }
         "workbook-as-program" | "lathe-tools" => {
             run(folder, &["new", "lathe"].map(str::to_owned), Language::En);
             match key {
@@ -184,9 +190,86 @@ fn made(key: &str, folder: &Path) -> Option<Line> {
             put("long.nc", &format!("G0 X1\n{}M30\n", "X1\nX2\n".repeat(500_001)));
             "view long.nc --dialect fagor-8055".to_owned()
         }
-        _ => return None,
+        _ => into(key, folder)?.to_owned(),
     };
     Some((line.split(' ').map(str::to_owned).collect(), held))
+}
+
+/// An engineer's own workbook with a sheet of each name.
+fn own(names: &[&str]) -> Parts {
+    let mut workbook = rust_xlsxwriter::Workbook::new();
+    for name in names {
+        workbook.add_worksheet().set_name(*name).unwrap().write(0, 0, "own").unwrap();
+    }
+    Parts::of(&workbook.save_to_buffer().unwrap())
+}
+
+/// Makes a workbook that sheets are put into, and says the command.
+fn into(key: &str, folder: &Path) -> Option<&'static str> {
+    const BOOK: &str = "xl/workbook.xml";
+    const LINKS: &str = "xl/_rels/workbook.xml.rels";
+    const NEW: &str = "new impeller --into own.xlsx";
+    let link = |kind: &str| {
+        let space = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+        format!("<Relationship Id=\"own\" Type=\"{space}/{kind}\" Target=\"own.xml\"/></Relationships>")
+    };
+    let before_views = |element: &str| own(&["Notes"]).replace(BOOK, "<bookViews>", &format!("{element}<bookViews>"));
+    let linked = |kind: &str| own(&["Notes"]).replace(LINKS, "</Relationships>", &link(kind));
+    let form = || {
+        run(folder, &["new", "impeller", "own.xlsx"].map(str::to_owned), Language::En);
+        Parts::of(&fs::read(folder.join("own.xlsx")).unwrap())
+    };
+    let (parts, line) = match key {
+        "into-signed" => (own(&["Notes"]).put("_xmlsignatures/origin.sigs", ""), NEW),
+        "into-locked" => (before_views("<workbookProtection lockStructure=\"1\"/>"), NEW),
+        "into-revisions-locked" => (before_views("<workbookProtection lockRevision=\"true\"/>"), NEW),
+        "into-shared" => (linked("revisionHeaders"), NEW),
+        "into-strict" => {
+            let main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+            (own(&["Notes"]).replace(BOOK, main, "http://purl.oclc.org/ooxml/spreadsheetml/main"), NEW)
+        }
+        "into-template" => (own(&["Notes"]).replace("[Content_Types].xml", "sheet.main+xml", "template.main+xml"), NEW),
+        "into-views" => {
+            let parts = own(&["Notes"]);
+            (parts.replace(BOOK, "</workbook>", "<customWorkbookViews/></workbook>"), NEW)
+        }
+        "into-no-styles" => (own(&["Notes"]).without("xl/styles.xml"), NEW),
+        "into-formats" => {
+            let formats = "<xf numFmtId=\"0\" fontId=\"0\" fillId=\"0\" borderId=\"0\"/>".repeat(65_489);
+            (own(&["Notes"]).replace("xl/styles.xml", "</cellXfs>", &format!("{formats}</cellXfs>")), NEW)
+        }
+        "into-large" => {
+            let listed = |number| format!("<sheet name=\"Own {number}\" sheetId=\"{number}\" r:id=\"rId1\"/>");
+            let sheets: String = (2..=999).map(listed).collect();
+            (own(&["Notes"]).replace(BOOK, "</sheets>", &format!("{sheets}</sheets>")), NEW)
+        }
+        "into-mark" => {
+            let name = "<definedName name=\"rodete_sheet_summary\">DATA!$A$1</definedName><definedName name=\"rodete_title_summary\">\"own\"";
+            let parts = form().replace(BOOK, "<definedNames>", &format!("<definedNames>{name}</definedName>"));
+            (parts, "build own.xlsx --into --no-report")
+        }
+        "into-name" => {
+            let parts = form().replace(BOOK, "name=\"torus_R\">", "name=\"torus_R\">2*");
+            (parts, "build own.xlsx --into --no-report")
+        }
+        "into-form" => (form(), NEW),
+        "into-list" => (own(&["TOOLS", "HERRAMIENTAS"]), "new lathe --into own.xlsx"),
+        "into-macros" => (own(&["Notes"]).put("xl/vbaProject.bin", "own"), NEW),
+        "into-read-only" => {
+            let parts = own(&["Notes"]);
+            let (from, to) = ("<workbookPr", "<fileSharing readOnlyRecommended=\"1\"/><workbookPr");
+            (parts.replace(BOOK, from, to), NEW)
+        }
+        "into-manual" => (own(&["Notes"]).replace(BOOK, "<calcPr", "<calcPr calcMode=\"manual\""), NEW),
+        "into-links" => (linked("externalLink"), NEW),
+        "into-protected" => (own(&["Notes"]), NEW),
+        _ => return None,
+    };
+    fs::write(folder.join("own.xlsx"), parts.zip()).unwrap();
+    if key == "into-protected" {
+        fs::set_permissions(folder.join("own.xlsx"), fs::Permissions::from_mode(0o444)).unwrap();
+    }
+    Some(line)
 }
 
 /// A turning program at which the example machine finds nothing.

@@ -300,6 +300,31 @@ fn keys_play_step_and_switch() {
 }
 
 #[test]
+fn a_live_page_loads_itself_again_as_it_stood() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let page = folder.path().join("live.html");
+    let mut live = Vec::new();
+    rodete::view::write_live(&turned::scene(1), &mut live).expect("a page");
+    fs::write(&page, live).expect("a page");
+    let browser = Browser::start(true);
+    browser.open(&page, "");
+    browser.keys(&["3", "\u{E014}", "\u{E014}", "l"]);
+    browser.run("window.stood = true");
+    let status = browser.until("it was loaded again", |status| {
+        status["loaded"].as_f64() > Some(0.0) && browser.run("return window.stood ?? false") == json!(false)
+    });
+    assert_eq!((real(&status["cursor"]), &status["preset"], &status["language"]), (2.0, &json!("plan"), &json!("en")));
+    // While it is used it stays.
+    browser.run("window.stood = true; setInterval(() => dispatchEvent(new Event('pointermove')), 500)");
+    std::thread::sleep(std::time::Duration::from_secs(7));
+    assert_eq!(browser.run("return window.stood"), json!(true));
+    quiet(&browser);
+}
+
+#[test]
 fn both_languages_are_spoken() {
     if !chromium() {
         return;

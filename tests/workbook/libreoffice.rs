@@ -175,6 +175,8 @@ fn libreoffice_finds_no_error_in_any_workbook() {
                 let (top, left) = ours.start().expect("a first cell");
                 let place = (top + u32::try_from(row).expect("a row"), left + u32::try_from(column).expect("a column"));
                 match (cell, theirs.get_value(place)) {
+                    // Rows that are prepared for more points show nothing.
+                    (Data::String(ours), _) if ours.trim().is_empty() => {}
                     (Data::Float(ours), Some(Data::Float(theirs))) => {
                         assert!((ours - theirs).abs() <= 1e-14 * ours.abs(), "{file:?}, {name}, {place:?}");
                     }
@@ -183,8 +185,6 @@ fn libreoffice_finds_no_error_in_any_workbook() {
                         let seen = |text: &str| text.chars().filter(|one| !one.is_control()).collect::<String>();
                         assert_eq!(seen(ours), seen(theirs), "{file:?}, {name}, {place:?}");
                     }
-                    // Rows that are prepared for more points show nothing.
-                    (Data::String(ours), _) if ours.trim().is_empty() => {}
                     (ours, theirs) => panic!("{file:?}, {name}, {place:?}: {ours:?} became {theirs:?}"),
                 }
             }

@@ -8,11 +8,13 @@ use std::path::{Path, PathBuf};
 
 use calamine::{Data, Range, Reader, Xlsx, open_workbook};
 use rodete::kind::Outcome;
+use rodete::kinds::KINDS;
 use rodete::parameter::Value;
 use rodete::table::{Entry, Index, Table};
 use rodete::text::Language;
 use rodete::workbook::guard::{SHEET, STALE};
 use rodete::workbook::results::{self, Tables};
+use rodete::workbook::{self, template};
 
 /// What LibreOffice keeps of a number in its file, beside what its arithmetic differs by.
 const TOLERANCE: f64 = 1e-12;
@@ -99,9 +101,14 @@ fn stale(book: &mut Book) -> f64 {
 
 /// A results workbook with another value in the cell of an input.
 fn with(bytes: &[u8], cell: &str, inner: &str) -> Vec<u8> {
+    with_on(bytes, "DATA", cell, inner)
+}
+
+/// The same on a sheet.
+fn with_on(bytes: &[u8], sheet: &str, cell: &str, inner: &str) -> Vec<u8> {
     let parts = Parts::of(bytes);
     let listed = parts.text("xl/workbook.xml");
-    let before = listed.split("<sheet name=\"DATA\"").next().expect("a list of sheets");
+    let before = listed.split(&format!("<sheet name=\"{sheet}\"")).next().expect("a list of sheets");
     let part = format!("xl/worksheets/sheet{}.xml", before.matches("<sheet name=").count() + 1);
     parts.cell(&part, cell, &format!("<c r=\"{cell}\"{inner}</c>")).zip()
 }
@@ -239,6 +246,74 @@ fn the_guard_sees_every_change_of_an_input_and_none_where_there_is_none() {
         assert!((stale(book) - count).abs() < 0.5, "{name} {inner}: {}", stale(book));
     }
     assert!(stale(books.last_mut().expect("the last book")) > 0.5, "a name that is gone");
+}
+
+#[test]
+fn the_form_computes_its_limits_and_names_the_one_that_is_broken() {
+    if !libreoffice() {
+        return;
+    }
+    let kind = *KINDS.iter().find(|kind| kind.form().kind == "impeller").expect("the impeller");
+    let case = kind.cases().iter().find(|case| case.name == "tfg-2021").expect("the published case");
+    for language in Language::ALL {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut out = std::io::Cursor::new(Vec::new());
+        let (values, lists) = (case.values(language), (case.listed)(language));
+        template::write(kind, &values, &lists, &case.note, language, &mut out).expect("a form");
+        let form = out.into_inner();
+        let data = if language == Language::Es { "DATOS" } else { "DATA" };
+        let many = with_on(&form, data, &cell_of(&form, "blades_N"), "><v>9</v>");
+        let empty = with_on(&form, data, &cell_of(&form, "meridian_r"), ">");
+        let closed = with_on(&form, data, &cell_of(&form, "meridian_r"), "><v>30</v>");
+        let names = ["sound", "many", "empty", "closed"].map(str::to_owned);
+        let books: Vec<_> = names.into_iter().zip([form.clone(), many, empty, closed]).collect();
+        let mut books = recalculated(folder.path(), language == Language::Es, &books);
+        let outcome = common::outcome("tfg-2021", &[]);
+        for (symbol, name) in [
+            ("L", "live_L"),
+            ("k", "live_k"),
+            ("w", "live_w"),
+            ("N_max", "live_N_max"),
+            ("e_max", "live_e_max"),
+            ("gap", "live_gap"),
+        ] {
+            let value = outcome.quantities.iter().find(|one| one.symbol == symbol).expect("a quantity").value;
+            let place = place_of(&cell_of(&form, name));
+            let there = number(range(&mut books[0], data).get_value(place)).expect("a number");
+            assert!((there - value).abs() <= TOLERANCE * value.abs().max(1.0), "{name}: {value}, {there}");
+        }
+        let said = |book: &mut Book| range(book, data).get_value((0, 2)).map(ToString::to_string).unwrap_or_default();
+        let told = books.iter_mut().map(said).collect::<Vec<_>>();
+        let words = match language {
+            Language::En => {
+                ["rodete check judges the rest", "red cells: 3", "no numbers: 1", "R must be greater than r"]
+            }
+            Language::Es => {
+                ["lo juzga rodete check", "celdas rojas: 3", "no son números: 1", "R ha de ser mayor que r"]
+            }
+        };
+        for (told, words) in told.iter().zip(words) {
+            assert!(told.contains(words), "{told}");
+        }
+        // The view stays within the circle of the part, however many blades there are.
+        for book in &mut books {
+            let plan = range(book, "Plan");
+            let points = plan.used_cells().filter(|(_, column, _)| *column >= 6);
+            for (.., cell) in points {
+                assert!(number(Some(cell)).is_none_or(|at| at.abs() < 1.1), "{cell}");
+            }
+        }
+        let taken = workbook::read(&form, &[kind.form()]).expect("the form is an input");
+        assert!(taken.findings.is_empty(), "{:?}", taken.findings);
+    }
+}
+
+/// Row and column of a cell, from 0.
+fn place_of(cell: &str) -> (u32, u32) {
+    let letters = cell.chars().take_while(char::is_ascii_alphabetic);
+    let column = letters.fold(0, |sum, one| 26 * sum + u32::from(one) - u32::from('A') + 1);
+    let row: u32 = cell.trim_start_matches(|one: char| one.is_ascii_alphabetic()).parse().expect("a row");
+    (row - 1, column - 1)
 }
 
 #[test]

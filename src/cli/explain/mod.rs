@@ -20,6 +20,7 @@ use crate::escape::printable;
 use crate::finding::{self, Exit, Place, Raise, Rule};
 use crate::gcode::rules::{codes, expressions, flow, geometry, lexis, modes, words};
 use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
+use crate::graft;
 use crate::kind::{self, Kind};
 use crate::machine;
 use crate::parameter;
@@ -58,6 +59,7 @@ const RULES: &[&[&Rule]] = &[
     workbook::rules::offsets::RULES,
     machine::rules::RULES,
     kind::rules::RULES,
+    graft::rules::RULES,
     store::rules::RULES,
     rules::RULES,
     typeset::rules::RULES,

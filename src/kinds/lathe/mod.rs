@@ -24,7 +24,7 @@ use std::sync::LazyLock;
 
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule, Said, Size};
-use crate::gcode::interpreter::Standstill;
+use crate::gcode::interpreter::{Setting, Standstill};
 use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
 use crate::gcode::rules::lexis::MoreRefusals;
@@ -163,6 +163,10 @@ impl Kind for Lathe {
 
     fn rules(&self) -> &'static [&'static [&'static Rule]] {
         &[rules::RULES]
+    }
+
+    fn setting(&self, fields: &Fields, _program: &Program) -> Option<Setting> {
+        Given::of(fields).ok().map(|given| given.setting())
     }
 
     fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>> {

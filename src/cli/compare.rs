@@ -1,0 +1,287 @@
+//! The command `compare`: two workbooks of one kind side by side.
+
+use std::path::Path;
+
+use anstyle::Style;
+use serde_json::{Value, json};
+use textwrap::core::display_width;
+
+use super::args::Compare;
+use super::finding::wrapped;
+use super::locale::spoken;
+use super::made::Made;
+use super::new::workbook_name;
+use super::rules::*;
+use super::terminal::Terminal;
+use super::verdict::{code, gravest, status};
+use super::{finding, interrupt, json, plan, reading, refused, show};
+use crate::finding::{Exit, Place, Raise, Refusal};
+use crate::kind::comparison::sheets::{Held, Sheet};
+use crate::kind::comparison::{Comparison, Found, Input, ProgramPair, Shown};
+use crate::kind::{Kind, Wants};
+use crate::machine::axis::{Axis, Pose};
+use crate::number::{decimal, shown};
+use crate::store::{Existing, Folder, Set};
+use crate::text::{Language, Text, t};
+use crate::workbook::comparison_book;
+
+/// Columns wider than this stand on lines of their own.
+const WIDE: usize = 34;
+/// Decimals of the figures shown.
+const DECIMALS: usize = 6;
+/// Most rows of a table that are shown; the workbook and the JSON document have all.
+const ROWS: usize = 60;
+
+/// Compares, and prints or writes what differs.
+pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
+    interrupt::listen();
+    let sides = [&arguments.one, &arguments.other].map(|path| computed(path, kinds));
+    let language = spoken(arguments.lang, sides[0].ending.language);
+    let mut exit = Exit::Done;
+    for side in &sides {
+        // Values that contradict each other can be compared; what could not be read cannot.
+        if side.values.is_none() || side.ending.exit != Exit::Refused {
+            exit = gravest(exit, side.ending.exit);
+        }
+        if side.values.is_none() {
+            finding::faults(&side.ending.findings, &show::path(&side.ending.workbook), language, terminal);
+        }
+    }
+    let pair = match compared(&sides) {
+        Ok(pair) => pair,
+        Err(refusal) => return refused(&refusal, language, terminal),
+    };
+    let Some(comparison) = pair else {
+        if arguments.json {
+            terminal.out(&json::laid_out(&document(&sides, None, exit)));
+        }
+        return exit;
+    };
+    let written = arguments.output.as_deref().map(|file| write(file, &sides, &comparison, language)).transpose();
+    if let Err(refusal) = &written {
+        exit = gravest(exit, refusal.exit);
+    }
+    if arguments.json {
+        terminal.out(&json::laid_out(&document(&sides, Some(&comparison), exit)));
+    } else {
+        print(&sides, &comparison, language, terminal);
+    }
+    match written {
+        Ok(Some(path)) if !arguments.json => {
+            let text = Text::new(format!("{path} está listo\n"), format!("{path} is ready\n"));
+            terminal.out(text.get(language));
+        }
+        Ok(_) => {}
+        Err(refusal) => finding::general(&refusal.findings, language, terminal),
+    }
+    exit
+}
+
+/// What a workbook comes to; nothing is written.
+fn computed(path: &Path, kinds: &[&dyn Kind]) -> Made {
+    let mut made = Made::default();
+    let ending = reading::verdict(path, |verdict| {
+        let (_, filled) = reading::read(path, kinds, verdict)?;
+        made.read(&filled);
+        made.outcome = Some(reading::compute(path, filled, kinds, Wants::default(), verdict)?);
+        Ok(())
+    });
+    Made { ending, ..made }
+}
+
+/// The comparison; `None` where one of the two could not be read.
+///
+/// # Errors
+/// Exit 3 where they are of two kinds.
+fn compared(sides: &[Made; 2]) -> Result<Option<Comparison<'_>>, Refusal> {
+    let [one, other] = sides;
+    let (Some(form), Some(another)) = (one.form, other.form) else { return Ok(None) };
+    if form.kind != another.kind {
+        let [one, other] = [one, other].map(|side| show::path(&side.ending.workbook));
+        let (kind, other_kind) = (form.kind, another.kind);
+        return Err(OtherKind { one, kind, other, other_kind }.refused(Exit::Refused, Place::File));
+    }
+    let (Some(one), Some(other)) = (one.side(), other.side()) else { return Ok(None) };
+    Ok(Some(Comparison::of(form, [one, other])))
+}
+
+/// Writes the workbook; gives its path.
+fn write(file: &Path, sides: &[Made; 2], comparison: &Comparison<'_>, language: Language) -> Result<String, Refusal> {
+    let name = workbook_name(file)?;
+    let folder = Folder::open(plan::beside(file))?;
+    let inputs: Vec<&Path> = sides.iter().map(|side| side.ending.workbook.as_path()).collect();
+    let mut set = Set::new(&folder, &inputs, Existing::Replace);
+    let names = sides.each_ref().map(|side| show::path(&side.ending.workbook));
+    let names = names.each_ref().map(String::as_str);
+    set.write(name, |out| comparison_book::write(comparison, names, language, out))?;
+    set.commit()?;
+    Ok(show::path(file))
+}
+
+fn print(sides: &[Made; 2], comparison: &Comparison<'_>, language: Language, terminal: &mut Terminal) {
+    let bold = Style::new().bold();
+    let mut text = String::new();
+    for (side, letter) in sides.iter().zip(["A", "B"]) {
+        let path = show::path(&side.ending.workbook);
+        let schema = side.ending.schema.unwrap_or_default();
+        let end = if side.outcome.is_none() || side.ending.exit != Exit::Done {
+            t(", rechazado", ", rejected").get(language).to_owned()
+        } else {
+            String::new()
+        };
+        text.push_str(&format!("{bold}{letter}{bold:#}  {path}  {schema}{end}\n"));
+    }
+    for sheet in comparison.sheets() {
+        text.push_str(&table(&sheet, language, terminal.width));
+    }
+    let same = t("no hay diferencias", "no difference");
+    let other = t("hay diferencias", "they differ");
+    text.push_str(&format!("{}\n", if comparison.same() { same } else { other }.get(language)));
+    terminal.out(&text);
+}
+
+/// What differs in a table, its columns under one another, and how many rows are the same.
+fn table(sheet: &Sheet, language: Language, width: Option<usize>) -> String {
+    let bold = Style::new().bold();
+    let differing: Vec<Vec<String>> =
+        sheet.lines.iter().filter(|line| line.differs).map(|line| texts(&line.cells, language)).collect();
+    let same = sheet.lines.len() - differing.len();
+    let mut text = format!("{bold}{}{bold:#}\n", sheet.title.get(language));
+    let widths: Vec<usize> = (0..sheet.headings.len())
+        .map(|at| {
+            let cells = differing.iter().filter_map(|row| row.get(at)).map(|cell| display_width(cell));
+            let widest = cells.max().unwrap_or(0);
+            if widest == 0 { 0 } else { widest.max(display_width(sheet.headings[at].get(language))) }
+        })
+        .collect();
+    let narrow = |at: usize| widths[at] > 0 && widths[at] <= WIDE;
+    let padded = |row: &[String]| {
+        let cells = row.iter().enumerate().filter(|(at, _)| narrow(*at));
+        let line: String =
+            cells.map(|(at, cell)| format!("  {cell}{}", " ".repeat(widths[at] - display_width(cell)))).collect();
+        line.trim_end().to_owned()
+    };
+    if !differing.is_empty() {
+        let headings: Vec<String> = sheet.headings.iter().map(|heading| heading.get(language).to_owned()).collect();
+        text.push_str(&format!("{}\n", padded(&headings)));
+    }
+    for row in differing.iter().take(ROWS) {
+        text.push_str(&format!("{}\n", padded(row)));
+        for (at, cell) in row.iter().enumerate().filter(|(at, cell)| !narrow(*at) && !cell.is_empty()) {
+            let heading = sheet.headings[at].get(language);
+            let line = if heading.len() == 1 { format!("      {heading}: {cell}") } else { format!("      {cell}") };
+            text.push_str(&wrapped(&line, 9, width));
+        }
+    }
+    let count = |es: &str, en: &str, count: usize| {
+        let text = Text::new(format!("  {count} {es}\n"), format!("  {count} {en}\n"));
+        text.get(language).to_owned()
+    };
+    if differing.len() > ROWS {
+        text.push_str(&count("más que difieren", "more that differ", differing.len() - ROWS));
+    }
+    if same > 0 {
+        text.push_str(&count("iguales", "the same", same));
+    } else if differing.is_empty() {
+        text.push_str(t("  ninguna\n", "  none\n").get(language));
+    }
+    text
+}
+
+/// The cells of a row as texts. Figures that are not the same do not look the same.
+fn texts(cells: &[Held], language: Language) -> Vec<String> {
+    let rounded = |one: &Held| match one {
+        Held::Nothing => String::new(),
+        Held::Number(number) => shown(*number, DECIMALS),
+        Held::Text(text) => crate::escape::printable(text.get(language)),
+    };
+    let numbers: Vec<_> = cells.iter().filter(|one| matches!(one, Held::Number(_))).collect();
+    let alike = numbers.windows(2).any(|pair| pair[0] != pair[1] && rounded(pair[0]) == rounded(pair[1]));
+    let whole = |one: &Held| if let Held::Number(number) = one { decimal(*number) } else { rounded(one) };
+    cells.iter().map(|one| if alike { whole(one) } else { rounded(one) }).collect()
+}
+
+fn document(sides: &[Made; 2], comparison: Option<&Comparison<'_>>, exit: Exit) -> Value {
+    let workbooks: Vec<Value> = sides
+        .iter()
+        .map(|side| {
+            let ending = &side.ending;
+            json!({
+                "workbook": ending.workbook.to_string_lossy(),
+                "sha256": ending.sha256,
+                "schema": ending.schema,
+                "exit": code(ending.exit),
+                "status": status(ending.exit),
+                "findings": ending.findings,
+            })
+        })
+        .collect();
+    let found = |wanted: fn(&Found<'_>) -> bool, side: usize| {
+        let all = comparison.iter().flat_map(|one| &one.findings).filter(|one| wanted(one));
+        all.filter_map(|one| one.sides[side]).collect::<Vec<_>>()
+    };
+    let both = |one: &Found<'_>| one.sides.iter().all(Option::is_some);
+    json!({
+        "schema": json::SCHEMA,
+        "rodete": env!("CARGO_PKG_VERSION"),
+        "command": "compare",
+        "exit": code(exit),
+        "status": status(exit),
+        "workbooks": workbooks,
+        "same": comparison.map(Comparison::same),
+        "inputs": comparison.map(|one| one.inputs.iter().map(input).collect::<Vec<_>>()),
+        "quantities": comparison.map(|one| {
+            let quantity = |one: &crate::kind::comparison::Derived| json!({
+                "symbol": one.symbol,
+                "meaning": one.meaning,
+                "unit": one.unit.label(),
+                "values": one.values,
+            });
+            one.quantities.iter().map(quantity).collect::<Vec<_>>()
+        }),
+        "only_a": { "findings": found(|one| one.sides[1].is_none(), 0) },
+        "only_b": { "findings": found(|one| one.sides[0].is_none(), 1) },
+        "both": { "findings": comparison.map(|_| {
+            comparison.iter().flat_map(|one| &one.findings).filter(|one| both(one)).filter_map(|one| one.sides[1])
+                .collect::<Vec<_>>()
+        }) },
+        "programs": comparison.map(|one| one.programs.iter().map(program).collect::<Vec<_>>()),
+    })
+}
+
+fn input(one: &Input) -> Value {
+    let value = |value: &Option<Shown>| match value {
+        None => Value::Null,
+        Some(Shown::Number(number)) => json!(number),
+        Some(Shown::Text(text)) => json!(text.get(Language::En)),
+    };
+    json!({
+        "symbol": one.symbol,
+        "meaning": one.meaning,
+        "unit": one.unit.label(),
+        "values": one.values.each_ref().map(value),
+        "cells": one.cells.each_ref().map(|place| place.as_ref().map(|place| format!("{}!{}", place.sheet, place.cell))),
+    })
+}
+
+fn program(one: &ProgramPair) -> Value {
+    let axes = |wanted: &dyn Fn(Axis) -> Value| {
+        Value::Object(Axis::ALL.into_iter().map(|axis| (axis.letter().to_string(), wanted(axis))).collect())
+    };
+    let end = |pose: Option<Pose>| pose.map(|pose| axes(&|axis| json!(pose.get(axis) + 0.0)));
+    json!({
+        "program": one.key,
+        "title": one.title,
+        "same": one.equal(),
+        "motions": one.motions,
+        "first": one.first.map(|first| json!({ "motion": first.motion, "lines": first.lines })),
+        "apart": one.apart.iter().map(|apart| json!({
+            "axis": apart.axis.letter().to_string(),
+            "by": apart.by,
+            "motion": apart.motion,
+        })).collect::<Vec<_>>(),
+        "end": one.end.map(end),
+        "extents": one.extents.map(|extents| extents.map(|extents| axes(&|axis| json!(extents.of(axis))))),
+        "seconds": one.seconds,
+    })
+}

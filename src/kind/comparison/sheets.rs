@@ -1,0 +1,239 @@
+//! A comparison as four tables: inputs, derived values, findings, programs. The terminal and the workbook show the same.
+
+use super::{Comparison, Derived, Found, Input, ProgramPair, Shown};
+use crate::finding::{CellPlace, Grade};
+use crate::kind::checks;
+use crate::machine::axis::Axis;
+use crate::number::shown;
+use crate::text::{Text, t};
+
+/// What a cell holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Held {
+    /// Nothing.
+    Nothing,
+    /// A number.
+    Number(f64),
+    /// A text.
+    Text(Text),
+}
+
+/// A row.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// The cells, one for each heading.
+    pub cells: Vec<Held>,
+    /// What it compares is not the same.
+    pub differs: bool,
+}
+
+/// A table.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    /// The name of its sheet.
+    pub name: Text,
+    /// What it holds.
+    pub title: Text,
+    /// The headings.
+    pub headings: Vec<Text>,
+    /// The rows.
+    pub lines: Vec<Line>,
+}
+
+fn text(text: impl Into<String>) -> Held {
+    let text = text.into();
+    if text.is_empty() { Held::Nothing } else { Held::Text(Text::same(text)) }
+}
+
+fn number(value: Option<f64>) -> Held {
+    value.map_or(Held::Nothing, Held::Number)
+}
+
+/// `one`, or `one / other` where the two are not the same.
+fn both(pair: [Option<String>; 2]) -> String {
+    match pair {
+        [Some(one), Some(other)] if one == other => one,
+        [one, other] => {
+            let [one, other] = [one, other].map(|side| side.unwrap_or_else(|| "–".to_owned()));
+            format!("{one} / {other}")
+        }
+    }
+}
+
+fn cell(place: &CellPlace) -> String {
+    format!("{}!{}", place.sheet, place.cell)
+}
+
+fn input(one: &Input) -> Line {
+    let value = |value: &Option<Shown>| match value {
+        None => Held::Nothing,
+        Some(Shown::Number(number)) => Held::Number(*number),
+        Some(Shown::Text(text)) => Held::Text(text.clone()),
+    };
+    let cells = both(one.cells.each_ref().map(|place| place.as_ref().map(cell)));
+    let cells = if one.cells == [None, None] { String::new() } else { cells };
+    let cells = vec![
+        text(one.symbol.clone()),
+        value(&one.values[0]),
+        value(&one.values[1]),
+        text(one.unit.label()),
+        text(cells),
+        Held::Text(one.meaning.clone()),
+    ];
+    Line { cells, differs: true }
+}
+
+fn derived(one: &Derived) -> Line {
+    let cells = vec![
+        text(one.symbol),
+        number(one.values[0]),
+        number(one.values[1]),
+        number(apart(one.values).filter(|_| one.differs())),
+        text(one.unit.label()),
+        Held::Text(one.meaning.clone()),
+    ];
+    Line { cells, differs: one.differs() }
+}
+
+fn found(one: &Found<'_>) -> Line {
+    let finding = one.finding();
+    let seen = match one.sides {
+        [Some(_), None] => Text::same("A"),
+        [None, _] => Text::same("B"),
+        _ => Text::same("A, B"),
+    };
+    let said = |side: usize| {
+        one.sides[side].map_or(Held::Nothing, |finding| {
+            let Text { es, en } = &finding.what;
+            let value = if finding.value.is_empty() || en.contains(&finding.value) {
+                String::new()
+            } else {
+                format!(": {}", finding.value)
+            };
+            Held::Text(Text::new(format!("{es}{value}"), format!("{en}{value}")))
+        })
+    };
+    let cells = vec![
+        Held::Text(seen),
+        Held::Text(finding.grade.name()),
+        text(finding.code()),
+        said(0),
+        said(1),
+        Held::Text(checks::place(&finding.place)),
+    ];
+    Line { cells, differs: one.differs() }
+}
+
+/// A count as a cell.
+#[expect(clippy::cast_precision_loss, reason = "counts of motions and lines are far below 2^53")]
+fn count(count: Option<u64>) -> Held {
+    number(count.map(|count| count as f64))
+}
+
+fn program(one: &ProgramPair) -> Vec<Line> {
+    let mut lines = Vec::new();
+    let mut line = |what: Text, [a, b]: [Held; 2], apart: Held, differs: bool| {
+        lines.push(Line { cells: vec![text(one.key), Held::Text(what), a, b, apart], differs });
+    };
+    let nothing = || [Held::Nothing, Held::Nothing];
+    let verdict = match one.motions {
+        [Some(_), Some(_)] if one.equal() => t("los mismos movimientos", "the same motions"),
+        [Some(_), Some(_)] => t("otros movimientos", "other motions"),
+        [Some(_), None] => t("solo en A", "only in A"),
+        _ => t("solo en B", "only in B"),
+    };
+    line(verdict, nothing(), Held::Nothing, !one.equal());
+    let [a, b] = one.motions;
+    line(t("movimientos", "motions"), one.motions.map(count), Held::Nothing, a != b);
+    if let Some(first) = one.first {
+        let n = first.motion;
+        let what = Text::new(format!("primero distinto, el {n}: línea"), format!("first other motion, {n}: line"));
+        line(what, first.lines.map(|line| count(line.map(|line| line as u64))), Held::Nothing, true);
+    }
+    for apart in &one.apart {
+        let unit = if apart.axis.rotary() { "°" } else { "mm" };
+        let (axis, n) = (apart.axis.letter(), apart.motion);
+        let what = Text::new(
+            format!("mayor diferencia, {unit}: {axis}, el {n}"),
+            format!("greatest apart, {unit}: {axis}, motion {n}"),
+        );
+        line(what, nothing(), Held::Number(apart.by), true);
+    }
+    for axis in Axis::ALL {
+        let end = one.end.map(|end| end.map(|end| settled(end.get(axis))));
+        let what = Text::new(format!("final {}", axis.letter()), format!("end {}", axis.letter()));
+        if end[0] != end[1] || end[0].is_some_and(|at| at != 0.0) {
+            line(what, end.map(number), number(apart(end)), end[0] != end[1]);
+        }
+    }
+    for axis in Axis::ALL {
+        let reach = one.extents.map(|extents| extents.map(|extents| extents.of(axis).map(settled)));
+        let said = |reach: Option<[f64; 2]>| {
+            reach.map_or(Held::Nothing, |[low, high]| text(format!("{} … {}", shown(low, 3), shown(high, 3))))
+        };
+        let what = Text::new(format!("recorrido {}", axis.letter()), format!("extent {}", axis.letter()));
+        if reach.iter().flatten().any(|reach| *reach != [0.0, 0.0]) {
+            line(what, reach.map(said), Held::Nothing, reach[0] != reach[1]);
+        }
+    }
+    let seconds = one.seconds.map(|seconds| seconds.map(settled));
+    line(t("tiempo, s", "time, s"), seconds.map(number), number(apart(seconds)), seconds[0] != seconds[1]);
+    lines
+}
+
+/// A figure to six decimals: what is beyond them is the rounding of sums.
+fn settled(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6 + 0.0
+}
+
+/// How far the second is from the first, where they are not the same.
+fn apart(pair: [Option<f64>; 2]) -> Option<f64> {
+    if let [Some(from), Some(to)] = pair { Some(to - from).filter(|by| *by != 0.0) } else { None }
+}
+
+impl Comparison<'_> {
+    /// The four tables: inputs that differ; all derived values, findings and programs, with what differs marked.
+    #[must_use]
+    pub fn sheets(&self) -> [Sheet; 4] {
+        let value = || [Text::same("A"), Text::same("B")];
+        let [a, b] = value();
+        let inputs =
+            vec![t("Símbolo", "Symbol"), a, b, t("Unidad", "Unit"), t("Celda", "Cell"), t("Significado", "Meaning")];
+        let [a, b] = value();
+        let quantities =
+            vec![t("Símbolo", "Symbol"), a, b, t("B − A", "B − A"), t("Unidad", "Unit"), t("Significado", "Meaning")];
+        let [a, b] = value();
+        let findings = vec![t("En", "In"), t("Grado", "Grade"), t("Código", "Code"), a, b, t("Lugar", "Place")];
+        let [a, b] = value();
+        let programs = vec![t("Programa", "Program"), t("Qué", "What"), a, b, t("Diferencia", "Difference")];
+        let rank = |grade: Grade| std::cmp::Reverse(grade);
+        let mut all: Vec<&Found<'_>> = self.findings.iter().collect();
+        all.sort_by_key(|one| (!one.differs(), rank(one.finding().grade)));
+        [
+            Sheet {
+                name: t("Entradas", "Inputs"),
+                title: t("Entradas que difieren", "Inputs that differ"),
+                headings: inputs,
+                lines: self.inputs.iter().map(input).collect(),
+            },
+            Sheet {
+                name: t("Derivados", "Derived"),
+                title: t("Valores derivados", "Derived values"),
+                headings: quantities,
+                lines: self.quantities.iter().map(derived).collect(),
+            },
+            Sheet {
+                name: t("Avisos", "Findings"),
+                title: t("Avisos y comprobaciones", "Findings and checks"),
+                headings: findings,
+                lines: all.into_iter().map(found).collect(),
+            },
+            Sheet {
+                name: t("Programas", "Programs"),
+                title: t("Programas, movimiento a movimiento", "Programs, motion by motion"),
+                headings: programs,
+                lines: self.programs.iter().flat_map(program).collect(),
+            },
+        ]
+    }
+}

@@ -1,0 +1,128 @@
+//! The command `compare`: what differs between two workbooks of one kind.
+
+use std::fs;
+
+use predicates::prelude::*;
+use rodete::parameter::Value;
+use serde_json::{Value as Json, json};
+use tempfile::TempDir;
+
+use super::common::{names, rodete, with_impeller, workbook};
+
+/// A folder with `impeller.xlsx` and `other.xlsx`, with some values changed.
+fn two(changes: &[(&'static str, Value)]) -> TempDir {
+    let folder = with_impeller();
+    workbook(&folder.path().join("other.xlsx"), changes);
+    folder
+}
+
+fn document(folder: &TempDir, one: &str, other: &str) -> Json {
+    let output = rodete(folder).args(["compare", one, other, "--json"]).output().expect("it runs");
+    assert_eq!(output.status.code(), Some(0));
+    serde_json::from_slice(&output.stdout).expect("a document")
+}
+
+#[test]
+fn equal_inputs_make_equal_programs_whatever_the_files_are_called() {
+    let folder = two(&[]);
+    let read = document(&folder, "impeller.xlsx", "other.xlsx");
+    assert_eq!((&read["same"], &read["inputs"]), (&json!(true), &json!([])));
+    let programs = read["programs"].as_array().expect("programs");
+    assert!(!programs.is_empty());
+    for program in programs {
+        assert_eq!((&program["same"], &program["first"]), (&json!(true), &Json::Null));
+        assert!(program["motions"][0].as_u64() > Some(10) && program["motions"][0] == program["motions"][1]);
+    }
+    rodete(&folder)
+        .args(["compare", "impeller.xlsx", "other.xlsx"])
+        .assert()
+        .code(0)
+        .stdout(predicate::str::ends_with("no difference\n"));
+}
+
+#[test]
+fn what_one_input_changes_is_shown_in_cells_values_findings_and_motions() {
+    let folder = two(&[("N", Value::Whole(3))]);
+    let read = document(&folder, "impeller.xlsx", "other.xlsx");
+    assert_eq!(read["same"], json!(false));
+    assert_eq!(read["inputs"].as_array().map(Vec::len), Some(1));
+    assert_eq!((&read["inputs"][0]["symbol"], &read["inputs"][0]["values"]), (&json!("N"), &json!([4.0, 3.0])));
+    assert_eq!(read["inputs"][0]["cells"], json!(["DATA!C11", "DATA!C11"]));
+    let changed = |one: &&Json| one["values"][0] != one["values"][1];
+    assert!(read["quantities"].as_array().expect("quantities").iter().any(|one| changed(&one)));
+    let program = read["programs"].as_array().expect("programs").iter().find(|one| one["program"] == json!("impeller"));
+    let program = program.expect("the whole impeller");
+    assert_eq!(program["same"], json!(false));
+    assert!(program["first"]["motion"].as_u64() >= Some(1), "{program}");
+    assert_ne!(program["motions"][0], program["motions"][1]);
+    rodete(&folder)
+        .args(["compare", "impeller.xlsx", "other.xlsx", "--lang", "es"])
+        .assert()
+        .code(0)
+        .stdout(predicate::str::contains("Entradas que difieren"))
+        .stdout(predicate::str::contains("DATA!C11"))
+        .stdout(predicate::str::ends_with("hay diferencias\n"));
+}
+
+#[test]
+fn a_small_change_is_found_at_its_first_motion_with_its_greatest_distance() {
+    let folder = two(&[("e", Value::Real(2.001))]);
+    let read = document(&folder, "impeller.xlsx", "other.xlsx");
+    let program = read["programs"].as_array().expect("programs").iter().find(|one| one["same"] == json!(false));
+    let program = program.expect("a program that differs");
+    assert_eq!(program["motions"][0], program["motions"][1]);
+    let apart = program["apart"][0]["by"].as_f64().expect("a distance");
+    assert!((0.0005..0.1).contains(&apart), "{program}");
+}
+
+#[test]
+fn results_are_compared_as_the_inputs_that_they_are() {
+    let folder = two(&[("N", Value::Whole(3))]);
+    rodete(&folder).args(["build", "impeller.xlsx", "--no-report"]).assert().code(0);
+    let results = "impeller-out/impeller-results.xlsx";
+    assert_eq!(document(&folder, "impeller.xlsx", results)["same"], json!(true));
+    assert_eq!(document(&folder, results, "other.xlsx")["inputs"][0]["symbol"], json!("N"));
+}
+
+#[test]
+fn a_rejected_workbook_is_compared_by_its_inputs_and_findings() {
+    let folder = two(&[("N", Value::Whole(40))]);
+    let read = document(&folder, "impeller.xlsx", "other.xlsx");
+    assert_eq!(read["inputs"][0]["symbol"], json!("N"));
+    assert!(read["only_b"]["findings"][0]["code"].as_str().is_some_and(|code| code.starts_with('P')), "{read}");
+    assert_eq!(read["workbooks"][1]["exit"], json!(3));
+}
+
+#[test]
+fn two_kinds_are_refused_and_what_cannot_be_read_says_why() {
+    let folder = with_impeller();
+    rodete(&folder).args(["new", "lathe"]).assert().code(0);
+    rodete(&folder)
+        .args(["compare", "impeller.xlsx", "lathe.xlsx"])
+        .assert()
+        .code(3)
+        .stderr(predicate::str::contains("U0117: impeller.xlsx is a workbook of impeller, lathe.xlsx of lathe"));
+    rodete(&folder).args(["compare", "impeller.xlsx", "no.xlsx"]).assert().code(4);
+    fs::write(folder.path().join("bad.xlsx"), "x").expect("a file");
+    rodete(&folder).args(["compare", "bad.xlsx", "impeller.xlsx", "--json"]).assert().code(4);
+}
+
+#[test]
+fn the_comparison_is_written_as_a_workbook_with_the_same_bytes_each_time() {
+    let folder = two(&[("N", Value::Whole(3))]);
+    let write = |name: &str| {
+        rodete(&folder).args(["compare", "impeller.xlsx", "other.xlsx", "-o", name]).assert().code(0);
+        fs::read(folder.path().join(name)).expect("a workbook")
+    };
+    assert_eq!(write("a.xlsx"), write("b.xlsx"));
+    let mut book = calamine::open_workbook_auto(folder.path().join("a.xlsx")).expect("a workbook");
+    let sheets = calamine::Reader::sheet_names(&book);
+    assert_eq!(sheets, ["Inputs", "Derived", "Findings", "Programs"]);
+    let inputs = calamine::Reader::worksheet_range(&mut book, "Inputs").expect("a sheet");
+    let row: Vec<String> = inputs.rows().nth(4).expect("a row").iter().map(ToString::to_string).collect();
+    assert_eq!(row[..5], ["N", "4", "3", "", "DATA!C11"].map(str::to_owned));
+    // An input is not replaced, nor is another name than a workbook's taken.
+    rodete(&folder).args(["compare", "impeller.xlsx", "other.xlsx", "-o", "other.xlsx"]).assert().code(2);
+    rodete(&folder).args(["compare", "impeller.xlsx", "other.xlsx", "-o", "a.txt"]).assert().code(2);
+    assert_eq!(names(folder.path()), ["a.xlsx", "b.xlsx", "impeller.xlsx", "other.xlsx"]);
+}

@@ -1,0 +1,160 @@
+//! `new --into` and `build --into` as they are typed.
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use predicates::prelude::*;
+use rodete::workbook::gate;
+use tempfile::TempDir;
+
+use super::made::{BOOKS, differing, kept, parts, path};
+
+fn folder() -> TempDir {
+    tempfile::tempdir().expect("a temporary folder")
+}
+
+fn rodete(folder: &TempDir) -> Command {
+    let mut command = Command::cargo_bin("rodete").expect("the binary");
+    command.current_dir(folder.path()).env_remove("RODETE_TYPST").env("LC_ALL", "C");
+    command
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut names: Vec<_> =
+        entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_form_and_its_results_go_into_every_hard_book_twice() {
+    for name in BOOKS {
+        let folder = folder();
+        let here = folder.path().join(name);
+        fs::copy(path(name), &here).expect("a copy");
+        let before = fs::read(&here).expect("the book");
+        rodete(&folder).args(["new", "impeller", "--into", name]).assert().code(0);
+        let formed = fs::read(&here).expect("the book");
+        let stem = name.split('.').next().expect("a stem");
+        let kept_book = format!("{name}.bak");
+        let mut last = None;
+        for _ in 0..3 {
+            rodete(&folder)
+                .args(["build", name, "--into", "--no-report"])
+                .assert()
+                .code(0)
+                .stdout(predicate::str::contains(format!("4 files in {stem}-out, results in {name}")));
+            let built = fs::read(&here).expect("the book");
+            assert_eq!(differing(&kept(&before), &kept(&built)), Vec::<String>::new(), "{name}");
+            let sheets = gate(&built).expect("a book").sheets;
+            let grown = parts(&built).into_keys().collect::<Vec<_>>();
+            if let Some((listed, there)) = last.replace((sheets.clone(), grown.clone())) {
+                assert_eq!((listed, there), (sheets, grown), "{name}: nothing is added the next time");
+            }
+        }
+        assert_eq!(fs::read(folder.path().join(&kept_book)).expect("a copy"), before, "{name}: kept once, as it was");
+        assert_ne!(formed, before);
+        assert_eq!(names(folder.path()), [format!("{stem}-out"), name.to_owned(), kept_book]);
+        assert!(!folder.path().join(format!("{stem}-out/{stem}-results.xlsx")).exists());
+    }
+}
+
+#[test]
+fn an_open_book_is_refused_with_the_name_of_who_has_it_open() {
+    let folder = folder();
+    let here = |name: &str| folder.path().join(name);
+    rodete(&folder).args(["new", "impeller", "a.xlsx"]).assert().code(0);
+    let before = fs::read(here("a.xlsx")).expect("the book");
+    let mut excel = vec![3, b'A', b'n', b'a'];
+    excel.resize(55, b' ');
+    let locks: [(&str, Vec<u8>, &str); 2] = [
+        ("~$a.xlsx", excel, "a.xlsx is open in Excel (Ana)"),
+        (".~lock.a.xlsx#", b"Ana Gil,ana,taller,x,y;".to_vec(), "a.xlsx is open in LibreOffice (Ana Gil, ana, taller)"),
+    ];
+    for (lock, owner, told) in locks {
+        fs::write(here(lock), owner).expect("a lock");
+        for words in [["build", "a.xlsx", "--into"], ["new", "--into=a.xlsx", "lathe"]] {
+            rodete(&folder).args(words).assert().code(5).stderr(predicate::str::contains(told));
+        }
+        fs::remove_file(here(lock)).expect("removed");
+        assert_eq!(fs::read(here("a.xlsx")).expect("the book"), before);
+        assert_eq!(names(folder.path()), ["a.xlsx"]);
+    }
+}
+
+#[test]
+fn a_rejected_form_changes_nothing() {
+    let folder = folder();
+    let here = folder.path().join("a.xlsx");
+    rodete(&folder).args(["new", "impeller", "a.xlsx"]).assert().code(0);
+    let sheet = super::common::workbook::Parts::of(&fs::read(&here).expect("the book"));
+    let values = super::made::read(&fs::read(&here).expect("the book")).values;
+    let cell = values.cells["N"].cell.clone();
+    let bad = sheet.cell("xl/worksheets/sheet1.xml", &cell, &format!("<c r=\"{cell}\"><v>40</v></c>")).zip();
+    fs::write(&here, &bad).expect("written");
+    rodete(&folder).args(["build", "a.xlsx", "--into"]).assert().code(3);
+    assert_eq!(fs::read(&here).expect("the book"), bad);
+    assert_eq!(names(folder.path()), ["a.xlsx"]);
+}
+
+#[test]
+fn results_go_into_a_book_whose_files_go_elsewhere() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("books")).expect("a folder");
+    rodete(&folder).args(["new", "impeller", "books/a.xlsx"]).assert().code(0);
+    for out in ["out", "books", "."] {
+        let line = ["build", "books/a.xlsx", "--into", "--no-report", "-o", out];
+        rodete(&folder).args(line).assert().code(0).stdout(predicate::str::contains("results in books/a.xlsx"));
+        assert!(folder.path().join(out).join("a-blade.nc").exists());
+    }
+    assert!(folder.path().join("books/a.xlsx.bak").exists());
+    rodete(&folder).args(["check", "books/a.xlsx"]).assert().code(0);
+}
+
+#[cfg(unix)]
+#[test]
+fn the_book_keeps_its_mode() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = folder();
+    let here = folder.path().join("a.xlsx");
+    rodete(&folder).args(["new", "impeller", "a.xlsx"]).assert().code(0);
+    fs::set_permissions(&here, fs::Permissions::from_mode(0o640)).expect("a mode");
+    rodete(&folder).args(["build", "a.xlsx", "--into", "--no-report"]).assert().code(0);
+    assert_eq!(fs::metadata(&here).expect("the book").permissions().mode() & 0o777, 0o640);
+}
+
+#[test]
+fn a_program_knows_the_workbook_that_its_results_went_into_until_an_input_changes() {
+    let folder = folder();
+    let here = folder.path().join("h1.xlsx");
+    fs::copy(path("h1.xlsx"), &here).expect("a copy");
+    rodete(&folder).args(["new", "impeller", "--into", "h1.xlsx"]).assert().code(0);
+    let verify = |told: &str| {
+        let output = rodete(&folder).args(["verify", "h1-out/h1-blade.nc"]).assert().code(0).get_output().clone();
+        let text = [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("UTF-8")).concat();
+        assert!(text.contains(told), "{text}");
+    };
+    for _ in 0..2 {
+        rodete(&folder).args(["build", "h1.xlsx", "--into", "--no-report"]).assert().code(0);
+        verify("note U0128");
+    }
+    let bytes = fs::read(&here).expect("the book");
+    let cell = super::made::read(&bytes).values.cells["N"].cell.clone();
+    let changed = super::common::workbook::Parts::of(&bytes);
+    let part = "xl/worksheets/rodete-form.xml";
+    let changed = changed.cell(part, &cell, &format!("<c r=\"{cell}\"><v>3</v></c>")).zip();
+    fs::write(&here, changed).expect("written");
+    verify("caution U0129");
+}
+
+#[test]
+fn a_file_that_is_no_workbook_is_refused() {
+    let folder = folder();
+    fs::write(folder.path().join("a.ods"), "x").expect("a file");
+    rodete(&folder).args(["new", "impeller", "--into", "a.ods"]).assert().code(4);
+    rodete(&folder).args(["new", "impeller", "--into", "none.xlsx"]).assert().code(4);
+    rodete(&folder).args(["new", "impeller", "b.xlsx", "--into", "a.xlsx"]).assert().code(2);
+    assert_eq!(names(folder.path()), ["a.ods"]);
+}
