@@ -14,7 +14,7 @@ use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::{Value, Values};
 use rodete::table::Entry;
 use rodete::text::Language;
-use rodete::workbook::results;
+use rodete::workbook::results::{self, Tables};
 use rust_xlsxwriter::{ColNum, RowNum, Workbook, XlsxError};
 
 const INTERVALS: u32 = 100_000;
@@ -95,7 +95,7 @@ fn main() {
     let (mut ours, mut theirs, mut cells) = (Vec::new(), Vec::new(), 0);
     for _ in 0..ROUNDS {
         let start = Instant::now();
-        if let Err(error) = results::write(&outcome, &[], Language::En, Cursor::new(Vec::new())) {
+        if let Err(error) = results::write(&outcome, &[], Tables::Live, Language::En, Cursor::new(Vec::new())) {
             panic!("{error}");
         }
         ours.push(start.elapsed());

@@ -2,6 +2,7 @@
 //!
 //! Sheets, JSON and the report's tables are views of it. Values are shared, never copied per view.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -137,6 +138,34 @@ impl Law {
     }
 }
 
+/// The formula of a cell in a spreadsheet: a second statement of its value, computed anew as soon as an input changes.
+///
+/// Inputs and derived values stand by their defined names, as `torus_R` and `derived_k`. Cells of tables stand in brackets:
+/// `[v]` is the column v of the same table on the same row, `[annex-1.v]` that of another table, `[i]` the point index;
+/// `[v above]` is the row before. `[annex-6.x first]` and `[annex-6.x last]` are the column's ends, `[annex-6.x all]` is the whole of it. The functions are
+/// those of every spreadsheet since 2003; `ATAN2` takes x before y.
+pub type Formula = Cow<'static, str>;
+
+/// The formulas of a column.
+#[derive(Clone, Debug)]
+pub enum Live {
+    /// One for every row.
+    Rows(Formula),
+    /// Each row has its own, as many as there are values.
+    Cells(Vec<Formula>),
+}
+
+impl Live {
+    /// The formula of a row; `None` for a row that is not there.
+    #[must_use]
+    pub fn get(&self, row: usize) -> Option<&str> {
+        match self {
+            Self::Rows(formula) => Some(formula),
+            Self::Cells(formulas) => formulas.get(row).map(|formula| &**formula),
+        }
+    }
+}
+
 /// A column of a table.
 #[derive(Clone, Debug)]
 pub struct Column {
@@ -146,6 +175,8 @@ pub struct Column {
     pub unit: Unit,
     /// How the values come about.
     pub law: Law,
+    /// What a spreadsheet computes them by; `None` where they stand as values: what is searched for, or read back.
+    pub live: Option<Live>,
     /// The values.
     pub values: Cells,
 }
@@ -154,13 +185,27 @@ impl Column {
     /// A column of numbers.
     #[must_use]
     pub fn numbers(symbol: &'static str, unit: Unit, law: Law, values: impl Into<Arc<[f64]>>) -> Self {
-        Self { symbol: t(symbol, symbol), unit, law, values: Cells::Numbers(values.into()) }
+        Self { symbol: t(symbol, symbol), unit, law, live: None, values: Cells::Numbers(values.into()) }
     }
 
     /// The column under another name.
     #[must_use]
     pub fn named(mut self, symbol: Text) -> Self {
         self.symbol = symbol;
+        self
+    }
+
+    /// The column computed by one formula in every row.
+    #[must_use]
+    pub fn by(mut self, formula: impl Into<Formula>) -> Self {
+        self.live = Some(Live::Rows(formula.into()));
+        self
+    }
+
+    /// The column computed by a formula of its own in each row.
+    #[must_use]
+    pub fn by_each(mut self, formulas: impl IntoIterator<Item = impl Into<Formula>>) -> Self {
+        self.live = Some(Live::Cells(formulas.into_iter().map(Into::into).collect()));
         self
     }
 
@@ -171,6 +216,7 @@ impl Column {
             symbol: t(symbols[axis], symbols[axis]),
             unit,
             law,
+            live: None,
             values: Cells::Component(Arc::clone(values), axis),
         })
     }
@@ -178,7 +224,7 @@ impl Column {
     /// A column of texts.
     #[must_use]
     pub fn texts(symbol: Text, law: Law, values: Vec<Text>) -> Self {
-        Self { symbol, unit: Unit::None, law, values: Cells::Texts(values.into()) }
+        Self { symbol, unit: Unit::None, law, live: None, values: Cells::Texts(values.into()) }
     }
 }
 
@@ -187,8 +233,25 @@ impl Column {
 pub enum Index {
     /// The point index i, from 0.
     Point,
+    /// The index i, from 0 to `times` the count of intervals that an input holds, and `more`. Rows come and go with it.
+    Intervals {
+        /// The defined name of the input's cell.
+        name: &'static str,
+        /// Rows for each interval.
+        times: usize,
+        /// Rows beside them, the first not counted.
+        more: usize,
+    },
     /// Nothing is counted: the first column is the table's own.
     None,
+}
+
+impl Index {
+    /// True where points are counted.
+    #[must_use]
+    pub const fn counted(self) -> bool {
+        matches!(self, Self::Point | Self::Intervals { .. })
+    }
 }
 
 /// How much of a table is printed; its sheet has all of it.
@@ -258,4 +321,32 @@ pub struct Quantity {
     pub unit: Unit,
     /// Equation or derivation.
     pub source: Text,
+    /// The defined name of its cell, and what a spreadsheet computes it by.
+    #[serde(skip)]
+    pub cell: Option<QuantityCell>,
+}
+
+/// The cell of a derived value in the results workbook.
+#[derive(Clone, Debug)]
+pub struct QuantityCell {
+    /// Its defined name, as `derived_k`.
+    pub name: &'static str,
+    /// Its formula; `None` for a value that is searched for or read back.
+    pub live: Option<Formula>,
+}
+
+impl Quantity {
+    /// The value computed by a formula in a cell with a defined name.
+    #[must_use]
+    pub fn by(mut self, name: &'static str, formula: impl Into<Formula>) -> Self {
+        self.cell = Some(QuantityCell { name, live: Some(formula.into()) });
+        self
+    }
+
+    /// The value in a cell with a defined name: formulas refer to it.
+    #[must_use]
+    pub fn named(mut self, name: &'static str) -> Self {
+        self.cell = Some(QuantityCell { name, live: None });
+        self
+    }
 }

@@ -276,6 +276,9 @@ pub(super) struct Build {
     /// Write no report and no printable templates
     #[arg(long)]
     pub(super) no_report: bool,
+    /// Write the tables of the results as values, without formulas
+    #[arg(long)]
+    pub(super) values: bool,
     /// Open the report when it is written, or the folder if there is no report
     #[arg(long)]
     pub(super) open: bool,

@@ -24,6 +24,7 @@ use crate::report::{self, Attachment, Content, Role};
 use crate::store::{self, Existing, Folder, Set};
 use crate::text::{Language, t};
 use crate::typeset::compiler::Typst;
+use crate::workbook::results::Tables;
 
 /// The variable that names a typst command line.
 const TYPST: &str = "RODETE_TYPST";
@@ -44,12 +45,16 @@ pub(super) struct Asked<'a> {
     pub(super) into: bool,
     /// The viewer's page is written for every kind, and refreshes itself.
     pub(super) view: bool,
+    /// What the results hold.
+    pub(super) tables: Tables,
 }
 
 /// What all workbooks of one command share.
 pub(super) struct Settings<'a> {
     /// The language of sheets and report, if not the workbook's.
     language: Option<Language>,
+    /// What the results hold.
+    tables: Tables,
     /// The typst that sets the report; `None`: no report.
     typst: Option<Typst>,
     /// The typst files of one's own, or why there is no report with them.
@@ -83,6 +88,7 @@ impl<'a> Settings<'a> {
             inputs: asked.workbooks.iter().map(PathBuf::as_path).collect(),
             kinds,
             view: asked.view,
+            tables: asked.tables,
         }
     }
 }
@@ -116,6 +122,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
         templates: arguments.templates.as_deref(),
         typst: arguments.typst.as_deref(),
         view: false,
+        tables: if arguments.values { Tables::Values } else { Tables::Live },
         into: arguments.into,
     };
     let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);
@@ -192,7 +199,8 @@ fn build(
     });
     let (printed, viewer) = (settings.typst.is_some(), scene.is_some());
     let outcome = &*outcome;
-    let delivery = Delivery { item, outcome, language, printed, viewer, live: settings.view, into: into.is_some() };
+    let (tables, live) = (settings.tables, settings.view);
+    let delivery = Delivery { item, outcome, language, tables, printed, viewer, live, into: into.is_some() };
     delivery.write(scene, &mut set)?;
     let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
@@ -216,7 +224,7 @@ fn build(
         failed.extend(unset);
     }
     if let Some(into) = into {
-        into.put(outcome, &delivery.listed(&set), language, &mut set)?;
+        into.put(outcome, &delivery.listed(&set), settings.tables, language, &mut set)?;
     }
     made.overtaken = overtaken();
     if made.overtaken {

@@ -18,7 +18,7 @@ use crate::scene::Scene;
 use crate::store::{self, Set};
 use crate::text::{Language, Text, t};
 use crate::view;
-use crate::workbook::results;
+use crate::workbook::results::{self, Tables};
 
 /// The ending of the results.
 pub(super) const RESULTS: &str = "-results.xlsx";
@@ -59,6 +59,8 @@ pub(super) struct Delivery<'a> {
     pub(super) outcome: &'a Outcome,
     /// The language of sheets and drawings.
     pub(super) language: Language,
+    /// What the results hold.
+    pub(super) tables: Tables,
     /// What typst sets, report, set-up sheet and templates, is asked for.
     pub(super) printed: bool,
     /// The viewer goes with it.
@@ -128,7 +130,9 @@ impl Delivery<'_> {
         let Self { item, outcome, language, .. } = *self;
         let still: Vec<OsString> = still.iter().map(|ending| store::file_name(&item.stem, ending)).collect();
         let files = self.files(|name| set.draft(name).is_some() || still.iter().any(|one| one == name));
-        set.write_again(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, &files, language, out))
+        set.write_again(&store::file_name(&item.stem, RESULTS), |out| {
+            results::write(outcome, &files, self.tables, language, out)
+        })
     }
 
     /// Adds everything but what typst sets to the set; `scene` is what is shown in the viewer, where there is one.
@@ -136,10 +140,12 @@ impl Delivery<'_> {
     /// # Errors
     /// Exit 5 where a file cannot be written; exit 1 where a drawing cannot be drawn.
     pub(super) fn write(&self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
-        let Self { item, outcome, language, .. } = *self;
+        let Self { item, outcome, language, tables, .. } = *self;
         let files = self.files(|_| true);
         if !self.into {
-            set.write(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, &files, language, out))?;
+            set.write(&store::file_name(&item.stem, RESULTS), |out| {
+                results::write(outcome, &files, tables, language, out)
+            })?;
         }
         for program in &outcome.programs {
             set.write(&program_name(item, program), |out| program.write(out))?;

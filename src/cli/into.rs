@@ -14,6 +14,7 @@ use crate::store::{self, Folder, Set};
 use crate::text::Language;
 use crate::workbook::error::WriteError;
 use crate::workbook::names::{Made, Present};
+use crate::workbook::results::Tables;
 use crate::workbook::{Filled, results};
 
 /// A workbook that results go into.
@@ -76,11 +77,13 @@ impl<'a> Into<'a> {
         self,
         outcome: &Outcome,
         files: &[results::File],
+        tables: Tables,
         language: Language,
         set: &mut Set<'_>,
     ) -> Result<(), Refusal> {
         let Self { workbook, bytes, host, present, inputs } = self;
-        let (donor, sheets) = composed(workbook, |out| results::write_into(outcome, files, language, &present, out))?;
+        let (donor, sheets) =
+            composed(workbook, |out| results::write_into(outcome, files, tables, language, &present, out))?;
         let grown = host.put(&Donor { bytes: &donor, sheets: &sheets, inputs, source: &outcome.source.sha256 })?;
         set.replace(workbook, bytes, &grown)
     }

@@ -64,7 +64,7 @@ mod tests {
 
     fn quantity(symbol: &'static str, value: f64, unit: Unit) -> Quantity {
         let text = t("qué es", "what it is");
-        Quantity { symbol, meaning: text.clone(), value, unit, source: text }
+        Quantity { symbol, meaning: text.clone(), value, unit, source: text, cell: None }
     }
 
     #[test]

@@ -17,7 +17,8 @@ use crate::workbook::{self, Filled};
 pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
     verdict(workbook, |verdict| {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
-        let (_, filled) = read(workbook, kinds, verdict)?;
+        let (_, mut filled) = read(workbook, kinds, verdict)?;
+        filled.findings.extend(filled.stale.take());
         let outcome = compute(workbook, filled, kinds, Wants::default(), verdict)?;
         // What a build would leave out of its report.
         verdict.findings.extend(stationery::logo(workbook, &outcome).err().map(|caution| *caution));

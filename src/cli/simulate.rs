@@ -18,6 +18,7 @@ use crate::kind::{Kind, Wants};
 use crate::kinds::lathe::Raised;
 use crate::store::{self, Existing, Folder, Set};
 use crate::table::Unit;
+use crate::workbook::results::Tables;
 use crate::workbook::{self, Input};
 
 /// Follows the program and says what it comes to.
@@ -74,8 +75,9 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
         let item = Item { workbook: path.clone(), stem: store::stem(path), folder: output.clone() };
         let scene = followed.outcome.scene.take().transpose()?;
         let viewer = scene.is_some();
-        let (outcome, printed, live, into) = (&followed.outcome, false, false, false);
-        Delivery { item: &item, outcome, language, printed, viewer, live, into }.write(scene, &mut set)?;
+        let (outcome, tables, printed) = (&followed.outcome, Tables::Live, false);
+        Delivery { item: &item, outcome, language, tables, printed, viewer, live: false, into: false }
+            .write(scene, &mut set)?;
         verdict.files = set.commit()?;
         verdict.folder = Some(output.clone());
         verdict.findings.extend(delivery::leftovers(&item, kinds, verdict));

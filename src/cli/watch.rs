@@ -28,6 +28,7 @@ use crate::kind::comparison::{Comparison, Input, Shown};
 use crate::store::{self, Folder};
 use crate::text::{Language, Text, t};
 use crate::workbook;
+use crate::workbook::results::Tables;
 
 /// How often files are looked at beside the events: not every folder has them.
 const TICK: Duration = Duration::from_secs(2);
@@ -96,6 +97,7 @@ pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Termina
         typst: arguments.typst.as_deref(),
         into: false,
         view: arguments.view,
+        tables: Tables::Live,
     };
     let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);
     let fresh = |item| Watched {

@@ -226,7 +226,13 @@ impl Host<'_> {
                 continue;
             }
             match self.book.global(&name.name) {
-                Some(there) if !lost(there) && !ours.iter().any(|sheet| mentions(&there.formula, sheet)) => {
+                // One that leads to a sheet that is gone leads nowhere.
+                Some(there)
+                    if !lost(there)
+                        && cell(&there.formula)
+                            .is_none_or(|(sheet, _)| self.book.sheets.iter().any(|one| one.name == sheet))
+                        && !ours.iter().any(|sheet| mentions(&there.formula, sheet)) =>
+                {
                     forms.push(there);
                 }
                 _ => names.push(name.clone()),

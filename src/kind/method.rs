@@ -76,6 +76,11 @@ pub trait Method: Send + Sync + 'static {
     /// Where there is none.
     fn model(design: &Self::Design) -> Result<Self::Model, Vec<Finding>>;
 
+    /// Programs line by line as a spreadsheet puts them together from the tables, where it can; they follow the tables.
+    fn lines(_: &Self::Design, _: &Self::Model, _: &[Program]) -> Vec<Table> {
+        Vec::new()
+    }
+
     /// The tables, in the order of their sheets; that of the checks follows them.
     fn tables(design: &Self::Design, model: &Self::Model) -> Vec<Table>;
 
@@ -212,6 +217,7 @@ impl<M: Method> Kind for Of<M> {
             accounts.push(judged.account.clone());
             verification.add(program, judged);
         }
+        tables.extend(M::lines(&design, &model, &programs));
         tables.push(verification.table(&programs, M::PROVED));
         let proved = |(program, account): (Program, Account)| {
             let duration = account.cycle_seconds().map(|seconds| Duration { seconds, timeless: 0 });

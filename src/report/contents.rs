@@ -24,7 +24,7 @@ use crate::machine::axis::Axis;
 use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value, title_block};
 use crate::proof::check::Check as Checked;
-use crate::table::{Entry, Index, Print, Table};
+use crate::table::{Entry, Print, Table};
 use crate::text::{Language, Text};
 use crate::typeset::characters::{Words, code_point};
 use crate::typeset::failure::ReportFailure;
@@ -228,7 +228,7 @@ fn sheet(table: &Table, words: &mut Words) -> Sheet {
     let count = table.rows();
     let whole = table.print == Print::Whole;
     let (head, omitted, tail) = if whole { (0..count, 0, count..count) } else { shorten::rows(count) };
-    let counted = table.index == Index::Point;
+    let counted = table.index.counted();
     let mut line = |row: usize| -> Vec<String> {
         let index = counted.then(|| row.to_string());
         let cells = table.columns.iter().map(|column| {

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use rust_xlsxwriter::{ColNum, Format, RowNum, Worksheet, XlsxError};
 
 /// The most UTF-16 units that a cell holds.
-const CELL: usize = 32_767;
+pub(super) const CELL: usize = 32_767;
 
 /// The most UTF-16 units of a page header or footer that are kept of one text.
 const HEADER: usize = 80;

@@ -2,9 +2,9 @@
 
 use rust_xlsxwriter::{Chart, RowNum, Worksheet};
 
-use super::cell::write_text;
 use super::charts::{HEIGHT, WIDTH};
 use super::error::WriteError;
+use super::guard;
 use super::page::Page;
 use super::style::Styles;
 use crate::text::{Language, Text, t};
@@ -41,7 +41,7 @@ pub fn write(
             breaks.push(row);
         }
         let from = Text::new(format!("De la hoja {name}"), format!("From the sheet {name}"));
-        write_text(sheet, row, 0, from.get(language), &styles.source)?;
+        guard::banner(sheet, row, [0, 0], from.get(language), language, [&styles.source, &styles.stale])?;
         sheet.insert_chart(row + 1, 0, chart)?;
     }
     sheet.set_page_breaks(&breaks)?;

@@ -5,6 +5,7 @@ use rust_xlsxwriter::{
     ChartMarkerType, ChartSolidFill, ChartType, ColNum, Color, RowNum,
 };
 
+use super::curves::{Curves, Range};
 use super::error::WriteError;
 use super::table_sheet::{FIRST, TableSheet};
 use crate::kind;
@@ -63,7 +64,11 @@ impl<'a> Axis<'a> {
         (table.rows() > 0).then_some(Self { sheet: &placed.sheet, table, column })
     }
 
-    fn range(&self, language: Language) -> Result<(&'a str, RowNum, ColNum, RowNum, ColNum), WriteError> {
+    /// The cells that are drawn: those of the table, or where its rows follow an input, of points picked from them.
+    fn range(&self, curves: &mut Curves<'a>, language: Language) -> Result<Range, WriteError> {
+        if let Some(range) = curves.range(self.table, self.column)? {
+            return Ok(range);
+        }
         let sheet = TableSheet { table: self.table, language };
         let column = match self.column {
             None => 0,
@@ -71,7 +76,7 @@ impl<'a> Axis<'a> {
         };
         // A chart of a long table is stretched to all its rows when they are streamed.
         let last = if sheet.long() { FIRST } else { sheet.last_row()? };
-        Ok((self.sheet, FIRST, column, last, column))
+        Ok((self.sheet.to_owned(), FIRST, column, last, column))
     }
 
     /// Least and greatest value.
@@ -94,7 +99,12 @@ impl<'a> Axis<'a> {
 ///
 /// # Errors
 /// For a table longer than a sheet.
-pub fn draw(chart: &kind::Chart, tables: &[Placed<'_>], language: Language) -> Result<Option<Sized>, WriteError> {
+pub fn draw<'a>(
+    chart: &kind::Chart,
+    tables: &'a [Placed<'a>],
+    curves: &mut Curves<'a>,
+    language: Language,
+) -> Result<Option<Sized>, WriteError> {
     let mut drawn = Chart::new(ChartType::ScatterStraight);
     let mut extents = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     let mut count = 0;
@@ -107,10 +117,11 @@ pub fn draw(chart: &kind::Chart, tables: &[Placed<'_>], language: Language) -> R
             *extent = [extent[0].min(low), extent[1].max(high)];
         }
         count += 1;
+        let (few, x, y) = (x.table.rows() < POINTS, x.range(curves, language)?, y.range(curves, language)?);
         let ink = Color::RGB(*ink);
         let mut marker = ChartMarker::new();
         let mut line = ChartFormat::new();
-        if x.table.rows() < POINTS {
+        if few {
             marker
                 .set_type(ChartMarkerType::Circle)
                 .set_size(7)
@@ -123,8 +134,8 @@ pub fn draw(chart: &kind::Chart, tables: &[Placed<'_>], language: Language) -> R
         drawn
             .add_series()
             .set_name(words(series.name.get(language)))
-            .set_categories(x.range(language)?)
-            .set_values(y.range(language)?)
+            .set_categories(cells(&x))
+            .set_values(cells(&y))
             .set_marker(&marker)
             .set_format(&mut line);
     }
@@ -173,8 +184,15 @@ pub fn draw(chart: &kind::Chart, tables: &[Placed<'_>], language: Language) -> R
     }
     let size = [pixels(width), pixels(height)];
     drawn.set_width(size[0]).set_height(size[1]);
+    // The points picked for a chart stand on a hidden sheet.
+    drawn.show_hidden_data();
     drawn.set_alt_text(words(chart.title.get(language)));
     Ok(Some((drawn, size)))
+}
+
+/// Cells as a chart takes them.
+fn cells((sheet, first, from, last, to): &Range) -> (&str, RowNum, ColNum, RowNum, ColNum) {
+    (sheet, *first, *from, *last, *to)
 }
 
 /// One axis: from, to, and the interval of its marks.

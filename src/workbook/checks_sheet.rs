@@ -4,6 +4,7 @@ use rust_xlsxwriter::{ColNum, RowNum, Worksheet};
 
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
+use super::guard;
 use super::page::Page;
 use super::style::{Styles, grade_fill};
 use crate::finding::Finding;
@@ -16,6 +17,9 @@ const HEADINGS: RowNum = 2;
 
 /// Widths in characters: grade, code, place, what, value, limit, remedy.
 const WIDTHS: [f64; 7] = [12.0, 8.0, 26.0, 54.0, 24.0, 24.0, 44.0];
+
+/// The last column.
+const LAST: ColNum = 6;
 
 /// Writes the sheet of an outcome's checks: title, count by grade, and one row for each finding.
 ///
@@ -30,7 +34,8 @@ pub fn write(
     page: &Page<'_>,
 ) -> Result<(), WriteError> {
     write_text(sheet, 0, 0, table.title.get(language), &styles.title)?;
-    write_text(sheet, 1, 0, checks::summary(findings).get(language), &styles.source)?;
+    let summary = checks::summary(findings);
+    guard::banner(sheet, 1, [0, LAST], summary.get(language), language, [&styles.source, &styles.stale])?;
     for (at, (column, width)) in (0..).zip(table.columns.iter().zip(WIDTHS)) {
         write_text(sheet, HEADINGS, at, column.symbol.get(language), &styles.header)?;
         sheet.set_column_width(at, width)?;
@@ -54,7 +59,7 @@ pub fn write(
     }
     sheet.set_freeze_panes(HEADINGS + 1, 0)?;
     if last > HEADINGS {
-        sheet.autofilter(HEADINGS, 0, last, 6)?;
+        sheet.autofilter(HEADINGS, 0, last, LAST)?;
     }
     Page { repeat: (HEADINGS, HEADINGS), landscape: true, ..*page }.set_up(sheet, language)?;
     Ok(())

@@ -26,6 +26,9 @@ pub enum WriteError {
     /// A table's columns are not of one length: a fault in rodete.
     #[error("the columns of {0} are not of one length")]
     Uneven(&'static str),
+    /// A formula refers to a column that is not there: a fault in rodete.
+    #[error("no column for a reference in {0}")]
+    Reference(String),
     /// The frame for a long sheet is not as it was made: a fault in rodete.
     #[error("the frame of a long sheet has {0}")]
     Skeleton(&'static str),

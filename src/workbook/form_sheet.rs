@@ -10,6 +10,7 @@ use rust_xlsxwriter::{ColNum, DataValidation, Formula, IgnoreError, RowNum, Work
 use super::cell::{row_height, write_text};
 use super::drawn::Drawn;
 use super::error::WriteError;
+use super::guard;
 use super::page::Page;
 use super::style::Styles;
 use super::validation::{range_and_note, validation};
@@ -40,6 +41,8 @@ pub struct Filling<'a, V> {
     pub values: V,
     /// Notes under the title, one a row.
     pub notes: &'a [&'a str],
+    /// A banner tells whether the values are those that the programs were verified with.
+    pub guarded: bool,
     /// The sketch beside the values.
     pub sketch: Option<Drawn<'a>>,
     /// The language of everything but the values.
@@ -173,6 +176,11 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         ];
         write_text(sheet, 0, SYMBOL, self.sheet.title.get(self.language), &styles.title)?;
         let mut row = 0;
+        if self.guarded {
+            row += 1;
+            sheet.merge_range(row, SYMBOL, row, RANGE, "", &styles.source)?;
+            guard::banner(sheet, row, [SYMBOL, RANGE], "", self.language, [&styles.source, &styles.stale])?;
+        }
         for note in self.notes.iter().filter(|note| !note.is_empty()) {
             row += 1;
             // Heights of merged cells are not fitted by a spreadsheet: the lines are counted here.

@@ -5,6 +5,7 @@ use rust_xlsxwriter::{ColNum, IgnoreError, RowNum, Worksheet};
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
 use super::form_sheet::label;
+use super::guard::{self, Copy, Guard};
 use super::page::Page;
 use super::style::Styles;
 use super::validation::validation;
@@ -35,11 +36,17 @@ pub struct ListSheet<'a> {
 }
 
 impl ListSheet<'_> {
-    /// Writes the sheet. It is not protected: rows are put in and taken out.
+    /// Writes the sheet, watched by a guard where there is one. It is not protected: rows are put in and taken out.
     ///
     /// # Errors
     /// For a value that is not finite, and for a list that a workbook cannot hold.
-    pub fn write(&self, sheet: &mut Worksheet, styles: &Styles, page: &Page<'_>) -> Result<(), WriteError> {
+    pub fn write(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        page: &Page<'_>,
+        guard: Option<&mut Guard>,
+    ) -> Result<(), WriteError> {
         let language = self.language;
         sheet.set_name(self.name)?;
         write_text(sheet, 0, 0, self.list.title.get(language), &styles.title)?;
@@ -53,7 +60,11 @@ impl ListSheet<'_> {
         if last > 0 {
             sheet.merge_range(1, 0, 1, last, "", &styles.note)?;
         }
-        write_text(sheet, 1, 0, note, &styles.note)?;
+        if guard.is_some() {
+            guard::banner(sheet, 1, [0, last], note, language, [&styles.note, &styles.stale])?;
+        } else {
+            write_text(sheet, 1, 0, note, &styles.note)?;
+        }
         sheet.set_row_height(1, row_height(&[(note, across)]))?;
         self.write_head(sheet, styles)?;
         let ready = (self.rows.len() + SPARE).min(self.list.most);
@@ -61,6 +72,19 @@ impl ListSheet<'_> {
         for (row, at) in (FIRST..).zip(0..ready) {
             self.write_row(sheet, styles, row, self.rows.get(at))?;
             end = row;
+        }
+        if let Some(guard) = guard {
+            for (column, parameter) in (0..).zip(self.list.columns) {
+                let value = |at| self.rows.get(at).and_then(|row: &Row| row.values.get(parameter.key));
+                let copies = (0..ready).map(|at| Copy::of(parameter, value(at), language)).collect();
+                guard.watch_column(guard::Column {
+                    key: parameter.key,
+                    sheet: self.name.to_owned(),
+                    column,
+                    first: FIRST,
+                    copies,
+                });
+            }
         }
         let most = FIRST + RowNum::try_from(self.list.most).unwrap_or(RowNum::MAX - FIRST) - 1;
         for (column, parameter) in (0..).zip(self.list.columns) {

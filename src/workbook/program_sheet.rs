@@ -6,6 +6,7 @@
 use rust_xlsxwriter::{ColNum, RowNum, Worksheet};
 
 use super::error::WriteError;
+use super::guard;
 use super::long_rows::{RowWriter, Rows};
 use super::page::Page;
 use super::style::Styles;
@@ -100,6 +101,10 @@ impl<'a> ProgramSheet<'a> {
             sheet.set_column_width(column + 1, strand.width)?;
             sheet.write_blank(0, column, &styles.block_number)?;
             sheet.write_blank(0, column + 1, &styles.block)?;
+        }
+        if let Some(last) = self.strands.last() {
+            let last = ColNum::try_from(last.column + 1).map_err(|_| WriteError::TooLarge("INCR"))?;
+            guard::strike(sheet, [0, self.rows.saturating_sub(1)], [0, last], styles)?;
         }
         sheet.set_vertical_page_breaks(&breaks)?;
         page.set_up_columns(sheet, language);

@@ -2,13 +2,16 @@
 
 use std::io::{Seek, Write};
 
-use rust_xlsxwriter::Workbook;
+use rust_xlsxwriter::{Workbook, quote_sheet_name};
 
 use super::charts::{Placed, draw};
+use super::curves::Curves;
 use super::drawn::Drawn;
 use super::error::WriteError;
 use super::form_sheet::Filling;
+use super::guard::{self, Copy, Guard};
 use super::limits;
+use super::live::{self, LiveTables};
 use super::long_rows::LongRows;
 use super::names::{Made, Present, Role, SheetNames, slug};
 use super::page::{Page, properties};
@@ -17,8 +20,8 @@ use super::save::{Additions, save};
 use super::style::Styles;
 use super::summary_sheet::{self, Summary};
 use super::table_sheet::{FIRST, TableSheet};
-use super::template::{HOW, OPTIONAL, write_lists};
-use super::{chart_sheet, checks_sheet};
+use super::template::{HOW, Look, OPTIONAL, write_lists};
+use super::{chart_sheet, checks_sheet, curves};
 use crate::figure::Figure;
 use crate::kind::{Outcome, checks};
 use crate::parameter::Sheet;
@@ -26,6 +29,7 @@ use crate::parameter::list::Naming;
 use crate::table::Table;
 use crate::text::{Language, Text, t};
 
+pub use super::live::Tables;
 pub use super::summary_sheet::File;
 
 /// Writes the results of an outcome: first what came out, with the files that are delivered beside it; then the form with the
@@ -37,10 +41,11 @@ pub use super::summary_sheet::File;
 pub fn write<W: Write + Seek + Send>(
     outcome: &Outcome,
     files: &[File],
+    tables: Tables,
     language: Language,
     out: W,
 ) -> Result<(), WriteError> {
-    write_for(outcome, files, language, None, out).map(|_| ())
+    write_for(outcome, files, tables, language, None, out).map(|_| ())
 }
 
 /// The same for sheets that are put into the workbook of the form: the form and its lists are written, too, under the names that
@@ -51,16 +56,18 @@ pub fn write<W: Write + Seek + Send>(
 pub fn write_into<W: Write + Seek + Send>(
     outcome: &Outcome,
     files: &[File],
+    tables: Tables,
     language: Language,
     present: &Present,
     out: W,
 ) -> Result<Vec<Made>, WriteError> {
-    write_for(outcome, files, language, Some(present), out)
+    write_for(outcome, files, tables, language, Some(present), out)
 }
 
 fn write_for<W: Write + Seek + Send>(
     outcome: &Outcome,
     files: &[File],
+    tables: Tables,
     language: Language,
     present: Option<&Present>,
     out: W,
@@ -83,12 +90,16 @@ fn write_for<W: Write + Seek + Send>(
         made: Vec::new(),
         workbook: Workbook::new(),
         additions: Additions::default(),
+        guard: Guard::default(),
     };
+    let guarded = results.take("verified", &guard::NAME);
     // It stands first and is filled last, when the others are known.
     let first = results.take("summary", &summary_sheet::NAME);
-    results.workbook.add_worksheet().set_name(first)?;
+    results.workbook.add_worksheet().set_name(&first)?;
     results.write_forms(sketch.as_ref())?;
-    results.write_tables()?;
+    let placed = results.places();
+    let live = LiveTables::new(&placed, tables);
+    results.write_tables(&placed, live)?;
     results.write_programs()?;
     results.write_checks()?;
     let again = match present {
@@ -97,8 +108,14 @@ fn write_for<W: Write + Seek + Send>(
         None => &TOO_LARGE,
     };
     let beside = present.map(|present| present.folder.as_str());
-    let summary = Summary { outcome, files, beside, sheets: &results.sheets, again, language };
-    summary.write(results.workbook.worksheet_from_index(0)?, &results.styles, &results.page)?;
+    let summary = Summary { outcome, files, beside, sheets: &results.sheets, again, live, language };
+    let names = summary.write(results.workbook.worksheet_from_index(0)?, &results.styles, &results.page)?;
+    let first = quote_sheet_name(&first);
+    for (name, row) in names {
+        results.workbook.define_name(name, &format!("={first}!$C${}", row + 1))?;
+    }
+    let made: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
+    results.guard.write(&mut results.workbook, &guarded, &made, &results.styles)?;
     save(&mut results.workbook, results.additions, out)?;
     Ok(results.made)
 }
@@ -130,6 +147,7 @@ struct Results<'a> {
     made: Vec<Made>,
     workbook: Workbook,
     additions: Additions<'a>,
+    guard: Guard,
 }
 
 impl<'a> Results<'a> {
@@ -171,17 +189,24 @@ impl<'a> Results<'a> {
             let values = |key: &str| outcome.fields.values().values.get(key);
             let sketch = self.additions.drawn.filter(|_| index == 0);
             let worksheet = self.workbook.add_worksheet();
-            let layout = Filling { sheet, values, notes: &notes, sketch, language }.write(worksheet, &self.styles)?;
+            let layout = Filling { sheet, values, notes: &notes, guarded: true, sketch, language }
+                .write(worksheet, &self.styles)?;
             worksheet.set_name(&name)?;
             layout.finish(worksheet, &self.page, language)?;
             for (defined, cell) in layout.defined_names(&name) {
                 self.workbook.define_name(defined, &cell)?;
             }
+            for parameter in sheet.sections.iter().flat_map(|section| section.parameters) {
+                self.guard.watch(parameter.name, Copy::of(parameter, values(parameter.key), language));
+            }
         }
-        let Self { names, sheets, made, present, .. } = self;
+        let Self { names, sheets, made, present, guard, .. } = self;
         let lists = &outcome.fields.values().lists;
         let form = outcome.fields.form();
-        write_lists(&mut self.workbook, form, lists, &self.styles, &self.page, language, |wanted, list| {
+        let look = Look { styles: &self.styles, page: &self.page, language };
+        // The lists of a workbook of one's own stand where their owner put them.
+        let guard = Some(guard).filter(|_| present.is_none());
+        write_lists(&mut self.workbook, form, lists, &look, guard, |wanted, list| {
             let one = matches!(list.naming, Naming::One(_));
             let there =
                 present.map(|_| lists.iter().find(|rows| rows.list == list.key && (one || rows.sheet == wanted)));
@@ -194,29 +219,41 @@ impl<'a> Results<'a> {
         })
     }
 
-    /// The charts, then the tables.
-    fn write_tables(&mut self) -> Result<(), WriteError> {
-        let (outcome, language) = (self.outcome, self.language);
+    /// The sheets of the tables: that of the charts stands before them.
+    fn places(&mut self) -> Vec<Placed<'a>> {
         static CHARTS: Text = t("Gráficos de las tablas", "Charts of the tables");
-        let charts = (!outcome.charts.is_empty()).then(|| self.name("charts", &chart_sheet::NAME, &CHARTS));
-        let placed: Vec<Placed<'_>> = outcome
+        let outcome = self.outcome;
+        if !outcome.charts.is_empty() {
+            self.name("charts", &chart_sheet::NAME, &CHARTS);
+        }
+        outcome
             .tables
             .iter()
             .map(|table| Placed { sheet: self.name(table.key, &table.name, &table.title), table })
-            .collect();
-        if let Some(name) = charts {
+            .collect()
+    }
+
+    /// The charts, then the tables.
+    fn write_tables(&mut self, placed: &[Placed<'a>], live: LiveTables<'_>) -> Result<(), WriteError> {
+        let (outcome, language) = (self.outcome, self.language);
+        let before = self.sheets.len() - placed.len();
+        let follows = live.on() && placed.iter().any(|one| live::last(one.table.index).is_some());
+        let picked = follows && !outcome.charts.is_empty();
+        let mut curves = Curves::new(live, if picked { self.take("curves", &curves::SHEET) } else { String::new() });
+        if !outcome.charts.is_empty() {
             let mut drawn = Vec::new();
             for chart in &outcome.charts {
                 let of = placed.iter().find(|one| one.table.key == chart.table).map(|one| one.sheet.clone());
-                if let Some((chart, size)) = draw(chart, &placed, language)? {
+                if let Some((chart, size)) = draw(chart, placed, &mut curves, language)? {
                     drawn.push((of.unwrap_or_default(), chart));
                     self.additions.charts.push(size);
                 }
             }
+            let (name, _) = &self.sheets[before - 1];
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
             chart_sheet::write(worksheet, &drawn, language, &self.styles, &self.page)?;
         }
-        for Placed { sheet: name, table } in &placed {
+        for Placed { sheet: name, table } in placed {
             let sheet = TableSheet { table, language };
             if sheet.long() {
                 self.additions.long.push(LongRows {
@@ -228,10 +265,10 @@ impl<'a> Results<'a> {
                 });
             }
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
-            sheet.write(worksheet, &self.styles)?;
+            sheet.write(worksheet, &self.styles, &live)?;
             sheet.finish(worksheet, &self.page)?;
         }
-        Ok(())
+        if picked { curves.write(&mut self.workbook) } else { Ok(()) }
     }
 
     /// The programs, where they do not stand on sheets of the form as the user's own.

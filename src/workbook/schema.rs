@@ -18,6 +18,7 @@ use crate::text::{Language, Text, t};
 use super::address::{self, Position};
 use super::book::Book;
 use super::gate::{Gated, gate};
+use super::guard;
 use super::list_rows;
 use super::listing::{self, SheetEntry};
 use super::names;
@@ -45,6 +46,8 @@ pub struct Filled {
     pub values: Values,
     /// Notes and cautions.
     pub findings: Vec<Finding>,
+    /// What was changed in a results workbook since its programs were made.
+    pub stale: Option<Finding>,
 }
 
 /// Reads a workbook that follows one of `forms`.
@@ -126,7 +129,25 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
         return Err(refusal(exit, findings));
     }
-    Ok(Filled { form, values, findings })
+    let stale = changed(&mut book, form, &values)?;
+    Ok(Filled { form, values, findings, stale })
+}
+
+/// What was changed since the programs of the same workbook were made, by the copies that stand in it.
+fn changed(book: &mut Book<'_>, form: &'static Form, values: &Values) -> Result<Option<Finding>, Refusal> {
+    let named = |entry: &&SheetEntry| entry.name.starts_with(guard::SHEET);
+    let sheets: Vec<SheetEntry> = book.gated.sheets.iter().filter(named).cloned().collect();
+    let mut stale = None;
+    for entry in sheets {
+        stale = guard::stale(&book.read(&entry, guard::COLUMNS)?, form, values).or(stale);
+    }
+    let Some(guard::Stale { inputs, lists, files }) = stale else { return Ok(None) };
+    let symbols = inputs.iter().map(|key| (*key).to_owned());
+    let inputs_told = symbols.chain(lists.iter().map(|sheet| excerpt(sheet, SHOWN))).collect::<Vec<_>>().join(", ");
+    let programs = files.join(", ");
+    let place = if inputs.is_empty() { Place::File } else { Place::Parameters(inputs) };
+    let stale = InputsChanged { inputs: inputs_told, programs }.at(place);
+    Ok(Some(values.locate(stale)))
 }
 
 /// The sheet that a form begins with, read.

@@ -11,6 +11,7 @@ const INPUT: Color = Color::RGB(0xFFF8DC);
 const INPUT_INK: Color = Color::RGB(0x00_00C0);
 const RULE: Color = Color::RGB(0xB8C4D0);
 const FAINT: Color = Color::RGB(0x59_5959);
+const STOP: Color = Color::RGB(0xC0_0000);
 
 /// The formats of a workbook.
 #[derive(Debug)]
@@ -57,6 +58,12 @@ pub struct Styles {
     pub block_number: Format,
     /// A block of a program.
     pub block: Format,
+    /// A line that must not be overlooked.
+    pub warning: Format,
+    /// What a banner turns to when inputs were changed.
+    pub stale: Format,
+    /// What values turn to when inputs were changed: red, and struck out for those who print in black.
+    pub struck: Format,
 }
 
 impl Default for Styles {
@@ -100,6 +107,9 @@ impl Default for Styles {
             entry: wrapped().set_align(FormatAlign::Left).set_indent(1),
             block_number: Format::new().set_font_name("Consolas").set_font_size(10).set_font_color(FAINT),
             block: Format::new().set_font_name("Consolas").set_font_size(10),
+            warning: Format::new().set_bold().set_font_color(STOP),
+            stale: Format::new().set_bold().set_font_color(Color::White).set_background_color(STOP),
+            struck: Format::new().set_font_strikethrough().set_font_color(STOP),
         }
     }
 }

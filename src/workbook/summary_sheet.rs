@@ -5,6 +5,8 @@ use rust_xlsxwriter::{Color, Format, RowNum, Url, Worksheet, quote_sheet_name};
 
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
+use super::guard;
+use super::live::{self, LiveTables};
 use super::page::Page;
 use super::style::{Styles, grade_fill};
 use crate::finding::{Finding, Grade};
@@ -39,21 +41,30 @@ pub struct Summary<'a> {
     pub sheets: &'a [(String, String)],
     /// How to use this workbook as an input.
     pub again: &'a Text,
+    /// The tables that formulas refer to.
+    pub live: LiveTables<'a>,
     /// The language.
     pub language: Language,
 }
 
 impl Summary<'_> {
-    /// Writes the sheet.
+    /// Writes the sheet. Returns the defined names of derived values with the rows that they stand on, from 0, all in column C.
     ///
     /// # Errors
     /// For a quantity that is not finite.
-    pub fn write(&self, sheet: &mut Worksheet, styles: &Styles, page: &Page<'_>) -> Result<(), WriteError> {
+    pub fn write(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        page: &Page<'_>,
+    ) -> Result<Vec<(&'static str, RowNum)>, WriteError> {
         for (column, width) in (0..).zip(WIDTHS) {
             sheet.set_column_width(column, width)?;
         }
         static TITLE: Text = t("Resultados", "Results");
         write_text(sheet, 0, 0, TITLE.get(self.language), &styles.title)?;
+        sheet.merge_range(1, 0, 1, 4, "", &styles.source)?;
+        guard::banner(sheet, 1, [0, 4], "", self.language, [&styles.source, &styles.stale])?;
         let mut row = 1;
         for (label, text, grade) in self.lines() {
             row += 1;
@@ -67,11 +78,12 @@ impl Summary<'_> {
             write_text(sheet, row, 1, text, &format)?;
             sheet.set_row_height(row, row_height(&[(text, WIDTHS.iter().skip(1).sum())]))?;
         }
-        row = self.write_quantities(sheet, styles, row + 2)?;
+        let mut names = Vec::new();
+        row = self.write_quantities(sheet, styles, row + 2, &mut names)?;
         let last = self.write_index(sheet, styles, row + 2)?;
         sheet.set_print_area(0, 0, last, 4)?;
         Page { single: true, ..*page }.set_up_fitted(sheet, self.language);
-        Ok(())
+        Ok(names)
     }
 
     /// Label and text of each line, and its grade if it has one.
@@ -134,7 +146,13 @@ impl Summary<'_> {
     }
 
     /// The derived values from a row on: symbol, meaning, value, unit, source. Returns their last row.
-    fn write_quantities(&self, sheet: &mut Worksheet, styles: &Styles, first: RowNum) -> Result<RowNum, WriteError> {
+    fn write_quantities(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        first: RowNum,
+        names: &mut Vec<(&'static str, RowNum)>,
+    ) -> Result<RowNum, WriteError> {
         static HEADINGS: [Text; 5] = [
             t("Derivado", "Derived"),
             t("Significado", "Meaning"),
@@ -153,6 +171,7 @@ impl Summary<'_> {
         for quantity in &self.outcome.quantities {
             last += 1;
             self.write_quantity(sheet, styles, last, quantity)?;
+            names.extend(quantity.cell.as_ref().map(|cell| (cell.name, last)));
         }
         Ok(last)
     }
@@ -170,7 +189,15 @@ impl Summary<'_> {
         let (meaning, source) = (quantity.meaning.get(self.language), quantity.source.get(self.language));
         write_text(sheet, row, 0, quantity.symbol, &styles.symbol)?;
         write_text(sheet, row, 1, meaning, &styles.text)?;
-        sheet.write_number_with_format(row, 2, quantity.value, &styles.number(quantity.unit))?;
+        let format = styles.number(quantity.unit);
+        let formula = quantity.cell.as_ref().and_then(|cell| cell.live.as_ref());
+        match formula.map(|formula| self.live.outside(formula)).transpose()?.flatten() {
+            Some(formula) => {
+                let formula = live::number(&formula, quantity.value, || quantity.symbol.to_owned())?;
+                sheet.write_formula_with_format(row, 2, formula, &format)?;
+            }
+            None => drop(sheet.write_number_with_format(row, 2, quantity.value, &format)?),
+        }
         write_text(sheet, row, 3, quantity.unit.label(), &styles.unit)?;
         write_text(sheet, row, 4, source, &styles.faint)?;
         sheet.set_row_height(row, row_height(&[(meaning, WIDTHS[1]), (source, WIDTHS[4])]))?;

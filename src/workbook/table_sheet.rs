@@ -7,11 +7,13 @@ use rust_xlsxwriter::{ColNum, DataValidation, Format, RowNum, Worksheet};
 
 use super::cell::{row_height, shortened, write_text};
 use super::error::WriteError;
+use super::guard;
+use super::live::{self, LiveTables, NOTHING};
 use super::long_rows::{RowWriter, Rows};
 use super::page::Page;
 use super::style::{Styles, digits};
-use crate::table::{Cells, Column, Entry, Index, Table};
-use crate::text::Language;
+use crate::table::{Cells, Column, Entry, Table};
+use crate::text::{Language, Text, t};
 
 /// The row of the symbols, from 0.
 const SYMBOLS: RowNum = 2;
@@ -34,6 +36,9 @@ const EMPTY_WIDTH: f64 = 8.43;
 /// The widest print for the sake of a title or source.
 const WIDEST: f64 = 120.0;
 
+/// What the words of the guard take behind the source.
+const SEALED: f64 = 20.0;
+
 /// A sheet with fewer rows than this is printed on one page.
 const ONE_PAGE: RowNum = 66;
 
@@ -53,10 +58,7 @@ impl<'a> TableSheet<'a> {
     /// How many columns stand before the table's own: the index.
     #[must_use]
     pub const fn offset(&self) -> ColNum {
-        match self.table.index {
-            Index::Point => 1,
-            Index::None => 0,
-        }
+        if self.table.index.counted() { 1 } else { 0 }
     }
 
     /// The last row, from 0; the row of the units for an empty table.
@@ -79,10 +81,17 @@ impl<'a> TableSheet<'a> {
     ///
     /// # Errors
     /// For a value that is not finite, and for a table larger than a sheet.
-    pub fn write(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+    pub fn write(&self, sheet: &mut Worksheet, styles: &Styles, live: &LiveTables<'_>) -> Result<(), WriteError> {
         let offset = self.offset();
         write_text(sheet, 0, 0, self.table.title.get(self.language), &styles.title)?;
-        write_text(sheet, 1, 0, self.table.source.get(self.language), &styles.source)?;
+        guard::banner(
+            sheet,
+            1,
+            [0, self.printed()?],
+            self.table.source.get(self.language),
+            self.language,
+            [&styles.source, &styles.stale],
+        )?;
         if offset > 0 {
             write_text(sheet, SYMBOLS, 0, "i", &styles.number_header)?;
             write_text(sheet, UNITS, 0, "", &styles.number_unit)?;
@@ -94,7 +103,7 @@ impl<'a> TableSheet<'a> {
         if self.long() {
             self.write_frame(sheet, styles)?;
         } else {
-            self.write_rows(sheet, styles)?;
+            self.write_rows(sheet, styles, live)?;
         }
         Ok(())
     }
@@ -117,7 +126,10 @@ impl<'a> TableSheet<'a> {
     fn printed(&self) -> Result<ColNum, WriteError> {
         // Bold letters of the title are wider than the digits that widths count.
         let title = 1.6 * count(self.table.title.get(self.language));
-        let needed = f64::max(title, count(self.table.source.get(self.language))).min(WIDEST);
+        let warning = f64::from(u16::try_from(guard::warning(self.language)).unwrap_or(u16::MAX));
+        // The words that say that the inputs are verified follow the source.
+        let source = count(self.table.source.get(self.language)) + SEALED;
+        let needed = title.max(source).max(warning).min(WIDEST);
         let mut width = f64::from(self.offset()) * INDEX_WIDTH;
         width += self.table.columns.iter().map(|column| self.width(column)).sum::<f64>();
         let mut last = (column_number(self.table.columns.len())? + self.offset()).saturating_sub(1);
@@ -165,26 +177,42 @@ impl<'a> TableSheet<'a> {
         Ok(())
     }
 
-    fn write_rows(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+    fn write_rows(&self, sheet: &mut Worksheet, styles: &Styles, live: &LiveTables<'_>) -> Result<(), WriteError> {
         let offset = self.offset();
         let looks: Vec<(f64, Format)> =
             self.table.columns.iter().map(|column| (self.width(column), styles.values(column))).collect();
         for (row, index) in (FIRST..=self.last_row()?).zip(0_u32..) {
             if offset > 0 {
-                sheet.write_number_with_format(row, 0, index, &styles.index)?;
+                match live.index(self.table, row) {
+                    Some(formula) => {
+                        let formula = live::number(&formula, f64::from(index), String::new)?;
+                        sheet.write_formula_with_format(row, 0, formula, &styles.index)?;
+                    }
+                    None => drop(sheet.write_number_with_format(row, 0, index, &styles.index)?),
+                }
             }
             let mut texts = Vec::new();
             for ((at, column), (width, format)) in self.table.columns.iter().enumerate().zip(&looks) {
                 let to = column_number(at)? + offset;
-                match self.entry(column, row)? {
-                    Entry::Number(value) if value.is_finite() => {
+                let formula = live.cell(self.table, column.live.as_ref(), row)?;
+                match (self.entry(column, row)?, formula) {
+                    (Entry::Number(value), Some(formula)) => {
+                        let formula = live::number(&formula, value, || self.place(column, row))?;
+                        sheet.write_formula_with_format(row, to, formula, format)?;
+                    }
+                    (Entry::Number(value), None) if value.is_finite() => {
                         sheet.write_number_with_format(row, to, value, format)?;
                     }
-                    Entry::Number(_) => return Err(self.not_finite(column, row)),
-                    Entry::Text(text) => {
+                    (Entry::Number(_), None) => return Err(WriteError::NotFinite { place: self.place(column, row) }),
+                    (Entry::Text(text), formula) => {
                         let text = text.get(self.language);
                         texts.push((text, *width));
-                        write_text(sheet, row, to, text, format)?;
+                        match formula {
+                            Some(formula) => {
+                                sheet.write_formula_with_format(row, to, live::text(&formula, text), format)?;
+                            }
+                            None => write_text(sheet, row, to, text, format)?,
+                        }
                     }
                 }
             }
@@ -193,6 +221,33 @@ impl<'a> TableSheet<'a> {
             if height > row_height(&[]) {
                 sheet.set_row_height(row, height)?;
             }
+        }
+        self.write_spare_rows(sheet, styles, live)
+    }
+
+    /// The rows that are prepared for more points than there are, and what stands below them.
+    fn write_spare_rows(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        live: &LiveTables<'_>,
+    ) -> Result<(), WriteError> {
+        static ENDS: Text = t("aquí acaban las filas: vuelva a generar", "the rows end here: build again");
+        let rows = RowNum::try_from(live.rows(self.table)).map_err(|_| WriteError::TooLarge(self.table.key))?;
+        let end = FIRST + rows;
+        for row in self.last_row()? + 1..end {
+            if let Some(formula) = live.index(self.table, row) {
+                sheet.write_formula_with_format(row, 0, live::text(&formula, NOTHING), &styles.index)?;
+            }
+            for (at, column) in self.table.columns.iter().enumerate() {
+                if let Some(formula) = live.cell(self.table, column.live.as_ref(), row)? {
+                    let to = column_number(at)? + self.offset();
+                    sheet.write_formula_with_format(row, to, live::text(&formula, NOTHING), &styles.values(column))?;
+                }
+            }
+        }
+        if let Some(formula) = live.end(self.table, ENDS.get(self.language)) {
+            sheet.write_formula_with_format(end, 0, live::text(&formula, NOTHING), &styles.warning)?;
         }
         Ok(())
     }
@@ -236,9 +291,9 @@ impl<'a> TableSheet<'a> {
         }
     }
 
-    fn not_finite(&self, column: &Column, row: RowNum) -> WriteError {
-        let symbol = column.symbol.get(self.language);
-        WriteError::NotFinite { place: format!("{}, {symbol}, row {}", self.table.key, row + 1) }
+    /// Where a value stands, for a message.
+    fn place(&self, column: &Column, row: RowNum) -> String {
+        format!("{}, {}, row {}", self.table.key, column.symbol.get(self.language), row + 1)
     }
 }
 

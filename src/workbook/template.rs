@@ -7,6 +7,7 @@ use rust_xlsxwriter::Workbook;
 use super::drawn::Drawn;
 use super::error::WriteError;
 use super::form_sheet::{Filling, Layout};
+use super::guard::Guard;
 use super::list_sheet::ListSheet;
 use super::names::{Made, Present, Role, SheetNames};
 use super::page::{Page, properties};
@@ -78,7 +79,8 @@ pub fn write_into<W: Write + Seek + Send>(
     for (index, sheet) in form.sheets.iter().enumerate() {
         let (notes, sketch) = (notes(sheet, note, language), drawn.filter(|_| index == 0));
         let worksheet = workbook.add_worksheet();
-        let layout = Filling { sheet, values: find, notes: &notes, sketch, language }.write(worksheet, &styles)?;
+        let layout = Filling { sheet, values: find, notes: &notes, guarded: false, sketch, language }
+            .write(worksheet, &styles)?;
         let name = names.take(sheet.name.get(language));
         worksheet.set_name(&name)?;
         layout.finish(worksheet, &page, language)?;
@@ -87,7 +89,8 @@ pub fn write_into<W: Write + Seek + Send>(
         }
         made.push(Made { name, role: Role::Form });
     }
-    write_lists(&mut workbook, form, lists, &styles, &page, language, |name, _| {
+    let look = Look { styles: &styles, page: &page, language };
+    write_lists(&mut workbook, form, lists, &look, None, |name, _| {
         made.push(Made { name: name.to_owned(), role: Role::Form });
         name.to_owned()
     })?;
@@ -108,13 +111,23 @@ pub fn layouts(form: &'static Form, note: &Text, language: Language) -> Result<V
     let (mut workbook, styles) = (Workbook::new(), Styles::default());
     let layout = |sheet| {
         let notes = notes(sheet, note, language);
-        let filling = Filling { sheet, values: |_: &str| None, notes: &notes, sketch: None, language };
+        let filling = Filling { sheet, values: |_: &str| None, notes: &notes, guarded: false, sketch: None, language };
         filling.write(workbook.add_worksheet(), &styles)
     };
     form.sheets.iter().map(layout).collect()
 }
 
-/// Writes the sheets of a form's lists; `take` gives a sheet the name nearest to the one wanted that is free.
+/// How sheets are written.
+pub(super) struct Look<'a> {
+    /// The formats.
+    pub styles: &'a Styles,
+    /// How they are printed.
+    pub page: &'a Page<'a>,
+    /// Their language.
+    pub language: Language,
+}
+
+/// Writes the sheets of a form's lists, watched by a guard where there is one; `take` gives a sheet the name nearest to the one wanted that is free.
 ///
 /// # Errors
 /// For a value that is not finite, and for a list that a workbook cannot hold.
@@ -122,27 +135,25 @@ pub(super) fn write_lists(
     workbook: &mut Workbook,
     form: &'static Form,
     lists: &[Rows],
-    styles: &Styles,
-    page: &Page<'_>,
-    language: Language,
+    look: &Look<'_>,
+    mut guard: Option<&mut Guard>,
     mut take: impl FnMut(&str, &List) -> String,
 ) -> Result<(), WriteError> {
+    let Look { styles, page, language } = *look;
     for list in form.lists {
         let filled: Vec<&Rows> = lists.iter().filter(|rows| rows.list == list.key).collect();
         match &list.naming {
             Naming::One(name) => {
                 let name = take(name.get(language), list);
                 let rows = filled.first().map_or(&[][..], |rows| &rows.rows);
-                ListSheet { list, name: &name, rows, language }.write(workbook.add_worksheet(), styles, page)?;
+                let sheet = ListSheet { list, name: &name, rows, language };
+                sheet.write(workbook.add_worksheet(), styles, page, guard.as_deref_mut())?;
             }
             Naming::Numbered(_) => {
                 for rows in filled {
                     let name = take(&rows.sheet, list);
-                    ListSheet { list, name: &name, rows: &rows.rows, language }.write(
-                        workbook.add_worksheet(),
-                        styles,
-                        page,
-                    )?;
+                    let sheet = ListSheet { list, name: &name, rows: &rows.rows, language };
+                    sheet.write(workbook.add_worksheet(), styles, page, guard.as_deref_mut())?;
                 }
             }
         }

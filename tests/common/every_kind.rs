@@ -46,7 +46,7 @@ fn book(kind: &dyn Kind, case: &Case, language: Language, run: Run<'_>) {
     let checked: Json = serde_json::from_str(&done(&["check", "book.xlsx", "--json"])).unwrap();
     let quantities = checked["workbooks"][0]["quantities"].as_array().unwrap();
     assert!(!quantities.is_empty(), "{kind:?} {}: {checked}", case.name);
-    // Half of the way in each language: the ledger has both.
+    // Half of the way in each language.
     if language == Language::Es {
         done(&["view", "book.xlsx", "-o", "page.html"]);
         let page = fs::read_to_string(folder.join("page.html")).unwrap();

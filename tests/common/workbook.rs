@@ -104,6 +104,10 @@ impl Parts {
         Self::of(&sound(Language::En))
     }
 
+    pub fn has(&self, part: &str) -> bool {
+        self.0.iter().any(|one| one.0 == part)
+    }
+
     pub fn text(&self, part: &str) -> String {
         String::from_utf8(self.0.iter().find(|one| one.0 == part).unwrap().1.clone()).unwrap()
     }

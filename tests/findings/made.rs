@@ -15,7 +15,9 @@ use rodete::machine::var_file::VarFile;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Form, Value};
 use rodete::text::Language;
+use rodete::text::t;
 use rodete::workbook::offsets_table::OffsetsTable;
+use rodete::workbook::results::{self, Tables};
 use rodete::workbook::{self, Input, offsets_sheet, template};
 
 use super::workbook::{DATA, Parts, sound, written};
@@ -235,6 +237,17 @@ fn made(key: &str) -> Option<Vec<u8>> {
             let (from, to) = ("worksheet\" Target=\"worksheets/sheet1", "chartsheet\" Target=\"worksheets/sheet1");
             sound().replace(relations, from, to).zip()
         }
+        "changed-results" => {
+            let (form, bytes) = usual("impeller");
+            let source = Provenance { workbook: "a.xlsx".to_owned(), sha256: String::new(), version: "0" };
+            let outcome = kinds::run(form, workbook::read(&bytes, &[form]).unwrap().values, source).unwrap();
+            let files = [("a-blade.nc".to_owned(), t("Un álabe", "One blade"))];
+            let mut out = Cursor::new(Vec::new());
+            results::write(&outcome, &files, Tables::Live, Language::En, &mut out).unwrap();
+            let parts = Parts::of(&out.into_inner());
+            let part = part(&parts, "DATA");
+            parts.replace(&part, "<v>25</v>", "<v>26</v>").zip()
+        }
         "hidden" => sound().replace(list, "name=\"DATA\"", "name=\"DATA\" state=\"hidden\"").zip(),
         "formula" => sound().value("R", "", "<f>20+5</f><v>25</v>").zip(),
         "other-sheet" => sound().replace(list, "name=\"DATA\"", "name=\"Sheet1\"").zip(),
@@ -407,7 +420,9 @@ fn computed(kind: &str, bytes: &[u8]) -> Vec<Finding> {
 /// What a row's example is told; none where it is of another test.
 fn raised(rule: &Rule, known: &mut Known) -> Option<Vec<Finding>> {
     let read = |bytes: &[u8]| {
-        told(workbook::read(bytes, &KINDS.iter().map(|kind| kind.form()).collect::<Vec<_>>()), |filled| filled.findings)
+        told(workbook::read(bytes, &KINDS.iter().map(|kind| kind.form()).collect::<Vec<_>>()), |filled| {
+            filled.findings.into_iter().chain(filled.stale).collect()
+        })
     };
     match rule.example {
         // A contradiction is told by the kind, what stands before it by the reading.

@@ -77,6 +77,10 @@ fn compare(book: &str, saved: &[u8], results: &Results) {
             let (top, left) = was.start().expect("a cell");
             let at = (top + u32::try_from(row).expect("a row"), left + u32::try_from(column).expect("a column"));
             let found = is.get_value(at).unwrap_or(&Data::Empty);
+            // Rows that are prepared for more points show nothing.
+            if value.to_string().trim().is_empty() {
+                continue;
+            }
             assert!(same(value, found), "{book}, {sheet}, {at:?}: {value:?} and {found:?}");
             compared += 1;
         }
@@ -112,7 +116,13 @@ fn libreoffice_finds_every_value_and_the_next_build_finds_its_sheets() {
 fn replaced_in(name: &str, saved: &[u8], again: &Results) {
     let once = again.put_into(saved);
     let twice = again.put_into(&once);
-    assert_eq!(host(&once).present().taken, host(saved).present().taken, "{name}: no sheet twice");
+    // Books that were saved before results were guarded get the sheets of the guard and of the charts' points.
+    let without = |bytes: &[u8]| {
+        let mut taken = host(bytes).present().taken;
+        taken.retain(|sheet| !["Verified", "Curves"].contains(&sheet.as_str()));
+        taken
+    };
+    assert_eq!(without(&once), without(saved), "{name}: no sheet twice");
     assert_eq!(values(&once, again.sheets()), values(&again.bytes, again.sheets()), "{name}");
     assert!(once == twice, "{name}: nothing grows after another program has saved it");
     // What was not made by rodete keeps its bytes; the parts of its sheets have other names then.

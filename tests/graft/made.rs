@@ -101,7 +101,8 @@ impl Results {
         }
         let mut out = Cursor::new(Vec::new());
         let outcome = outcome(filled);
-        let made = results::write_into(&outcome, &[], Language::En, &present, &mut out).expect("results");
+        let made = results::write_into(&outcome, &[], results::Tables::Live, Language::En, &present, &mut out)
+            .expect("results");
         Self { bytes: out.into_inner(), made, inputs }
     }
 

@@ -1,5 +1,5 @@
-//! Workbooks: every case in both languages, written for each control that its kind can be written for, and all that the
-//! commands make of it.
+//! Workbooks: every case in both languages, written for each control that its kind can be written for, and what a
+//! machine reads of what `build` makes of it.
 
 use std::fs;
 
@@ -8,12 +8,11 @@ use rodete::kind::Kind;
 use rodete::kinds::KINDS;
 use rodete::parameter::{FieldKind, Value};
 use rodete::text::Language;
-use serde_json::Value as Json;
 
 use crate::command::Place;
 use crate::golden::Item;
 use crate::package::Parts;
-use crate::plain::{Sums, page};
+use crate::plain::Sums;
 
 /// Cells that are given other values: by their defined name, and what stands in them, in Spanish behind `|` where that is
 /// another word.
@@ -98,7 +97,7 @@ const SECOND: [(&str, &str); 13] = [
     ("second_Z_s", "1"),
 ];
 
-/// The workbook of a variant, and what every command makes of it.
+/// The workbook of a variant, and what a machine reads of what is built from it.
 fn made(variant: &Variant, language: &str) -> Vec<Item> {
     let Variant { kind, case, control, name, edits } = variant;
     let place = Place::new();
@@ -122,87 +121,20 @@ fn made(variant: &Variant, language: &str) -> Vec<Item> {
     let new = Parts::of(&place.read(&other));
     let under = format!("{kind}/{case}/{language}/{control}{}{name}", if name.is_empty() { "" } else { "-" });
     let mut items = Vec::new();
-    let mut put = |name: &str, text: &[u8]| items.push(Item::new(format!("{under}/{name}"), text));
-    if edits.is_empty() {
-        for (part, content) in Parts::of(&place.read(&other)).plain() {
-            put(&format!("new/{part}"), &content);
-        }
-    }
     place.write(&book, &new.with(&edits).zip());
     fs::remove_file(place.path(&other)).unwrap();
 
     let mut sums = Sums::default();
     sums.take(&book, &place.read(&book));
-    put("check", &sums.json(&place.json(&["check", &book])));
-    if edits.is_empty() {
-        put("check-printed", &sums.named(&place.said(&["check", &book])));
-    }
-    place.run(&["view", &book, "-o", "page.html"]);
-    put("view", &sums.named(&page(&place.read("page.html")).0));
-
-    let document = place.json(&["build", &book, "-o", "out"]);
+    place.run(&["build", &book, "--no-report", "-o", "out"]);
     let files = place.files("out");
-    assert!(files.len() > 3, "{under}: {}", String::from_utf8_lossy(&document));
+    assert!(files.len() > 3, "{under}: {files:?}");
     files.iter().for_each(|file| sums.take(file, &place.read(&format!("out/{file}"))));
-    put("build", &sums.json(&document));
-    for file in &files {
-        let bytes = place.read(&format!("out/{file}"));
+    for file in files.iter().filter(|file| [".nc", ".dxf", ".stl"].iter().any(|ending| file.ends_with(ending))) {
         let name = file.strip_prefix(stem).unwrap().trim_start_matches('-');
-        if name.ends_with(".xlsx") {
-            for (part, content) in Parts::of(&bytes).plain() {
-                put(&format!("{name}/{part}"), &sums.named(&content));
-            }
-        } else if name.ends_with(".html") {
-            put(name, &sums.named(&page(&bytes).0));
-        } else if !name.ends_with(".pdf") {
-            put(name, &sums.named(&bytes));
-        }
+        items.push(Item::new(format!("{under}/{name}"), &sums.named(&place.read(&format!("out/{file}")))));
     }
-    for (name, text) in kept(&place, &sums) {
-        if name != "templates" || edits.is_empty() {
-            put(&name, &text);
-        }
-    }
-
-    let programs: Vec<_> =
-        files.iter().filter(|file| file.ends_with(".nc")).map(|file| format!("out/{file}")).collect();
-    let mut words: Vec<_> =
-        ["verify", "--dialect", control].into_iter().chain(programs.iter().map(String::as_str)).collect();
-    if *kind == "lathe" {
-        words.extend(["--tools", &book]);
-        for program in &programs {
-            let simulated = place.json(&["simulate", program, "--dialect", control, "--tools", &book]);
-            put(&format!("simulate/{program}"), &sums.json(&simulated));
-        }
-    }
-    put("verify", &sums.json(&place.json(&words)));
     items
-}
-
-/// What typst was given to set: contents and pictures, and of the templates one sum.
-fn kept(place: &Place, sums: &Sums) -> Vec<(String, Vec<u8>)> {
-    let mut texts = Vec::new();
-    let mut templates = Vec::new();
-    for file in place.files("kept") {
-        let bytes = place.read(&format!("kept/{file}"));
-        let (document, name) = file.split_once('/').unwrap();
-        let document = document.trim_end_matches(".typ");
-        if name.ends_with(".typ") {
-            templates.extend_from_slice(name.as_bytes());
-            templates.extend(bytes);
-        } else if name == "contents.json" {
-            let contents: Json = serde_json::from_slice(&bytes).unwrap();
-            for (key, figure) in contents["figures"].as_object().into_iter().flatten() {
-                let picture = format!("kept/{document}.typ/{}", figure["file"].as_str().unwrap());
-                texts.push((format!("{document}/{key}.svg"), sums.named(&place.read(&picture))));
-            }
-            texts.push((format!("{document}/contents.json"), sums.json(&bytes)));
-        } else if name.starts_with("sheet-") {
-            texts.push((format!("{document}/{name}"), sums.named(&bytes)));
-        }
-    }
-    texts.push(("templates".to_owned(), templates));
-    texts
 }
 
 /// Every case of a kind in both languages for every control.

@@ -60,14 +60,11 @@ pub const GROUPS: [Group; 10] = [
     Group { folder: "fuzz/corpus/simulate", ..PLAIN },
 ];
 
-/// What does not end before millions of blocks are repeated, where it is read as the command reads it.
-const ENDLESS: [&str; 3] = ["gcode/bad/endless-do.ngc", "gcode/bad/endless-repeat.ngc", "gcode/bad/endless-while.ngc"];
-
 /// Blocks that a program may repeat here.
 const REPEATED: u64 = 20_000;
 
 /// Where the folders stand whose programs the ledger names as they once stood in `tests`.
-pub const MOVED: [(&str, &str); 7] = [
+const MOVED: [(&str, &str); 7] = [
     ("gcode/good", "controls/linuxcnc/good"),
     ("gcode/bad", "controls/linuxcnc/bad"),
     ("gcode/wider", "controls/linuxcnc/wider"),
@@ -78,7 +75,7 @@ pub const MOVED: [(&str, &str); 7] = [
 ];
 
 /// What a name of the ledger stands for.
-pub fn tests(name: &str) -> PathBuf {
+fn tests(name: &str) -> PathBuf {
     let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
     let moved = MOVED.into_iter().find_map(|(was, is)| name.strip_prefix(was).map(|rest| format!("{is}{rest}")));
     tests.join(moved.as_deref().unwrap_or(name))
@@ -101,11 +98,6 @@ impl Group {
         let own = Path::new(program).with_extension("var").to_str().unwrap().to_owned();
         if tests(&own).is_file() { Some(own) } else { self.var.map(str::to_owned) }
     }
-}
-
-/// True for a program that the command would read too long under a control.
-pub fn endless(program: &str, control: &str) -> bool {
-    control == "linuxcnc" && ENDLESS.contains(&program)
 }
 
 /// Subprograms beside the program.

@@ -5,8 +5,6 @@ use std::io::{Cursor, Read, Write};
 
 use zip::write::SimpleFileOptions;
 
-use crate::plain::is_code;
-
 /// The parts of a package by name.
 pub struct Parts(pub BTreeMap<String, Vec<u8>>);
 
@@ -34,41 +32,6 @@ impl Parts {
 
     fn text(&self, part: &str) -> String {
         String::from_utf8(self.0[part].clone()).unwrap()
-    }
-
-    /// The parts as they are compared: the strings that sheets share stand in their cells, so that one that is new does not move
-    /// the numbers of all; codes are left out.
-    pub fn plain(mut self) -> BTreeMap<String, Vec<u8>> {
-        let shared = self.0.remove("xl/sharedStrings.xml").unwrap_or_default();
-        let shared = String::from_utf8(shared).unwrap();
-        let strings: Vec<_> =
-            shared.split("<si>").skip(1).map(|rest| rest.split("</si>").next().unwrap_or_default()).collect();
-        for (name, content) in &mut self.0 {
-            if name.starts_with("xl/worksheets/") && name.ends_with(".xml") {
-                let text = str::from_utf8(content).unwrap();
-                let mut cells = text.split("t=\"s\"><v>");
-                let mut plain = cells.next().unwrap_or_default().to_owned();
-                for cell in cells {
-                    let (number, rest) = cell.split_once('<').unwrap();
-                    let string = strings[number.parse::<usize>().unwrap()];
-                    let text = string.strip_prefix("<t>").and_then(|text| text.strip_suffix("</t>"));
-                    // The code of a finding, as the cell of one that has none; a block as T0101 stands in the first column.
-                    let second = plain.rsplit("<c r=\"").next().is_some_and(|cell| cell.starts_with('B'));
-                    if second && text.is_some_and(is_code) {
-                        plain.truncate(plain.trim_end().len());
-                        plain.push_str("/>");
-                        plain.push_str(rest.strip_prefix("/v></c>").unwrap());
-                        continue;
-                    }
-                    plain.push_str("t=\"s\"><v>");
-                    plain.push_str(string);
-                    plain.push('<');
-                    plain.push_str(rest);
-                }
-                *content = plain.into_bytes();
-            }
-        }
-        self.0
     }
 
     /// The names that are defined for cells, with sheet and address as they are written.

@@ -1,16 +1,8 @@
-//! Outputs in the form in which they are compared: without the sums of other files, which have lines of their own.
+//! Outputs in the form in which they are compared: without the sums of other files.
 
 use std::collections::BTreeMap;
 
-use serde_json::Value;
-
 use crate::golden::hexadecimal;
-
-/// What a finding says. What else a document comes to say of one is no matter of the ledger.
-const FINDING: [&str; 7] = ["grade", "name", "what", "place", "value", "limit", "remedy"];
-
-/// What an alarm of a turning program said before it was told as a finding, too.
-const ALARM: [&str; 9] = ["block", "depth_mm", "file", "grade", "line", "number", "text", "x_mm", "z_mm"];
 
 /// The SHA-256 sums that may stand in outputs: whole, or in two halves as at the head of a program.
 #[derive(Default)]
@@ -36,65 +28,4 @@ impl Sums {
         }
         plain
     }
-
-    /// A document of JSON with each sum replaced, its keys sorted, without the version and the sizes of files.
-    pub fn json(&self, text: &[u8]) -> Vec<u8> {
-        let document = serde_json::from_slice(text);
-        let mut document: Value = document.unwrap_or_else(|why| panic!("{why}: {}", String::from_utf8_lossy(text)));
-        self.value(&mut document)
-    }
-
-    /// A part of a document, likewise.
-    pub fn value(&self, part: &mut Value) -> Vec<u8> {
-        settle(part);
-        self.named(serde_json::to_string_pretty(part).unwrap().as_bytes())
-    }
-}
-
-fn settle(value: &mut Value) {
-    match value {
-        Value::Object(object) => {
-            // Version and schema of a document.
-            if object.remove("rodete").is_some() {
-                object.remove("schema");
-            }
-            if object.contains_key("sha256") {
-                object.remove("bytes");
-            }
-            if object.contains_key("grade") && object.contains_key("what") {
-                // The name goes with the code; only the alarms' names stood here before other rows had any.
-                let alarm = object.get("alarm").is_some_and(Value::is_string);
-                let named =
-                    object.get("code").and_then(Value::as_str).is_none_or(|code| alarm && code.starts_with('L'));
-                // In a report's list the name is the grade's.
-                let named = named || !object.contains_key("data");
-                let kept = if object.contains_key("x_mm") { &ALARM[..] } else { &FINDING };
-                object.retain(|key, _| kept.contains(&key.as_str()) && (named || key != "name"));
-            }
-            object.values_mut().for_each(settle);
-        }
-        Value::Array(values) => values.iter_mut().for_each(settle),
-        _ => {}
-    }
-}
-
-/// True of a code: a letter and four digits.
-pub fn is_code(word: &str) -> bool {
-    let (letter, number) = word.split_at_checked(1).unwrap_or_default();
-    letter.bytes().all(|one| one.is_ascii_uppercase()) && number.len() == 4 && number.parse::<u16>().is_ok()
-}
-
-/// A page of the viewer taken apart: its scene, without the codes of its findings, and the page without the scene.
-pub fn page(html: &[u8]) -> (Vec<u8>, Vec<u8>) {
-    let text = str::from_utf8(html).unwrap();
-    let (before, rest) = text.split_once("id=\"scene\">").unwrap();
-    let (scene, after) = rest.split_once("</script>").unwrap();
-    let mut pieces = scene.split("\"code\":\"");
-    let mut plain = pieces.next().unwrap_or_default().to_owned();
-    for piece in pieces {
-        let (code, rest) = piece.split_once("\",").unwrap();
-        assert!(is_code(code), "{code}");
-        plain.push_str(rest);
-    }
-    (plain.into_bytes(), format!("{before}{after}").into_bytes())
 }

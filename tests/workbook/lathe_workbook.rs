@@ -192,7 +192,7 @@ fn the_programs_of_a_lathe_stand_once_in_its_results_and_its_profile_on_a_layer_
     let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
     let outcome = kinds::run(&FORM, values, source).unwrap();
     let mut out = Cursor::new(Vec::new());
-    workbook::results::write(&outcome, &[], Language::En, &mut out).unwrap();
+    workbook::results::write(&outcome, &[], workbook::results::Tables::Live, Language::En, &mut out).unwrap();
     let bytes = out.into_inner();
     let mut styles = String::new();
     let mut package = zip::ZipArchive::new(Cursor::new(&bytes)).unwrap();

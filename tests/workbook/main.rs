@@ -7,6 +7,7 @@ mod common;
 mod drawing;
 mod lathe_workbook;
 mod libreoffice;
+mod live;
 mod offsets_workbook;
 mod report;
 mod results_workbook;

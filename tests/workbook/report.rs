@@ -51,6 +51,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             value: 242.9,
             unit: Unit::Millimetre,
             source: t("R_B + H", "R_B + H"),
+            cell: None,
         }],
         tables: vec![Table {
             key: "annex-1",

@@ -20,6 +20,7 @@ mod form_sketch;
 pub mod gap;
 pub mod header;
 pub mod ideal;
+mod live_lines;
 pub mod outside;
 pub mod parameters;
 pub mod part;
@@ -171,6 +172,10 @@ impl Method for Impeller {
         tables
     }
 
+    fn lines(design: &Design, model: &Model, programs: &[Program]) -> Vec<Table> {
+        if design.style == Style::Annex { live_lines::tables(&model.passes, programs) } else { Vec::new() }
+    }
+
     fn programs(design: &Design, model: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
         let made = match &model.tracks {
             Ok(tracks) => programs(design, tracks, origin).map(|made| (tracks, made)),
@@ -246,8 +251,10 @@ fn quantities(
             design.machine.L,
             mm,
             ["R_B + H", "R_B + H"],
-        ),
-        quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["ec. (6)", "eq. (6)"]),
+        )
+        .by("derived_L", "spindle_height_R_B+height_H"),
+        quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["ec. (6)", "eq. (6)"])
+            .by("derived_k", "SQRT((torus_R-meridian_r)*(torus_R+meridian_r))"),
         quantity(
             "alpha",
             "Ángulo α del círculo de Villarceau",
@@ -255,7 +262,8 @@ fn quantities(
             circle.alpha().to_degrees(),
             Unit::Degree,
             ["sen α = r/R", "sin α = r/R"],
-        ),
+        )
+        .by("derived_alpha", "DEGREES(ASIN(meridian_r/torus_R))"),
         quantity(
             "length",
             "Longitud de la fibra media",
@@ -263,7 +271,8 @@ fn quantities(
             torus.R * std::f64::consts::FRAC_PI_2,
             mm,
             ["|dX/dv| = R: R·π/2", "|dX/dv| = R: R·π/2"],
-        ),
+        )
+        .by("derived_length", "torus_R*PI()/2"),
         quantity(
             "w",
             "Semiancho de álabe y herramienta",
@@ -271,7 +280,8 @@ fn quantities(
             design.w(),
             mm,
             ["(e + d_t)/2, ecs. (20) y (21)", "(e + d_t)/2, eqs (20) and (21)"],
-        ),
+        )
+        .by("derived_w", "(thickness_e+tool_diameter_d_t)/2"),
         quantity(
             "d",
             "Separación mínima entre álabes",
@@ -279,7 +289,8 @@ fn quantities(
             least_gap(d_t),
             mm,
             ["4/3·d_t, sección 4.2.2", "4/3·d_t, section 4.2.2"],
-        ),
+        )
+        .by("derived_d", "tool_diameter_d_t*4/3"),
         quantity(
             "gap",
             "Separación entre álabes en el cubo, medida por el paralelo",
@@ -287,7 +298,8 @@ fn quantities(
             gap,
             mm,
             ["2π(R − r − a_p)/N − e", "2π(R − r − a_p)/N − e"],
-        ),
+        )
+        .by("derived_gap", "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-thickness_e"),
         quantity(
             "N_max",
             "Número máximo de álabes, según lo publicado",
@@ -295,7 +307,8 @@ fn quantities(
             N_max(torus, a_p, e, d_t),
             Unit::Count,
             ["ec. (34)", "eq. (34)"],
-        ),
+        )
+        .by("derived_N_max", "INT(2*PI()*(torus_R-meridian_r-depth_a_p)/(thickness_e+derived_d))"),
         quantity(
             "e_max",
             "Espesor máximo del álabe, según lo publicado",
@@ -303,7 +316,8 @@ fn quantities(
             e_max(torus, a_p, design.N, d_t),
             mm,
             ["ec. (35)", "eq. (35)"],
-        ),
+        )
+        .by("derived_e_max", "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-derived_d"),
         quantity(
             "gap_true",
             "Separación real: mayor herramienta que pasa entre los álabes",
@@ -319,7 +333,8 @@ fn quantities(
             passes.entry.beta.to_degrees(),
             Unit::Degree,
             ["ec. (23) corregida", "eq. (23) corrected"],
-        ),
+        )
+        .by("derived_beta", "[annex-8.β first]"),
         quantity(
             "pitch",
             "Giro entre álabes",
@@ -327,7 +342,8 @@ fn quantities(
             360.0 / f64::from(design.N),
             Unit::Degree,
             ["ec. (22)", "eq. (22)"],
-        ),
+        )
+        .by("derived_pitch", "360/blades_N"),
         quantity(
             "X_e",
             "X final del torneado, en diámetro",
@@ -335,7 +351,8 @@ fn quantities(
             design.blank.X_e,
             mm,
             ["la de la hoja; vacía: 2·R + 30", "as in the form; empty: 2·R + 30"],
-        ),
+        )
+        .by("derived_X_e", "IF(ISBLANK(blank_end_X_e),2*torus_R+30,blank_end_X_e)"),
     ];
     // A limit that does not exist is left out; the caution about the gap says so.
     list.extend(limits.N_max.map(|N| {
@@ -362,14 +379,17 @@ fn quantities(
     if let Some(program) =
         programs.iter().find(|program| program.format == NumberFormat::Fixed && program.key == "blade")
     {
-        list.push(quantity(
-            "Z_r",
-            "Altura de retirada",
-            "Retract height",
-            program.start.get(Axis::Z).value(),
-            mm,
-            ["√(L² + R²) − L + d_s", "√(L² + R²) − L + d_s"],
-        ));
+        list.push(
+            quantity(
+                "Z_r",
+                "Altura de retirada",
+                "Retract height",
+                program.start.get(Axis::Z).value(),
+                mm,
+                ["√(L² + R²) − L + d_s", "√(L² + R²) − L + d_s"],
+            )
+            .by("derived_Z_r", "ROUNDUP((SQRT(derived_L^2+torus_R^2)-derived_L+safety_d_s)*1000,0)/1000"),
+        );
     }
     list
 }
@@ -382,7 +402,7 @@ fn quantity(
     unit: Unit,
     source: [&'static str; 2],
 ) -> Quantity {
-    Quantity { symbol, meaning: t(es, en), value, unit, source: t(source[0], source[1]) }
+    Quantity { symbol, meaning: t(es, en), value, unit, source: t(source[0], source[1]), cell: None }
 }
 
 /// Where a splitter's paths cross its neighbours', and from where on its offset is full.
@@ -408,7 +428,8 @@ fn crossings(splitter: &Splitter) -> Vec<Quantity> {
                 back.m as f64,
                 Unit::Count,
                 section,
-            ),
+            )
+            .named("derived_m"),
         ],
         Fade::EachSide => vec![
             quantity(
@@ -426,7 +447,8 @@ fn crossings(splitter: &Splitter) -> Vec<Quantity> {
                 out.m as f64,
                 Unit::Count,
                 room,
-            ),
+            )
+            .named("derived_m_1"),
             quantity(
                 "crossing_2",
                 "Índice del cruce con el álabe vecino, a la vuelta",
@@ -442,7 +464,8 @@ fn crossings(splitter: &Splitter) -> Vec<Quantity> {
                 back.m as f64,
                 Unit::Count,
                 room,
-            ),
+            )
+            .named("derived_m_2"),
         ],
     }
 }

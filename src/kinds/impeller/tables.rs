@@ -11,7 +11,7 @@ use crate::kinds::impeller::safety::{End, SafeEnd, safe_end};
 use crate::kinds::impeller::splitter::{Side, Splitter};
 use crate::kinds::impeller::tool_path::tool_path;
 use crate::machine::calibration::{Axis, Slots, nearest};
-use crate::table::{Column, Index, Law, Print, Table, Unit};
+use crate::table::{Column, Formula, Index, Law, Print, Table, Unit};
 use crate::text::{Text, t};
 
 const MM: Unit = Unit::Millimetre;
@@ -43,29 +43,77 @@ impl ToolPaths {
     }
 }
 
+/// The rows of a table of the blade's points follow n.
+const POINTS: Index = Index::Intervals { name: "intervals_n", times: 1, more: 0 };
+
 fn annex(key: &'static str, name: Text, title: Text, source: Text, columns: Vec<Column>) -> Table {
-    Table { key, name, title, source, index: Index::Point, print: Print::Short, columns }
+    Table { key, name, title, source, index: POINTS, print: Print::Short, columns }
+}
+
+/// Three columns of vectors, each computed by its formula.
+fn vectors(
+    symbols: [&'static str; 3],
+    unit: Unit,
+    law: Law,
+    values: &Vectors,
+    formulas: [impl Into<Formula>; 3],
+) -> Vec<Column> {
+    Column::vectors(symbols, unit, law, values).into_iter().zip(formulas).map(|(one, by)| one.by(by)).collect()
+}
+
+/// B and C at the end of a path.
+fn turns(blade: &Blade) -> [Column; 2] {
+    [
+        Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B)).by("[annex-4.B]"),
+        Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)).by("[annex-4.C]"),
+    ]
+}
+
+/// The formulas of a path at w·`fraction` across the blade, on the side of a sign, and at the depth a_p.
+fn offset(side: char, fraction: &str) -> [String; 3] {
+    let other = if side == '+' { '-' } else { '+' };
+    [
+        format!("[annex-5.x]{side}derived_w{fraction}*derived_k/torus_R"),
+        format!("[annex-5.y]{other}derived_w{fraction}*meridian_r/torus_R"),
+        "[annex-5.z]-depth_a_p".to_owned(),
+    ]
 }
 
 /// Annexes 1 to 8, in order.
 #[must_use]
 pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
     let xyz = ["x", "y", "z"];
-    let path = |law, points: &Vectors| -> Vec<Column> {
-        let mut columns: Vec<Column> = Column::vectors(xyz, MM, law, points).into();
-        columns.push(Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B)));
-        columns.push(Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)));
+    let path = |law, points: &Vectors, side| -> Vec<Column> {
+        let mut columns = vectors(xyz, MM, law, points, offset(side, ""));
+        columns.extend(turns(blade));
         columns
     };
     let frame = [
-        Column::vectors(
+        vectors(
             ["N_x", "N_y", "N_z"],
             Unit::One,
             Law::Told("N = −(cos v·cos u, cos v·sin u, sin v)"),
             &blade.N,
+            ["-COS([annex-1.v])*COS([annex-1.u])", "-COS([annex-1.v])*SIN([annex-1.u])", "-SIN([annex-1.v])"],
         ),
-        Column::vectors(["t_x", "t_y", "t_z"], Unit::One, Law::Told("t = (X_u·k/ρ + X_v)/R"), &blade.t),
-        Column::vectors(["b_x", "b_y", "b_z"], Unit::One, Law::Told("b = t × N"), &blade.b),
+        vectors(
+            ["t_x", "t_y", "t_z"],
+            Unit::One,
+            Law::Told("t = (X_u·k/ρ + X_v)/R"),
+            &blade.t,
+            [
+                "(-derived_k*SIN([annex-1.u])-meridian_r*SIN([annex-1.v])*COS([annex-1.u]))/torus_R",
+                "(derived_k*COS([annex-1.u])-meridian_r*SIN([annex-1.v])*SIN([annex-1.u]))/torus_R",
+                "meridian_r*COS([annex-1.v])/torus_R",
+            ],
+        ),
+        vectors(
+            ["b_x", "b_y", "b_z"],
+            Unit::One,
+            Law::Told("b = t × N"),
+            &blade.b,
+            ["[t_y]*[N_z]-[t_z]*[N_y]", "[t_z]*[N_x]-[t_x]*[N_z]", "[t_x]*[N_y]-[t_y]*[N_x]"],
+        ),
     ];
     vec![
         annex(
@@ -74,13 +122,16 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
             t("Discretización de los ángulos v y u", "Discretisation of the angles v and u"),
             t("Anexo 1, ecuación (6) corregida", "Annex 1, equation (6) corrected"),
             vec![
-                Column::numbers("v", RAD, Law::Told("v = π + i·h, h = (π/2)/n"), Arc::clone(&blade.v)),
+                Column::numbers("v", RAD, Law::Told("v = π + i·h, h = (π/2)/n"), Arc::clone(&blade.v))
+                    .by("PI()+PI()/2/intervals_n*IF([i]=intervals_n,intervals_n-end_backoff_eps_v,[i])"),
                 Column::numbers(
                     "u",
                     RAD,
                     Law::Told("u = atan2(−(r + R·cos v), k·sin v), k = √(R² − r²)"),
                     Arc::clone(&blade.u),
-                ),
+                )
+                // Turned by π/2, so that the cut of the arctangent is never met.
+                .by("PI()/2+ATAN2(-(meridian_r+torus_R*COS([v])),-derived_k*SIN([v]))"),
             ],
         ),
         annex(
@@ -88,7 +139,17 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
             t("Anexo 2", "Annex 2"),
             t("Geometría de la fibra media de un álabe", "Mean line of a blade"),
             t("Anexo 2, ecuación (4)", "Annex 2, equation (4)"),
-            Column::vectors(xyz, MM, Law::Told("P = (ρ·cos u, ρ·sin u, r·sin v), ρ = R + r·cos v"), &blade.P).into(),
+            vectors(
+                xyz,
+                MM,
+                Law::Told("P = (ρ·cos u, ρ·sin u, r·sin v), ρ = R + r·cos v"),
+                &blade.P,
+                [
+                    "(torus_R+meridian_r*COS([annex-1.v]))*COS([annex-1.u])",
+                    "(torus_R+meridian_r*COS([annex-1.v]))*SIN([annex-1.u])",
+                    "meridian_r*SIN([annex-1.v])",
+                ],
+            ),
         ),
         annex(
             "annex-3",
@@ -103,8 +164,9 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
             t("Ángulos de giro C y B", "Rotary angles C and B"),
             t("Anexo 4, ecuaciones (7) y (14) corregidas", "Annex 4, equations (7) and (14) corrected"),
             vec![
-                Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)),
-                Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B)),
+                Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)).by("[annex-1.u]-2*PI()"),
+                Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B))
+                    .by("PI()+PI()/2-[annex-1.v]"),
             ],
         ),
         annex(
@@ -115,24 +177,43 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
                 "Anexo 5, ecuación (16) corregida con la longitud de pivote",
                 "Annex 5, equation (16) corrected with the pivot length",
             ),
-            Column::vectors(xyz, MM, Law::Told("P″ = M2(B)·(M1(−C)·P + L·k̂) − L·k̂"), &blade.machine).into(),
+            vectors(
+                xyz,
+                MM,
+                Law::Told("P″ = M2(B)·(M1(−C)·P + L·k̂) − L·k̂"),
+                &blade.machine,
+                [
+                    "([annex-2.x]*COS([annex-4.C])+[annex-2.y]*SIN([annex-4.C]))*COS([annex-4.B])-([annex-2.z]+derived_L)*SIN([annex-4.B])",
+                    "[annex-2.y]*COS([annex-4.C])-[annex-2.x]*SIN([annex-4.C])",
+                    "([annex-2.x]*COS([annex-4.C])+[annex-2.y]*SIN([annex-4.C]))*SIN([annex-4.B])+([annex-2.z]+derived_L)*COS([annex-4.B])-derived_L",
+                ],
+            ),
         ),
         annex(
             "annex-6",
             t("Anexo 6", "Annex 6"),
             t("Trayectoria de la herramienta, anverso", "Tool path along the obverse"),
             t("Anexo 6, ecuación (20) corregida", "Annex 6, equation (20) corrected"),
-            path(Law::Told("P″ + w·b″ − a_p·N″, w = (e + d_t)/2"), &passes.obverse),
+            path(Law::Told("P″ + w·b″ − a_p·N″, w = (e + d_t)/2"), &passes.obverse, '+'),
         ),
         annex(
             "annex-7",
             t("Anexo 7", "Annex 7"),
             t("Trayectoria de la herramienta, reverso", "Tool path along the reverse"),
             t("Anexo 7, ecuación (21) corregida", "Annex 7, equation (21) corrected"),
-            path(Law::Told("P″ − w·b″ − a_p·N″, w = (e + d_t)/2"), &passes.reverse),
+            path(Law::Told("P″ − w·b″ − a_p·N″, w = (e + d_t)/2"), &passes.reverse, '-'),
         ),
         safety(passes),
     ]
+}
+
+/// The ends of the paths in the rows of annex 8, of which every other is the reverse's.
+const ENDS: [&str; 4] = ["first", "first", "last", "last"];
+
+/// A coordinate of the path at each end, and what is added to it.
+fn at_ends(axis: &str, and: &str) -> [String; 4] {
+    let mut annex = [6, 7].into_iter().cycle();
+    ENDS.map(|end| format!("[annex-{}.{axis} {end}]{and}", annex.next().unwrap_or(6)))
 }
 
 fn safety(passes: &ToolPaths) -> Table {
@@ -166,19 +247,29 @@ fn safety(passes: &ToolPaths) -> Table {
             ),
             column("β", Unit::Degree, Law::Told("tan β = (y_r − y_a)/(x_a − x_r)"), |end, _| {
                 end.beta.to_degrees()
-            }),
+            })
+            .by_each(ENDS.map(|end| {
+                format!("DEGREES(ATAN2([annex-6.x {end}]-[annex-7.x {end}],[annex-7.y {end}]-[annex-6.y {end}]))")
+            })),
             column("Δx", MM, Law::Told("∓(d_s + d_t/2 ± w·cos β)"), |end, obverse| {
                 if obverse { end.step_obverse[0] } else { end.step_reverse[0] }
-            }),
+            })
+            .by_each([["-", "+"], ["-", "-"], ["", "-"], ["", "+"]].map(|[sign, across]| {
+                format!("{sign}(safety_d_s+tool_diameter_d_t/2{across}derived_w*COS(RADIANS([β])))")
+            })),
             column(
                 "Δy",
                 MM,
                 Law::Told("Δx/tan β"),
                 |end, obverse| if obverse { end.step_obverse[1] } else { end.step_reverse[1] },
-            ),
-            column("x", MM, Law::Told("x + Δx"), |end, obverse| if obverse { end.obverse.x } else { end.reverse.x }),
-            column("y", MM, Law::Told("y + Δy"), |end, obverse| if obverse { end.obverse.y } else { end.reverse.y }),
-            column("z", MM, Law::Told("z"), |end, obverse| if obverse { end.obverse.z } else { end.reverse.z }),
+            )
+            .by("[Δx]/TAN(RADIANS([β]))"),
+            column("x", MM, Law::Told("x + Δx"), |end, obverse| if obverse { end.obverse.x } else { end.reverse.x })
+                .by_each(at_ends("x", "+[Δx]")),
+            column("y", MM, Law::Told("y + Δy"), |end, obverse| if obverse { end.obverse.y } else { end.reverse.y })
+                .by_each(at_ends("y", "+[Δy]")),
+            column("z", MM, Law::Told("z"), |end, obverse| if obverse { end.obverse.z } else { end.reverse.z })
+                .by_each(at_ends("z", "")),
         ],
     }
 }
@@ -190,43 +281,60 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
     let plan = |points: &[nalgebra::Vector2<f64>]| -> Vectors {
         points.iter().map(|point| Vector3::new(point.x, point.y, 0.0)).collect()
     };
-    let take_two = |symbols: [&'static str; 3], law, points: &Vectors| {
-        Column::vectors(symbols, MM, law, points).into_iter().take(2).collect::<Vec<_>>()
+    let take_two = |symbols: [&'static str; 3], law, points: &Vectors, [x, y]: [String; 2]| {
+        vectors(symbols, MM, law, points, [x, y, String::new()]).into_iter().take(2).collect::<Vec<_>>()
     };
-    let mut columns = take_two(["x_own", "y_own", ""], Law::Told("P + w·b − a_p·N"), &plan(&own));
+    let beside = |axis: char, side: char| {
+        format!("[annex-2.{axis}]{side}derived_w*[annex-3.b_{axis}]-depth_a_p*[annex-3.N_{axis}]")
+    };
+    let (x, y) = (beside('x', '-'), beside('y', '-'));
+    let turned = [
+        format!("({x})*COS(-PI()/blades_N)-({y})*SIN(-PI()/blades_N)"),
+        format!("({x})*SIN(-PI()/blades_N)+({y})*COS(-PI()/blades_N)"),
+    ];
+    let straight = ['x', 'y'].map(|axis| beside(axis, '+'));
+    let mut columns = take_two(["x_own", "y_own", ""], Law::Told("P + w·b − a_p·N"), &plan(&own), straight);
     columns.extend(take_two(
         ["x_neighbour", "y_neighbour", ""],
         Law::Told("Rz(−π/N)·(P − w·b − a_p·N)"),
         &plan(&neighbour),
+        turned,
     ));
     let intersection = Table {
         key: "intersection",
         name: t("Intersección", "Intersection"),
         title: t("Cruce con el álabe vecino", "Crossing with the neighbouring blade"),
         source: crossing_source(splitter),
-        index: Index::Point,
+        index: POINTS,
         print: Print::Short,
         columns,
     };
-    let fraction = |symbol, law, side: &Side| Column::numbers(symbol, Unit::One, law, side.fraction.clone());
+    let fraction = |symbol, law, side: &Side, m| {
+        let formula = format!("MIN(1,(([i]+1)/({m}+1))^5)");
+        Column::numbers(symbol, Unit::One, law, side.fraction.clone()).by(formula)
+    };
     let Splitter { out, back, .. } = splitter;
-    let (mut columns, paths) = match splitter.fade {
+    let (mut columns, paths, fractions) = match splitter.fade {
         Fade::Published => (
-            vec![fraction("f", Law::Told("f_j = ((j+1)/(m+1))⁵, j ≤ m"), out)],
+            vec![fraction("f", Law::Told("f_j = ((j+1)/(m+1))⁵, j ≤ m"), out, "derived_m")],
             ["P″ − w·f·b″ − a_p·N″", "P″ + w·f·b″ − a_p·N″"],
+            ["*[f]"; 2],
         ),
         Fade::EachSide => (
             vec![
-                fraction("f_1", Law::Told("f_1 = ((j+1)/(m_1+1))⁵, j ≤ m_1"), out),
-                fraction("f_2", Law::Told("f_2 = ((j+1)/(m_2+1))⁵, j ≤ m_2"), back),
+                fraction("f_1", Law::Told("f_1 = ((j+1)/(m_1+1))⁵, j ≤ m_1"), out, "derived_m_1"),
+                fraction("f_2", Law::Told("f_2 = ((j+1)/(m_2+1))⁵, j ≤ m_2"), back, "derived_m_2"),
             ],
             ["P″ − w·f_1·b″ − a_p·N″", "P″ + w·f_2·b″ − a_p·N″"],
+            ["*[f_1]", "*[f_2]"],
         ),
     };
-    columns.extend(Column::vectors(["x_1", "y_1", "z_1"], MM, Law::Told(paths[0]), &out.path));
-    columns.extend(Column::vectors(["x_2", "y_2", "z_2"], MM, Law::Told(paths[1]), &back.path));
-    columns.push(Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B)));
-    columns.push(Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)));
+    let path = |symbols, at: usize, side: &Side, sign| {
+        vectors(symbols, MM, Law::Told(paths[at]), &side.path, offset(sign, fractions[at]))
+    };
+    columns.extend(path(["x_1", "y_1", "z_1"], 0, out, '-'));
+    columns.extend(path(["x_2", "y_2", "z_2"], 1, back, '+'));
+    columns.extend(turns(blade));
     let paths = Table {
         key: "splitter",
         name: t("Álabe intermedio", "Splitter"),
@@ -235,7 +343,7 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
             "Tool paths of the splitter blade, out (1) and back (2)",
         ),
         source: t("Anexo 10, sección 4.3", "Annex 10, section 4.3"),
-        index: Index::Point,
+        index: POINTS,
         print: Print::Short,
         columns,
     };
@@ -306,15 +414,17 @@ pub fn blank(design: &Design) -> Table {
 /// The blade in plan and in the meridian plane, for the charts.
 #[must_use]
 pub fn views(blade: &Blade) -> Table {
-    let mut columns: Vec<Column> = Column::vectors(["x", "y", "z"], MM, Law::Told("P"), &blade.P).into();
+    let formulas = ["[annex-2.x]", "[annex-2.y]", "[annex-2.z]"];
+    let mut columns = vectors(["x", "y", "z"], MM, Law::Told("P"), &blade.P, formulas);
     let rho: Vec<f64> = blade.v.iter().map(|&v| blade.circle.torus.rho(v)).collect();
-    columns.insert(2, Column::numbers("ρ", MM, Law::Told("ρ = R + r·cos v"), rho));
+    let rho = Column::numbers("ρ", MM, Law::Told("ρ = R + r·cos v"), rho);
+    columns.insert(2, rho.by("torus_R+meridian_r*COS([annex-1.v])"));
     Table {
         key: "views",
         name: t("Vistas", "Views"),
         title: t("El álabe en planta y en el meridiano", "The blade in plan and in the meridian plane"),
         source: t("De los Anexos 1 y 2", "From annexes 1 and 2"),
-        index: Index::Point,
+        index: POINTS,
         print: Print::No,
         columns,
     }

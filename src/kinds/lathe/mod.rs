@@ -563,7 +563,7 @@ fn outcome(
 
 /// What the programs come to.
 fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
-    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source };
+    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
     let sum = |of: fn(&crate::removal::turning::step::Total) -> f64| {
         followed.iter().map(|one| of(&one.simulation.totals().all)).sum::<f64>()
     };

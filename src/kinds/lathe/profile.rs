@@ -86,7 +86,7 @@ pub(super) fn compared(
         ("dev_minus", t("Material de menos en el perfil", "Metal missing from the profile"), under),
     ] {
         let source = t("contorno contra la hoja del perfil", "contour against the sheet of the profile");
-        quantities.push(Quantity { symbol, meaning, value, unit: Unit::Millimetre, source });
+        quantities.push(Quantity { symbol, meaning, value, unit: Unit::Millimetre, source, cell: None });
     }
     let place = |one: Option<(f64, [f64; 2])>| {
         one.map_or(String::new(), |(_, [z, r])| format!(" (X{} Z{})", shown(2.0 * r, 3), shown(z, 3)))

@@ -12,6 +12,11 @@ mod sketch;
 use crate::kind::Proved;
 use crate::proof::account::Account;
 
+/// The formula of a size that may be typed, or else comes from a standard's table by its nominal size, which no formula asks.
+fn typed_or(name: &str, value: f64) -> String {
+    format!("IF(ISNUMBER({name}),{name},{value})")
+}
+
 /// What the program of a pipe comes to.
 fn account(programs: &[Proved]) -> Account {
     programs.last().map(|program| program.account.clone()).unwrap_or_default()

@@ -110,6 +110,13 @@ rules! {
         remedy "", "";
         why "rodete nombra los primeros y no lee el valor de ninguno.", "rodete names the first ones and reads the value of none.";
         example made!("symbols", "un libro con 21 filas de símbolos desconocidos", "a workbook with 21 rows of unknown symbols");
+    "W0519" InputsChanged Caution { inputs: String, programs: String }
+        es "datos cambiados desde que se hicieron los programas: {inputs}; no valen ya: {programs}"
+        en "inputs changed since the programs were made: {inputs}; out of date: {programs}"
+        remedy "vuelva a generar con \"rodete build\"", "build again with \"rodete build\"";
+        why "Los programas de la carpeta cortan la pieza de los datos anteriores.",
+            "The programs in the folder cut the part of the earlier inputs.";
+        example made!("changed-results", "un libro de resultados con R cambiado", "a results workbook with R changed");
     "W0601" HeadingsMissing Stop { first: Text }
         es "falta la fila de títulos, que empieza por \"{first}\" en la columna A"
         en "the row of headings, which begins with \"{first}\" in column A, is missing"

@@ -317,7 +317,14 @@ fn a_results_workbook_of_two_thousand_intervals_is_an_input() {
     let outcome = common::outcome("full", &[("n", Value::Whole(2_000))]);
     for language in Language::ALL {
         let mut written = std::io::Cursor::new(Vec::new());
-        rodete::workbook::results::write(&outcome, &[], language, &mut written).unwrap();
+        rodete::workbook::results::write(
+            &outcome,
+            &[],
+            rodete::workbook::results::Tables::Live,
+            language,
+            &mut written,
+        )
+        .unwrap();
         let filled = impeller(&written.into_inner()).unwrap();
         assert!(filled.findings.is_empty(), "{:?}", filled.findings);
         assert_eq!(filled.values.language, language);

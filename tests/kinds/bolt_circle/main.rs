@@ -108,6 +108,7 @@ impl Method for Kind {
             value: (to[0] - from[0]).hypot(to[1] - from[1]),
             unit: Unit::Millimetre,
             source: t("cuerda", "chord"),
+            cell: None,
         }]
     }
 }

@@ -38,7 +38,7 @@ use crate::kinds::pipe::hole::rules::{
 };
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::rules::NoLeadIn;
-use crate::kinds::pipe::{self, account, scene};
+use crate::kinds::pipe::{self, account, scene, typed_or};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
@@ -217,36 +217,47 @@ fn quantities(
     account: &Account,
 ) -> Vec<Quantity> {
     let mm = Unit::Millimetre;
-    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source };
+    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
     let most =
         |of: fn(&crate::kinds::pipe::hole::station::Station) -> f64| stations.iter().map(of).fold(f64::MIN, f64::max);
     let least =
         |of: fn(&crate::kinds::pipe::hole::station::Station) -> f64| stations.iter().map(of).fold(f64::MAX, f64::min);
     let torch = design.torch();
     let mut list = vec![
-        quantity("R_o", t("Radio exterior del tubo", "Outside radius of the header"), design.R_o(), mm, t("", "")),
-        quantity("R_i", t("Radio interior del tubo", "Bore of the header"), design.R_i(), mm, t("", "")),
+        quantity("R_o", t("Radio exterior del tubo", "Outside radius of the header"), design.R_o(), mm, t("", ""))
+            .by("derived_R_o", format!("{}/2", typed_or("header_diameter_D", design.header.D))),
+        quantity("R_i", t("Radio interior del tubo", "Bore of the header"), design.R_i(), mm, t("", "")).by(
+            "derived_R_i",
+            format!(
+                "{}/2-{}",
+                typed_or("header_diameter_D", design.header.D),
+                typed_or("header_wall_t", design.header.t)
+            ),
+        ),
         quantity(
             "r",
             t("Radio del injerto con su holgura", "Radius of the branch with its gap"),
             design.pair().r,
             mm,
             t("D_branch/2 + b", "D_branch/2 + b"),
-        ),
+        )
+        .by("derived_hole_r", format!("{}/2+root_gap_b", typed_or("branch_diameter_D", design.branch.D))),
         quantity(
             "h_s",
             t("De la punta al hombro de la antorcha", "From the torch's tip to its shoulder"),
             torch.shoulder(),
             mm,
             t("(R_g − r_g)/tan Ψ", "(R_g − r_g)/tan Ψ"),
-        ),
+        )
+        .by("derived_h_s", "(torch_body_radius-nozzle_r_g)/TAN(RADIANS(taper_Psi))"),
         quantity(
             "sigma_0",
             t("Ángulo desde el que manda la punta", "Angle below which the tip sets the height"),
             torch.switch_angle().to_degrees(),
             Unit::Degree,
             t("asen(g0/√(d0² + r_g²)) + atan(r_g/d0)", "asin(g0/√(d0² + r_g²)) + atan(r_g/d0)"),
-        ),
+        )
+        .by("derived_sigma_0", "DEGREES(ASIN(least_gap_g0/SQRT(height_d0^2+nozzle_r_g^2))+ATAN(nozzle_r_g/height_d0))"),
         quantity("sigma_min", t("σ mínimo", "Minimum σ"), least(|one| one.sigma).to_degrees(), Unit::Degree, t("", "")),
         quantity("D_most", t("Altura máxima D", "Maximum height D"), most(|one| one.D), mm, t("", "")),
     ];

@@ -78,14 +78,16 @@ pub fn height(stations: &[Station]) -> Table {
         print: Print::Short,
         columns: vec![
             numbers("α", DEGREE, Law::None, stations.iter().map(|one| one.alpha.to_degrees())),
-            numbers("σ", DEGREE, Law::Told("σ = asin(sin(φ − γ))"), stations.iter().map(|one| one.sigma.to_degrees())),
+            numbers("σ", DEGREE, Law::Told("σ = asin(sin(φ − γ))"), stations.iter().map(|one| one.sigma.to_degrees()))
+                .by("DEGREES(ASIN(SIN(RADIANS([curve.φ]-groove_gamma))))"),
             numbers("σ_o", DEGREE, Law::None, stations.iter().map(|one| one.sigma_o.to_degrees())),
             numbers(
                 "D",
                 MM,
                 Law::Told("max(d0, (g0 + r_g cos σ_o)/sin σ_o, (g0 + R_g cos σ_o)/sin σ_o − h_s)"),
                 stations.iter().map(|one| one.D),
-            ),
+            )
+            .by("MAX(height_d0,(least_gap_g0+nozzle_r_g*COS(RADIANS([σ_o])))/SIN(RADIANS([σ_o])),(least_gap_g0+torch_body_radius*COS(RADIANS([σ_o])))/SIN(RADIANS([σ_o]))-derived_h_s)"),
             numbers("g", MM, Law::None, stations.iter().map(|one| one.gap)),
             Column::texts(t("manda", "rule"), Law::None, stations.iter().map(|one| rule(one.rule)).collect()),
         ],

@@ -49,7 +49,7 @@ use crate::kinds::pipe::insert::rules::{
     AnnexAsPublished, AnnexWithoutKerf, KerfOnOutside, KerfZero, OutsideForInside, PipeByIncrements, PipeOnLinearAxis,
 };
 use crate::kinds::pipe::rules::NoLeadIn;
-use crate::kinds::pipe::{self, account, scene};
+use crate::kinds::pipe::{self, account, scene, typed_or};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
@@ -205,23 +205,40 @@ fn no_room(error: OutOfFormat) -> Vec<Finding> {
     vec![out_of_format(error, vec!["D_branch", "D_header", "Z"])]
 }
 
+/// The formula of a radius of the branch: the one that is typed, else that of a surface, in the words of either language.
+fn radius(design: &Design, typed: &str, choice: &str) -> String {
+    let (D, t) = (typed_or("branch_diameter_D", design.branch.D), typed_or("branch_wall_t", design.branch.t));
+    let inside = format!("OR({choice}=\"inside\",{choice}=\"interior\")");
+    let mean = format!("OR({choice}=\"mean\",{choice}=\"media\")");
+    format!("IF(ISNUMBER({typed}),{typed},{D}/2-IF({inside},{t},IF({mean},{t}/2,0)))")
+}
+
 /// Derived lengths, angles and times.
 fn quantities(design: &Design, account: &Account) -> Vec<Quantity> {
     let outline = design.template();
     let [least, most] = outline.extent();
     let mm = Unit::Millimetre;
-    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source };
+    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
     let mut list = vec![
-        quantity("r", t("Radio de la curva del injerto", "Radius of the branch's curve"), design.r, mm, t("", "")),
-        quantity("R", t("Radio del tubo base", "Radius of the header"), design.R, mm, t("", "")),
-        quantity("r_dev", t("Radio del desarrollo", "Radius of the development"), design.r_dev, mm, t("", "")),
+        quantity("r", t("Radio de la curva del injerto", "Radius of the branch's curve"), design.r, mm, t("", ""))
+            .by("derived_branch_r", radius(design, "expert_branch_r", "contact")),
+        quantity("R", t("Radio del tubo base", "Radius of the header"), design.R, mm, t("", "")).by(
+            "derived_header_R",
+            format!(
+                "IF(ISNUMBER(expert_header_R),expert_header_R,{}/2)",
+                typed_or("header_diameter_D", design.header.D)
+            ),
+        ),
+        quantity("r_dev", t("Radio del desarrollo", "Radius of the development"), design.r_dev, mm, t("", ""))
+            .by("derived_r_dev", radius(design, "expert_sheet_r_dev", "sheet")),
         quantity(
             "W",
             t("Longitud del desarrollo", "Length of the development"),
             outline.round(),
             mm,
             t("2π·r_dev", "2π·r_dev"),
-        ),
+        )
+        .by("derived_W", "2*PI()*derived_r_dev"),
         quantity(
             "y_min",
             t("y mínima de la plantilla", "Minimum y of the template"),
@@ -242,7 +259,8 @@ fn quantities(design: &Design, account: &Account) -> Vec<Quantity> {
             design.R - design.r,
             mm,
             t("R − r", "R − r"),
-        ),
+        )
+        .by("derived_e_max", "derived_header_R-derived_branch_r"),
     ];
     if !account.untimed && account.seconds > 0.0 {
         let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");

@@ -21,17 +21,19 @@ pub fn template(design: &Design) -> Table {
         name: t("Plantilla", "Template"),
         title: t("Plantilla del injerto sobre el desarrollo", "Template of the branch on the development"),
         source: t("Ecuación 9 y tabla 1", "Equation 9 and table 1"),
-        index: Index::Point,
+        index: Index::Intervals { name: "divisions_N", times: 1, more: 0 },
         print: Print::Short,
         columns: vec![
-            Column::numbers("φ", Unit::Degree, Law::Told("φ = 360·j/N"), phi),
-            Column::numbers("x", MM, Law::Told("x = r_dev·φ"), points.iter().map(|point| point.x).collect::<Vec<_>>()),
+            Column::numbers("φ", Unit::Degree, Law::Told("φ = 360·j/N"), phi).by("360*[i]/divisions_N"),
+            Column::numbers("x", MM, Law::Told("x = r_dev·φ"), points.iter().map(|point| point.x).collect::<Vec<_>>())
+                .by("derived_r_dev*RADIANS([φ])"),
             Column::numbers(
                 "y",
                 MM,
                 Law::Told("y = r/tan θ·(1 − cos φ) + R/sin θ·(cos asin(e/R) − cos asin((r sin φ + e)/R)) + Z"),
                 points.iter().map(|point| point.y).collect::<Vec<_>>(),
-            ),
+            )
+            .by("derived_branch_r/TAN(RADIANS(angle_theta))*(1-COS(RADIANS([φ])))+derived_header_R/SIN(RADIANS(angle_theta))*(COS(ASIN(eccentricity_e/derived_header_R))-COS(ASIN((derived_branch_r*SIN(RADIANS([φ]))+eccentricity_e)/derived_header_R)))+offset_Z"),
         ],
     }
 }

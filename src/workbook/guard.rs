@@ -1,0 +1,337 @@
+//! The guard against old figures: a copy of every input that the programs were verified with, and a banner on every sheet
+//! that turns red as soon as an input differs.
+//!
+//! The copies stand on a hidden sheet, one row an input: its defined name, or its cell in a list; the copy; and a flag that is 1
+//! where they differ. A number must stay a number, a text the same text, an empty cell empty. A difference of one unit in the
+//! last place of a number is not seen: it moves nothing by 0.001 mm. The flags ask for the time and make nothing of it, so
+//! that a spreadsheet which keeps stored results computes them when it opens the file.
+
+use std::collections::BTreeMap;
+
+use rust_xlsxwriter::{
+    ColNum, ConditionalFormatFormula, Format, Formula, RowNum, Workbook, Worksheet, quote_sheet_name,
+    utility::column_number_to_name,
+};
+
+use super::address::Position;
+use super::cell::{CELL, shortened, write_text};
+use super::error::WriteError;
+use super::form_sheet::label;
+use super::sheet_cells::{Content, SheetCells};
+use super::style::Styles;
+use crate::parameter::{Form, Parameter, Value, Values};
+use crate::text::{Language, Text, t};
+
+/// The sheet of the copies.
+pub const SHEET: &str = "Verified";
+/// Its name, in both languages.
+pub static NAME: Text = t(SHEET, SHEET);
+/// The defined name of how many inputs differ.
+pub const STALE: &str = "stale_inputs";
+/// What stands in the first cell of that sheet.
+const MARK: &str = "rodete";
+/// How many columns of that sheet are read.
+pub(super) const COLUMNS: u32 = 256;
+/// The columns, from 0, of the keys of lists' columns, of the files that were made, and of the sheets of the lists.
+const KEYS: ColNum = 3;
+const FILES: ColNum = 4;
+const SHEETS: ColNum = 5;
+/// The most characters of a text inside a formula.
+const LITERAL: usize = 255;
+
+/// What an input held when the programs were verified.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Copy {
+    /// A number.
+    Number(f64),
+    /// A text.
+    Text(String),
+    /// Nothing.
+    Empty,
+}
+
+impl Copy {
+    /// What a cell of a form holds for a value.
+    #[must_use]
+    pub fn of(parameter: &Parameter, value: Option<&Value>, language: Language) -> Self {
+        match value {
+            Some(Value::Real(value)) => Self::Number(*value),
+            Some(Value::Whole(value)) => Self::Number(f64::from(*value)),
+            Some(Value::Choice(key)) => Self::Text(label(parameter, key, language).to_owned()),
+            Some(Value::Line(text)) if text.is_empty() => Self::Empty,
+            Some(Value::Line(text)) => Self::Text(shortened(text, CELL).into_owned()),
+            None => Self::Empty,
+        }
+    }
+
+    /// True where both hold the same; numbers to the last bit.
+    fn same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Number(one), Self::Number(other)) => one.to_bits() == other.to_bits(),
+            // Blanks around a text are none of its value.
+            (Self::Text(one), Self::Text(other)) => one.trim() == other.trim(),
+            _ => self == other,
+        }
+    }
+
+    fn write(&self, sheet: &mut Worksheet, row: RowNum, column: ColNum, styles: &Styles) -> Result<(), WriteError> {
+        match self {
+            Self::Number(value) if value.is_finite() => drop(sheet.write_number(row, column, *value)?),
+            Self::Number(_) => return Err(WriteError::NotFinite { place: SHEET.to_owned() }),
+            Self::Text(text) => write_text(sheet, row, column, text, &styles.entry)?,
+            Self::Empty => {}
+        }
+        Ok(())
+    }
+}
+
+/// A column of a list: the cells that were filled or stood ready to be.
+#[derive(Debug)]
+pub struct Column {
+    /// The key of the column in its form.
+    pub key: &'static str,
+    /// The list's sheet.
+    pub sheet: String,
+    /// The column, from 0.
+    pub column: ColNum,
+    /// The row of the first cell, from 0.
+    pub first: RowNum,
+    /// What the cells held.
+    pub copies: Vec<Copy>,
+}
+
+/// The inputs with what they held.
+#[derive(Debug, Default)]
+pub struct Guard {
+    inputs: Vec<(&'static str, Copy)>,
+    columns: Vec<Column>,
+}
+
+/// The first column of the copies of lists.
+const LISTS: ColNum = 6;
+
+impl Guard {
+    /// Watches an input by its defined name.
+    pub fn watch(&mut self, input: &'static str, copy: Copy) {
+        self.inputs.push((input, copy));
+    }
+
+    /// Watches a column of a list.
+    pub fn watch_column(&mut self, column: Column) {
+        self.columns.push(column);
+    }
+
+    /// Writes the hidden sheet under a name and defines the name of its count. `files` are what was made from these inputs.
+    ///
+    /// # Errors
+    /// For a number that is not finite, and for more inputs than a sheet has rows.
+    pub fn write(
+        &self,
+        workbook: &mut Workbook,
+        name: &str,
+        files: &[String],
+        styles: &Styles,
+    ) -> Result<(), WriteError> {
+        workbook.define_name(STALE, &format!("={}!$C$1", quote_sheet_name(name)))?;
+        let sheet = workbook.add_worksheet().set_name(name)?;
+        sheet.set_hidden(true).set_column_width(0, 32)?.set_column_width(1, 32)?;
+        let rows = self.inputs.len() + self.columns.len();
+        let last = RowNum::try_from(rows).map_err(|_| WriteError::TooLarge("guard"))? + 1;
+        write_text(sheet, 0, 0, MARK, &styles.header)?;
+        let count = format!("=IF(ISERROR(SUM(C2:C{last})),{},SUM(C2:C{last}))", last - 1);
+        sheet.write_formula(0, 2, Formula::new(count).set_result("0"))?;
+        let mut row = 0;
+        for (input, copy) in &self.inputs {
+            row += 1;
+            write_text(sheet, row, 0, input, &styles.entry)?;
+            copy.write(sheet, row, 1, styles)?;
+            sheet.write_formula(row, 2, Formula::new(flag(input, row + 1)).set_result("0"))?;
+        }
+        for (at, column) in (LISTS..).zip(&self.columns) {
+            row += 1;
+            let (cells, flag) = column.flag(at);
+            write_text(sheet, row, 0, &cells, &styles.entry)?;
+            write_text(sheet, row, KEYS, column.key, &styles.entry)?;
+            write_text(sheet, row, SHEETS, &column.sheet, &styles.entry)?;
+            sheet.write_formula(row, 2, Formula::new(flag).set_result("0"))?;
+            for (to, copy) in (0..).zip(&column.copies) {
+                copy.write(sheet, to, at, styles)?;
+            }
+        }
+        for (row, file) in (0..).zip(files) {
+            write_text(sheet, row, FILES, file, &styles.entry)?;
+        }
+        sheet.protect();
+        Ok(())
+    }
+}
+
+/// The files whose inputs differ from what they were made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stale {
+    /// The keys of the inputs that differ.
+    pub inputs: Vec<&'static str>,
+    /// The sheets of the lists that differ.
+    pub lists: Vec<String>,
+    /// The files that were made, by their names.
+    pub files: Vec<String>,
+}
+
+/// Compares the values of a form with the copies on the sheet [`SHEET`] of the same workbook. `None` where they are the same,
+/// or where the sheet is not rodete's.
+#[must_use]
+pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values) -> Option<Stale> {
+    if sheet.text((0, 0)) != Some(MARK) {
+        return None;
+    }
+    let language = values.language;
+    let held = |position: Position| match sheet.cell(position).map(|cell| &cell.content) {
+        Some(Content::Number(value)) => Copy::Number(*value),
+        Some(Content::Text(text, _)) => Copy::Text(text.clone()),
+        _ => Copy::Empty,
+    };
+    let rows: BTreeMap<&str, u32> = sheet.rows.keys().filter_map(|&row| Some((sheet.text((row, 0))?, row))).collect();
+    let parameters = form.sheets.iter().flat_map(|one| one.sections).flat_map(|section| section.parameters);
+    let differs = |parameter: &Parameter| {
+        let now = Copy::of(parameter, values.values.get(parameter.key), language);
+        rows.get(parameter.name).is_none_or(|&row| !now.same(&held((row, 1))))
+    };
+    let inputs: Vec<&'static str> =
+        parameters.filter(|parameter| differs(parameter)).map(|parameter| parameter.key).collect();
+    let last = sheet.rows.keys().next_back().map_or(0, |row| row + 1);
+    let columns: Vec<(&str, &str)> = sheet
+        .rows
+        .keys()
+        .filter_map(|&row| {
+            Some((sheet.text((row, u32::from(KEYS)))?, sheet.text((row, u32::from(SHEETS))).unwrap_or_default()))
+        })
+        .collect();
+    let mut lists: Vec<String> = values
+        .lists
+        .iter()
+        // In a workbook of one's own the lists are not watched.
+        .filter(|one| !columns.is_empty() && columns.iter().all(|(_, name)| *name != one.sheet))
+        .map(|one| one.sheet.clone())
+        .collect();
+    for (column, (key, name)) in (u32::from(LISTS)..).zip(&columns) {
+        let of = values.lists.iter().find(|one| one.sheet == *name);
+        let parameter = form.lists.iter().flat_map(|list| list.columns).find(|parameter| parameter.key == *key);
+        let Some(parameter) = parameter else { continue };
+        let now = |at: usize| of.and_then(|rows| rows.rows.get(at)).and_then(|row| row.values.get(parameter.key));
+        let filled = of.map_or(0, |rows| u32::try_from(rows.rows.len()).unwrap_or(u32::MAX));
+        let same = (0..last.max(filled))
+            .zip(0..)
+            .all(|(row, at)| Copy::of(parameter, now(at), language).same(&held((row, column))));
+        if !same && lists.iter().all(|one| one != name) {
+            lists.push((*name).to_owned());
+        }
+    }
+    let files: Vec<String> = (0..).map_while(|row| sheet.text((row, u32::from(FILES))).map(str::to_owned)).collect();
+    (!inputs.is_empty() || !lists.is_empty()).then_some(Stale { inputs, lists, files })
+}
+
+impl Column {
+    /// The cells, and 1 where one of them differs from its copy in a column of the copies or one is filled below them.
+    fn flag(&self, copies: ColNum) -> (String, String) {
+        const LAST: RowNum = 1_048_576;
+        let (own, name) = (column_number_to_name(copies), column_number_to_name(self.column));
+        let sheet = quote_sheet_name(&self.sheet);
+        let count = RowNum::try_from(self.copies.len()).unwrap_or(LAST);
+        let (first, last) = (self.first + 1, (self.first + count).min(LAST - 1));
+        let cells = format!("{sheet}!${name}${first}:${name}${last}");
+        let copies = format!("${own}$1:${own}${count}");
+        // Not EXACT alone: over a range, LibreOffice finds no two numbers exact. Not `=` alone: it takes no notice of capitals,
+        // and an empty cell equals 0.
+        let kind = |of: &str| format!("({of}({cells})={of}({copies}))");
+        let equal = format!("(ISTEXT({copies})*EXACT({cells},{copies})+(1-ISTEXT({copies}))*({cells}={copies}))");
+        let differ = format!("SUMPRODUCT(1-{}*{}*{equal})", kind("ISTEXT"), kind("ISBLANK"));
+        let below = format!("COUNTA({sheet}!${name}${}:${name}${LAST})", last + 1);
+        let flag = format!("=IF(ISERROR({differ}),1,IF({differ}+{below}=0,0,1))+0*NOW()");
+        (cells, flag)
+    }
+}
+
+/// 1 where an input differs from the copy on a row, 0 where it does not.
+fn flag(input: &str, row: RowNum) -> String {
+    let copy = format!("B{row}");
+    format!(
+        "=IF(ISERROR({input}),1,IF(ISBLANK({copy}),IF(ISBLANK({input}),0,1),IF(ISNUMBER({copy}),IF(ISNUMBER({input}),IF(({input}-{copy})=0,IF(EXACT({input},{copy}),0,1),1),1),IF(ISTEXT({input}),IF(EXACT({input},{copy}),0,1),1))))+0*NOW()"
+    )
+}
+
+/// Writes a banner into the first of some columns of a row: what is told while the inputs are as verified, else a warning in
+/// white on red over all of the columns. `told` may be empty. The formats are the usual one and the warning's.
+///
+/// # Errors
+/// For a cell outside the sheet.
+pub fn banner(
+    sheet: &mut Worksheet,
+    row: RowNum,
+    [first, last]: [ColNum; 2],
+    told: &str,
+    language: Language,
+    [format, stale]: [&Format; 2],
+) -> Result<(), WriteError> {
+    static VERIFIED: Text = t("Datos verificados", "Verified inputs");
+    let verified = VERIFIED.get(language);
+    let told = if told.is_empty() { verified.to_owned() } else { format!("{told} · {verified}") };
+    let [before, after] = WARNING.each_ref().map(|text| literal(text.get(language)));
+    let formula = format!("=IF({STALE}=0,{},{before}&{STALE}&{after})", literal(&told));
+    sheet.write_formula_with_format(row, first, Formula::new(formula).set_result(told), format)?;
+    sheet.add_conditional_format(row, first, row, last, &when_stale(stale.clone()))?;
+    Ok(())
+}
+
+static WARNING: [Text; 2] = [
+    t(
+        "NO VERIFICADO: datos cambiados desde que se hicieron los programas: ",
+        "NOT VERIFIED: inputs changed since the programs were made: ",
+    ),
+    t("; vuelva a generar", "; build again"),
+];
+
+/// The most characters that a banner shows as a warning.
+#[must_use]
+pub fn warning(language: Language) -> usize {
+    const COUNT: usize = 3;
+    WARNING.iter().map(|text| text.get(language).chars().count()).sum::<usize>() + COUNT
+}
+
+/// Strikes out what was made from the inputs, in red, as soon as one differs.
+///
+/// # Errors
+/// For a cell outside the sheet.
+pub fn strike(
+    sheet: &mut Worksheet,
+    [first, last]: [RowNum; 2],
+    columns: [ColNum; 2],
+    styles: &Styles,
+) -> Result<(), WriteError> {
+    sheet.add_conditional_format(first, columns[0], last, columns[1], &when_stale(styles.struck.clone()))?;
+    Ok(())
+}
+
+fn when_stale(format: Format) -> ConditionalFormatFormula {
+    ConditionalFormatFormula::new().set_rule(format!("={STALE}<>0").as_str()).set_format(format)
+}
+
+/// A text inside a formula: quotes doubled, parted where it is longer than a spreadsheet allows.
+fn literal(text: &str) -> String {
+    let mut parts = vec![String::new()];
+    let mut room = LITERAL;
+    for one in text.chars() {
+        let length = if one == '"' { 2 } else { one.len_utf16() };
+        if length > room {
+            parts.push(String::new());
+            room = LITERAL;
+        }
+        room -= length;
+        if let Some(part) = parts.last_mut() {
+            part.push(one);
+            if one == '"' {
+                part.push(one);
+            }
+        }
+    }
+    parts.iter().map(|part| format!("\"{part}\"")).collect::<Vec<_>>().join("&")
+}

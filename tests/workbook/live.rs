@@ -1,0 +1,290 @@
+//! Live cells and the guard, judged by LibreOffice, which is made to compute every formula anew.
+
+use crate::common;
+use crate::common::workbook::Parts;
+use crate::libreoffice::{EXCEL, converted_with, libreoffice};
+
+use std::path::{Path, PathBuf};
+
+use calamine::{Data, Range, Reader, Xlsx, open_workbook};
+use rodete::kind::Outcome;
+use rodete::parameter::Value;
+use rodete::table::{Entry, Index, Table};
+use rodete::text::Language;
+use rodete::workbook::guard::{SHEET, STALE};
+use rodete::workbook::results::{self, Tables};
+
+/// What LibreOffice keeps of a number in its file, beside what its arithmetic differs by.
+const TOLERANCE: f64 = 1e-12;
+
+type Book = Xlsx<std::io::BufReader<std::fs::File>>;
+
+fn written(outcome: &Outcome, tables: Tables, language: Language) -> Vec<u8> {
+    let mut out = std::io::Cursor::new(Vec::new());
+    results::write(outcome, &[], tables, language, &mut out).expect("results");
+    out.into_inner()
+}
+
+/// The books as LibreOffice computes them, with a comma for the decimal point where `comma` says so.
+fn recalculated(folder: &Path, comma: bool, books: &[(String, Vec<u8>)]) -> Vec<Book> {
+    let files: Vec<PathBuf> = books
+        .iter()
+        .map(|(name, bytes)| {
+            let path = folder.join(format!("{name}.xlsx"));
+            std::fs::write(&path, bytes).expect("a file");
+            path
+        })
+        .collect();
+    let locale = if comma { "es-ES" } else { "en-US" };
+    let settings = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?><oor:items xmlns:oor=\"http://openoffice.org/2001/registry\">\
+        <item oor:path=\"/org.openoffice.Office.Calc/Formula/Load\"><prop oor:name=\"OOXMLRecalcMode\" oor:op=\"fuse\">\
+        <value>0</value></prop></item><item oor:path=\"/org.openoffice.Setup/L10N\">\
+        <prop oor:name=\"ooSetupSystemLocale\" oor:op=\"fuse\"><value>{locale}</value></prop></item></oor:items>"
+    );
+    let made = converted_with(&files, EXCEL, "xlsx", Some(&settings));
+    made.iter().map(|path| open_workbook(path).expect("LibreOffice's workbook")).collect()
+}
+
+fn range(book: &mut Book, name: &str) -> Range<Data> {
+    book.worksheet_range(name).unwrap_or_else(|error| panic!("sheet {name}: {error}"))
+}
+
+/// A number of a sheet; nothing for what shows nothing.
+fn number(cell: Option<&Data>) -> Option<f64> {
+    match cell {
+        Some(Data::Float(value)) => Some(*value),
+        Some(Data::Int(value)) => Some(f64::from(i32::try_from(*value).expect("a small number"))),
+        Some(Data::String(text)) if !text.trim().is_empty() => panic!("{text} where a number stands"),
+        _ => None,
+    }
+}
+
+/// Every live table of an outcome on the sheets of a book; returns how many cells were compared.
+fn compared(book: &mut Book, outcome: &Outcome, language: Language, but: impl Fn(&Table, &str) -> bool) -> usize {
+    let mut count = 0;
+    for table in outcome.tables.iter().filter(|table| table.columns.iter().any(|column| column.live.is_some())) {
+        let sheet = range(book, table.name.get(language));
+        let offset = usize::from(table.index.counted());
+        for (at, column) in table.columns.iter().enumerate() {
+            if column.live.is_none() || but(table, &column.symbol.en) {
+                continue;
+            }
+            for row in 0..table.rows() {
+                let Entry::Number(value) = column.values.get(row) else { continue };
+                let place = (u32::try_from(row + 4).expect("a row"), u32::try_from(at + offset).expect("a column"));
+                let told = format!("{}, {}, row {}", table.key, column.symbol.en, row + 5);
+                let there = number(sheet.get_value(place)).unwrap_or_else(|| panic!("{told}: nothing"));
+                assert!(
+                    (there - value).abs() <= TOLERANCE * value.abs().max(1.0),
+                    "{told}: {value}, LibreOffice {there}"
+                );
+                count += 1;
+            }
+            // Nothing is shown below the last point.
+            let below = u32::try_from(table.rows() + 4).expect("a row");
+            let place = (below, u32::try_from(at + offset).expect("a column"));
+            if matches!(table.index, Index::Intervals { .. }) {
+                assert_eq!(number(sheet.get_value(place)), None, "{}, row {}", table.key, below + 1);
+            }
+        }
+    }
+    count
+}
+
+fn stale(book: &mut Book) -> f64 {
+    let count = range(book, SHEET);
+    number(count.get_value((0, 2))).expect("a count")
+}
+
+/// A results workbook with another value in the cell of an input.
+fn with(bytes: &[u8], cell: &str, inner: &str) -> Vec<u8> {
+    let parts = Parts::of(bytes);
+    let listed = parts.text("xl/workbook.xml");
+    let before = listed.split("<sheet name=\"DATA\"").next().expect("a list of sheets");
+    let part = format!("xl/worksheets/sheet{}.xml", before.matches("<sheet name=").count() + 1);
+    parts.cell(&part, cell, &format!("<c r=\"{cell}\"{inner}</c>")).zip()
+}
+
+/// The cell of an input by its defined name.
+fn cell_of(bytes: &[u8], name: &str) -> String {
+    let listed = Parts::of(bytes).text("xl/workbook.xml");
+    let (_, rest) = listed.split_once(&format!("<definedName name=\"{name}\">")).expect("the name");
+    let (place, _) = rest.split_once('<').expect("its end");
+    place.rsplit_once('!').expect("a sheet").1.replace('$', "")
+}
+
+#[test]
+fn every_live_cell_comes_to_what_the_engine_computed_with_point_and_with_comma() {
+    if !libreoffice() {
+        return;
+    }
+    for (language, comma) in [(Language::En, false), (Language::Es, true)] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let cases: Vec<_> = common::cases().filter(|(.., one)| *one == language).collect();
+        let outcomes: Vec<Outcome> =
+            cases.iter().map(|(kind, case, language)| common::outcome_of(*kind, case, *language, &[])).collect();
+        let mut books: Vec<(String, Vec<u8>)> = outcomes
+            .iter()
+            .enumerate()
+            .map(|(at, outcome)| (format!("case-{at}"), written(outcome, Tables::Live, language)))
+            .collect();
+        // Were nothing computed, a wrong value would stay.
+        let impeller = outcomes.iter().position(|one| one.tables.iter().any(|table| table.key == "annex-2"));
+        let impeller = impeller.expect("an impeller");
+        let parts = Parts::of(&books[impeller].1);
+        let sheet = (1..40).map(|at| format!("xl/worksheets/sheet{at}.xml"));
+        let wrong = sheet
+            .filter(|part| parts.has(part))
+            .find(|part| parts.text(part).contains("(torus_R+meridian_r*COS("))
+            .expect("annex 2");
+        let text = parts.text(&wrong);
+        let (at, tag) = text.match_indices("</f><v>").nth(12).expect("a formula");
+        let (before, after) = text.split_at(at + tag.len());
+        let (_, rest) = after.split_once('<').expect("the value's end");
+        let spoilt = format!("{before}77<{rest}");
+        books.push(("wrong".to_owned(), parts.put(&wrong, spoilt).zip()));
+        let mut books = recalculated(folder.path(), comma, &books);
+        let mut count = 0;
+        for (at, outcome) in outcomes.iter().enumerate() {
+            count += compared(&mut books[at], outcome, language, |_, _| false);
+            assert!(stale(&mut books[at]).abs() < 0.5, "{:?}: the inputs are as verified", cases[at].0);
+        }
+        assert!(count > 3_000, "{count} cells only");
+        let mended = books.last_mut().expect("the book with a wrong value");
+        compared(mended, &outcomes[impeller], language, |_, _| false);
+    }
+}
+
+#[test]
+fn inputs_changed_in_the_results_give_what_a_new_build_gives_and_turn_the_banner() {
+    if !libreoffice() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let bytes = written(&common::outcome("tfg-2021", &[]), Tables::Live, Language::En);
+    let changes: [(&'static str, &str, Value); 5] = [
+        ("n", "intervals_n", Value::Whole(60)),
+        ("n", "intervals_n", Value::Whole(12)),
+        ("R", "torus_R", Value::Real(26.5)),
+        ("e", "thickness_e", Value::Real(1.75)),
+        ("H", "height_H", Value::Real(31.25)),
+    ];
+    let books: Vec<(String, Vec<u8>)> = changes
+        .iter()
+        .enumerate()
+        .map(|(at, (_, name, value))| {
+            let text = match value {
+                Value::Real(value) => value.to_string(),
+                Value::Whole(value) => value.to_string(),
+                _ => unreachable!("numbers alone"),
+            };
+            (format!("changed-{at}"), with(&bytes, &cell_of(&bytes, name), &format!("><v>{text}</v>")))
+        })
+        .collect();
+    for ((key, _, value), mut book) in changes.into_iter().zip(recalculated(folder.path(), false, &books)) {
+        let outcome = common::outcome("tfg-2021", &[(key, value)]);
+        // The splitter's m is searched for and stays what it was: that is what the banner is for.
+        // And a block of the splitter is another, as none is the one that was verified.
+        compared(&mut book, &outcome, Language::En, |table, symbol| match table.key {
+            "splitter" => !matches!(symbol, "B" | "C" | "z_1" | "z_2"),
+            "live-splitter" => matches!(symbol, "X" | "Y" | "equal"),
+            _ => symbol == "equal",
+        });
+        assert!((stale(&mut book) - 1.0).abs() < 0.5, "{key}");
+        let told = range(&mut book, "Annex 6").get_value((1, 0)).map(ToString::to_string).unwrap_or_default();
+        assert!(told.starts_with("NOT VERIFIED") && told.contains(": 1;"), "{key}: {told}");
+    }
+}
+
+/// The table of the guard: what was changed, and whether it is seen.
+#[test]
+fn the_guard_sees_every_change_of_an_input_and_none_where_there_is_none() {
+    if !libreoffice() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let bytes = written(&common::outcome("tfg-2021", &[]), Tables::Live, Language::En);
+    let text = |text: &str| format!(" t=\"inlineStr\"><is><t xml:space=\"preserve\">{text}</t></is>");
+    let value = |text: &str| format!("><v>{text}</v>");
+    let empty = || ">".to_owned();
+    let changes: Vec<(&str, String, f64)> = vec![
+        ("torus_R", value("25"), 0.0),
+        ("torus_R", value("25.0000000001"), 1.0),
+        ("torus_R", value("25.0000000000001"), 1.0),
+        ("torus_R", text("25"), 1.0),
+        ("torus_R", empty(), 1.0),
+        ("end_backoff_eps_v", value("0"), 1.0),
+        ("end_backoff_eps_v", empty(), 1.0),
+        ("X_min", value("0"), 1.0),
+        ("X_min", text(" "), 1.0),
+        ("splitters", text("Yes"), 1.0),
+        ("splitters", text("yes "), 1.0),
+        ("splitters", text("yes\u{a0}"), 1.0),
+        ("splitters", text("yes"), 0.0),
+    ];
+    let books: Vec<(String, Vec<u8>)> = changes
+        .iter()
+        .enumerate()
+        .map(|(at, (name, inner, _))| (format!("guard-{at}"), with(&bytes, &cell_of(&bytes, name), inner)))
+        .chain(std::iter::once((
+            "name-gone".to_owned(),
+            Parts::of(&bytes)
+                .replace("xl/workbook.xml", "<definedName name=\"torus_R\">", "<definedName name=\"torus_Q\">")
+                .zip(),
+        )))
+        .collect();
+    let mut books = recalculated(folder.path(), false, &books);
+    for ((name, inner, count), book) in changes.iter().zip(&mut books) {
+        assert!((stale(book) - count).abs() < 0.5, "{name} {inner}: {}", stale(book));
+    }
+    assert!(stale(books.last_mut().expect("the last book")) > 0.5, "a name that is gone");
+}
+
+#[test]
+fn the_names_of_a_results_workbook_are_names_in_every_spreadsheet() {
+    for (kind, case, language) in common::cases() {
+        let bytes = written(&common::outcome_of(kind, case, language, &[]), Tables::Live, language);
+        let listed = Parts::of(&bytes).text("xl/workbook.xml");
+        let mut names: Vec<String> = listed
+            .split("<definedName name=\"")
+            .skip(1)
+            .filter_map(|rest| rest.split_once('"'))
+            .filter(|(name, _)| !name.starts_with("_xlnm."))
+            .map(|(name, _)| name.to_lowercase())
+            .collect();
+        assert!(names.contains(&STALE.to_owned()), "{kind:?}");
+        for name in &names {
+            let letters = name.chars().take_while(char::is_ascii_alphabetic).count();
+            let digits = name.chars().skip(letters).all(|one| one.is_ascii_digit());
+            let cell = (1..=3).contains(&letters) && digits && letters < name.len();
+            // In a Spanish Excel the words for row and column begin with F and C.
+            let mut relative = name.trim_start_matches(['r', 'f', 'c']).chars();
+            let row_and_column =
+                name.starts_with(['r', 'f', 'c']) && relative.next().is_none_or(|one| one.is_ascii_digit());
+            assert!(!cell && !row_and_column, "{kind:?}: {name}");
+        }
+        let count = names.len();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), count, "{kind:?}: two names differ in capitals alone");
+    }
+}
+
+#[test]
+fn beyond_four_hundred_intervals_and_on_request_the_tables_are_values() {
+    let live = |bytes: &[u8]| {
+        let parts = Parts::of(bytes);
+        (1..60)
+            .map(|at| format!("xl/worksheets/sheet{at}.xml"))
+            .filter(|part| parts.has(part))
+            .map(|part| parts.text(&part).matches("torus_R").count())
+            .sum::<usize>()
+    };
+    let many = common::outcome("tfg-2021", &[("n", Value::Whole(401))]);
+    let most = common::outcome("tfg-2021", &[("n", Value::Whole(400))]);
+    assert!(live(&written(&most, Tables::Live, Language::En)) > 1_000);
+    // The guard's own row stays.
+    assert!(live(&written(&many, Tables::Live, Language::En)) < 10);
+    assert!(live(&written(&most, Tables::Values, Language::En)) < 10);
+}
