@@ -1,0 +1,38 @@
+"""How long it takes from a save to new results: `rodete watch --no-report` over the published case.
+
+Usage: watch_saves.py RODETE [SAVES]. Saves as Excel does, by a rename; prints the milliseconds from the rename to the renamed
+results, and to the line that says so. It needs openpyxl."""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import openpyxl
+
+rodete, saves = os.path.abspath(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 11
+with tempfile.TemporaryDirectory() as folder:
+    os.chdir(folder)
+    subprocess.run([rodete, "new", "impeller", "case.xlsx", "--case", "tfg-2021"], check=True, stdout=subprocess.DEVNULL)
+    for at in range(saves):
+        book = openpyxl.load_workbook("case.xlsx")
+        cell = next(row[2] for row in book["DATA"].iter_rows() if row[0].value == "e")
+        cell.value = 1 + at / (2 * saves)
+        book.save(f"{at}.tmp")
+    watch = subprocess.Popen([rodete, "watch", "case.xlsx", "--no-report"], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    for _ in range(2):
+        watch.stdout.readline()
+    times = []
+    for at in range(saves):
+        time.sleep(0.5)
+        begun = time.time()
+        os.rename(f"{at}.tmp", "case.xlsx")
+        watch.stdout.readline()
+        told = time.time() - begun
+        times.append((1000 * (os.stat("case-out/case-results.xlsx").st_ctime - begun), 1000 * told))
+    watch.send_signal(signal.SIGINT)
+    watch.wait()
+for name, column in zip(("results", "line"), zip(*times)):
+    print(f"{name}: median {sorted(column)[saves // 2]:.0f} ms, most {max(column):.0f} ms")
