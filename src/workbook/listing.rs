@@ -140,8 +140,8 @@ fn relations(package: &mut Package<'_>, folder: &str, workbook: &str) -> Result<
 /// What the workbook lists.
 ///
 /// # Errors
-/// [`Exit::Unreadable`](crate::finding::Exit::Unreadable) where the list or a sheet's part is missing or damaged;
-/// [`Exit::Limit`](crate::finding::Exit::Limit) for more sheets than [`limits::SHEETS`].
+/// [`Exit::Unreadable`] where the list or a sheet's part is missing or damaged;
+/// [`Exit::Limit`] for more sheets than [`limits::SHEETS`].
 pub fn sheets(package: &mut Package<'_>) -> Result<Listing, Refusal> {
     let (folder, workbook, target) = root(package)?;
     let relations = relations(package, &folder, &workbook)?;
