@@ -6,7 +6,7 @@
 mod motions;
 pub mod sheets;
 
-use crate::finding::{CellPlace, Finding};
+use crate::finding::{CellPlace, Finding, Place};
 use crate::kind::Outcome;
 use crate::parameter::list::{List, Row};
 use crate::parameter::{FieldKind, Form, Parameter, Value, Values};
@@ -124,7 +124,7 @@ impl<'a> Comparison<'a> {
         Self {
             inputs: inputs(form, sides.map(|side| side.values)),
             quantities: quantities(outcomes.map(|one| one.map_or(&[][..], |one| &one.quantities))),
-            findings: findings(sides.map(|side| side.findings)),
+            findings: findings(sides),
             programs: motions::programs(outcomes),
         }
     }
@@ -236,16 +236,26 @@ fn quantities(sides: [&[Quantity]; 2]) -> Vec<Derived> {
     all
 }
 
-fn findings<'a>(sides: [&'a [Finding]; 2]) -> Vec<Found<'a>> {
-    let is = |one: &Finding, other: &Finding| one.is(other.rule()) && one.place == other.place;
+/// The place of a finding whatever row its inputs stand in: cells of the form as its parameters.
+fn place(finding: &Finding, values: &Values) -> Place {
+    let Place::Cells(cells) = &finding.place else { return finding.place.clone() };
+    let key = |cell: &CellPlace| values.cells.iter().find(|(_, own)| *own == cell).map(|(key, _)| *key);
+    cells.iter().map(key).collect::<Option<Vec<_>>>().map_or_else(|| finding.place.clone(), Place::Parameters)
+}
+
+fn findings<'a>(both: [Side<'a>; 2]) -> Vec<Found<'a>> {
+    let sides = both.map(|side| side.findings);
+    let is = |one: &Finding, other: &Finding| {
+        one.is(other.rule()) && place(one, both[0].values) == place(other, both[1].values)
+    };
     let mut taken = vec![false; sides[1].len()];
     let mut all: [Vec<Found<'a>>; 3] = Default::default();
     for one in sides[0] {
         // The very same comes before one with other figures.
         let find = |same: &dyn Fn(&Finding) -> bool| {
-            sides[1].iter().zip(&taken).position(|(other, taken)| !taken && is(one, other) && same(other))
+            sides[1].iter().zip(&taken).position(|(other, taken)| !taken && same(other) && is(one, other))
         };
-        let at = find(&|other| other == one).or_else(|| find(&|_| true));
+        let at = find(&|other| other.what == one.what && other.value == one.value).or_else(|| find(&|_| true));
         if let Some(at) = at {
             taken[at] = true;
         }
