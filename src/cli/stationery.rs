@@ -118,7 +118,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         std::os::unix::fs::symlink("/etc/passwd", folder.path().join("cover.typ")).unwrap();
         let refused = templates(folder.path()).unwrap_err();
-        assert!(refused.what.en.contains("cover.typ: it is no file"), "{}", refused.what.en);
+        assert!(refused.what.en.contains("cover.typ: it is not a file"), "{}", refused.what.en);
     }
 
     #[test]

@@ -21,6 +21,8 @@ const EMU: f64 = 36_000.0;
 const PIXEL: u32 = 9_525;
 /// Pixels in a millimetre.
 const PIXELS: f64 = 96.0 / 25.4;
+/// The number of the figure in its drawing: charts beside it have the first ones.
+const FIRST_ID: u32 = 100;
 /// Around the figure, mm.
 const MARGIN: f64 = 4.0;
 /// Height of letters, points.
@@ -89,7 +91,7 @@ impl Drawn<'_> {
         let [width, height] = self.size().map(|side| side * PIXEL);
         let at = |[x, y]: [f64; 2]| [(x - x0) * EMU, (y1 - y) * EMU];
         let caption = escape(self.figure.caption.get(self.language));
-        let mut shapes = Shapes { text: String::new(), count: 2, language: self.language };
+        let mut shapes = Shapes { text: String::new(), count: FIRST_ID, language: self.language };
         for stroke in &self.figure.strokes {
             shapes.stroke(stroke, &stroke.points.iter().map(|point| at(*point)).collect::<Vec<_>>());
         }
@@ -98,7 +100,7 @@ impl Drawn<'_> {
             shapes.word(at([x, y + MIDDLE]), label.text.get(self.language));
         }
         format!(
-            "<xdr:grpSp><xdr:nvGrpSpPr><xdr:cNvPr id=\"2\" name=\"{caption}\" descr=\"{caption}\"/><xdr:cNvGrpSpPr/>\
+            "<xdr:grpSp><xdr:nvGrpSpPr><xdr:cNvPr id=\"{FIRST_ID}\" name=\"{caption}\" descr=\"{caption}\"/><xdr:cNvGrpSpPr/>\
              </xdr:nvGrpSpPr><xdr:grpSpPr><a:xfrm><a:off x=\"0\" y=\"0\"/><a:ext cx=\"{width}\" cy=\"{height}\"/><a:chOff x=\"0\" y=\"0\"/><a:chExt cx=\"{width}\" cy=\"{height}\"/>\
              </a:xfrm></xdr:grpSpPr>{}</xdr:grpSp>",
             shapes.text

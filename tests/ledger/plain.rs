@@ -20,11 +20,13 @@ impl Sums {
 
     /// The text with each sum replaced by the name of its file.
     pub fn named(&self, text: &[u8]) -> Vec<u8> {
-        let digit = |byte: &u8| matches!(byte, b'0'..=b'9' | b'a'..=b'f');
+        // Some controls read capitals alone.
+        let digit = |byte: &u8| byte.is_ascii_hexdigit();
         let mut plain = Vec::with_capacity(text.len());
         for run in text.chunk_by(|one, next| digit(one) == digit(next)) {
             let name = if matches!(run.len(), 32 | 64) { str::from_utf8(run).ok() } else { None };
-            plain.extend_from_slice(name.and_then(|run| self.0.get(run)).map_or(run, |name| name.as_bytes()));
+            let name = name.and_then(|run| self.0.get(&run.to_lowercase()));
+            plain.extend_from_slice(name.map_or(run, |name| name.as_bytes()));
         }
         plain
     }

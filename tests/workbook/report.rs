@@ -347,7 +347,7 @@ mod embedded {
         let report = typeset(&outcome, &[workbook()], &Stationery::default(), language, &typst()).unwrap();
         let Some(text) = text(&report.setup) else { return };
         let pages = pages(&text);
-        assert!(pages.len() > 1 && pages[0].contains("this sheet goes on"), "{text}");
+        assert!(pages.len() > 1 && pages[0].contains("this sheet continues"), "{text}");
     }
 
     #[test]

@@ -80,7 +80,8 @@ fn results_are_compared_as_the_inputs_that_they_are() {
     let folder = two(&[("N", Value::Whole(3))]);
     rodete(&folder).args(["build", "impeller.xlsx", "--no-report"]).assert().code(0);
     let results = "impeller-out/impeller-results.xlsx";
-    assert_eq!(document(&folder, "impeller.xlsx", results)["same"], json!(true));
+    let read = document(&folder, "impeller.xlsx", results);
+    assert_eq!(read["same"], json!(true), "{read}");
     assert_eq!(document(&folder, results, "other.xlsx")["inputs"][0]["symbol"], json!("N"));
 }
 
