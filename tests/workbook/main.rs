@@ -8,6 +8,7 @@ mod drawing;
 mod lathe_workbook;
 mod libreoffice;
 mod live;
+mod live_forms;
 mod offsets_workbook;
 mod report;
 mod results_workbook;
