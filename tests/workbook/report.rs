@@ -76,6 +76,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             }]
         })),
         drawings: Vec::new(),
+        files: Vec::new(),
         solids: Vec::new(),
         scene: None,
         setup: Vec::new(),

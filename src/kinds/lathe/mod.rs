@@ -333,6 +333,7 @@ fn follow<'a>(
     let mut one = Followed {
         program,
         source,
+        files: Vec::new(),
         simulation,
         rows: Rows::default(),
         alarms: Vec::new(),
