@@ -143,7 +143,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
 /// The typst that was asked for: on the command line, in the environment, else the one inside rodete, or an installed
 /// one where rodete was built without.
 #[expect(clippy::disallowed_methods, reason = "the door to the environment: the compiler that is asked for")]
-fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
+pub(super) fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
     let named = named.or_else(|| env::var_os(TYPST).filter(|path| !path.is_empty()).map(PathBuf::from));
     let typst = match (named, env::current_exe()) {
         (Some(program), _) => Typst::installed(program),
