@@ -141,15 +141,14 @@ mod tests {
             let Some(station) = groove.at(alpha + wide * share) else { return Ok(()) };
             let beam = groove.beam(span);
             let (point, axis) = (root(&station, groove.beside), station.pose.axis);
-            // The place takes its direction along the curve from a difference.
-            let slack = 1e-6 * R;
+            let slack = 1e-9 * R;
             for k in 0..3 {
                 prop_assert!(beam.root[k].value.low <= point[k] + slack && point[k] - slack <= beam.root[k].value.high);
-                prop_assert!(beam.axis[k].value.low <= axis[k] + 1e-6 && axis[k] - 1e-6 <= beam.axis[k].value.high);
+                prop_assert!(beam.axis[k].value.low <= axis[k] + 1e-9 && axis[k] - 1e-9 <= beam.axis[k].value.high);
             }
             let sine = sin_cos(station.sigma_o).0;
             let jet = groove.sine_outside(span).value;
-            prop_assert!(jet.low <= sine + 1e-6 && sine - 1e-6 <= jet.high, "{jet:?} {sine}");
+            prop_assert!(jet.low <= sine + 1e-9 && sine - 1e-9 <= jet.high, "{jet:?} {sine}");
         }
     }
 }
