@@ -9,7 +9,9 @@ use calamine::Data;
 use rodete::finding::Finding;
 use rodete::kind::Kind;
 use rodete::kinds::KINDS;
+use rodete::kinds::lathe::setup::Given;
 use rodete::parameter::Value;
+use rodete::parameter::field::Fields;
 use rodete::table::Entry;
 use rodete::text::Language;
 use rodete::workbook::Filled;
@@ -298,5 +300,61 @@ fn the_views_of_the_pipes_are_the_curves_of_the_engine() {
     // The direction of the torch stands in columns K to M.
     for (at, symbol) in [(10, "a_x"), (11, "a_y"), (12, "a_z")] {
         close(&column(&mut computed[1], at, 97), &values(&hole, "pose", symbol), symbol);
+    }
+}
+
+/// The turret at its reference point and the tips of its tools, for both sides of the axis: as the simulation has them.
+#[test]
+fn the_plan_of_a_lathe_has_turret_and_tools_where_the_simulation_has_them() {
+    if !libreoffice() {
+        return;
+    }
+    let cases: [&[(&str, &str)]; 3] = [
+        &[],
+        &[("turret", "rear"), ("stock_L", "260"), ("travel_Z_max", "455")],
+        &[("reference_R_X", "310"), ("reference_R_Z", "620"), ("held_L4", "25.5"), ("facing_L5", "2.5")],
+    ];
+    let folder = tempfile::tempdir().expect("a folder");
+    let books: Vec<(String, Vec<u8>)> = cases
+        .iter()
+        .enumerate()
+        .map(|(at, changes)| {
+            let change = |bytes: Vec<u8>, (name, value): &(&str, &str)| {
+                with_on(&bytes, "DATA", &cell_of(&bytes, name), &typed(value))
+            };
+            (format!("lathe-{at}"), changes.iter().fold(form("lathe", "shaft", Language::En), change))
+        })
+        .collect();
+    for ((_, bytes), mut book) in books.iter().zip(recalculated(folder.path(), false, &books)) {
+        let filled = rodete::workbook::read(bytes, &[kind_of("lathe").form()]).expect("a sound form");
+        let fields = Fields::of(filled.form, filled.values).expect("all that the form requires");
+        let given = Given::of(&fields).expect("a lathe");
+        let [x, z] = given.reference();
+        let data = range(&mut book, "DATA");
+        let shown = |name: &str| number(data.get_value(place_of(&cell_of(bytes, name)))).expect("a number");
+        let lathe = &given.setup.lathe;
+        for (name, value) in [
+            ("live_stick_out", given.setup.stock.overhang),
+            ("live_Z_W1", given.setup.stock.zero(lathe)),
+            ("live_reference_X", 2.0 * x),
+            ("live_reference_Z", z),
+            ("live_tools", f64::from(u32::try_from(given.setup.turret.tools.len()).expect("a count"))),
+        ] {
+            assert!((shown(name) - value).abs() < 1e-9, "{name}: {value}, {}", shown(name));
+        }
+        // Eight points a place in columns P and Q; the fourth and the fifth are the corners at the tip.
+        let plan = range(&mut book, "Plan");
+        let side = if lathe.turret_behind { 1.0 } else { -1.0 };
+        for (place, tool) in &given.setup.turret.tools {
+            let point = |corner: u32, column: u32| {
+                number(plan.get_value((8 * (place - 1) + corner, column))).expect("a number")
+            };
+            let tip = [15, 16].map(|column| f64::midpoint(point(3, column), point(4, column)));
+            let wanted = [z - tool.overhang[1], side * (x - tool.overhang[0])];
+            assert!(
+                tip.iter().zip(wanted).all(|(one, other)| (one - other).abs() < 1e-9),
+                "{place}: {tip:?}, {wanted:?}"
+            );
+        }
     }
 }
