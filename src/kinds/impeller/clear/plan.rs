@@ -20,14 +20,14 @@ use crate::kinds::impeller::clear::contour::{self, Contour};
 use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Spindle, Which};
 use crate::kinds::impeller::clear::fit::{FADES, Flank};
 use crate::kinds::impeller::clear::flank::FlankWay;
-use crate::kinds::impeller::clear::floor_rest::floor_rest;
+use crate::kinds::impeller::clear::floor_rest::{FloorRest, floor_rest};
 use crate::kinds::impeller::clear::holder::{clearance, stick_out};
 use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
 use crate::kinds::impeller::clear::link::{End, link, up};
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
 use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
-use crate::kinds::impeller::clear::root::root;
+use crate::kinds::impeller::clear::root::{Root, root};
 use crate::kinds::impeller::clear::scallop::Ridge;
 use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, Told, ToolTold};
 use crate::kinds::impeller::clear::tool::Tool;
@@ -45,8 +45,16 @@ const SLOT_FEED: f64 = 0.5;
 pub const BESIDE: f64 = 0.4;
 /// Places along a face at which its error is looked at.
 const LOOKS: u8 = 48;
-/// Stations at which a smaller tool is tried: where the gap is the least.
-const TRIED: [f64; 10] = [-1.0, -0.5, 0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0];
+/// Places across the floor at which it is looked at, for each lane, and in all.
+const LOOKS_A_LANE: u32 = 3;
+const ACROSS: [u32; 2] = [40, 240];
+/// Stations at which a smaller tool is tried, in radii where it has run out: where the gap is the least comes first.
+const TRIED: [f64; 24] = [
+    0.1, 0.0, 0.05, 0.15, 0.2, -0.2, -0.4, 0.025, 0.075, 0.125, 0.175, 0.225, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.75,
+    0.9, 1.0, -0.6, -0.8, -1.0,
+];
+/// Room that it must have there, radians: between two of them there may be less.
+const TRIED_ROOM: f64 = 2e-4;
 
 /// The plan of one channel; all are alike.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,8 +125,8 @@ impl Plan {
             rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels, 0.0),
             finish: draft.tool(Which::Finish, &finish.lane, floor_lanes + 1, 1, widest(&ways)),
             scallop: finish.greatest(|q| ridge(&finish, q).height(finish.room(q) / steps)),
-            floor: floor_rest(part, &finish, floor_lanes, BESIDE),
-            root: root(part, cut.finish),
+            floor: draft.floor_rest(floor_lanes),
+            root: draft.root(&ways),
             faces: [face_error(&ways[0]), face_error(&ways[1])],
             splitter_from: v_s,
             no_splitter: cut.splitters && v_s.is_none(),
@@ -191,7 +199,7 @@ fn largest(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<f64> {
             let beside = Beside::new(part, lane, s);
             TRIED.iter().all(|&q| {
                 let q = if q < 0.0 { q * d / 2.0 } else { q };
-                beside.psi(Face::Obverse, q) - beside.psi(Face::Reverse, q) + TAU / f64::from(job.N) >= 0.0
+                beside.psi(Face::Obverse, q) - beside.psi(Face::Reverse, q) + TAU / f64::from(job.N) >= TRIED_ROOM
             })
         })
     };
@@ -633,6 +641,24 @@ impl Draft<'_> {
             to_v: |v| v,
         };
         self.run(&wanted, &way, kept, by);
+    }
+
+    /// What the finishing tool leaves of the floor.
+    fn floor_rest(&self, lanes: u32) -> FloorRest {
+        let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
+        let across = (LOOKS_A_LANE * lanes).clamp(ACROSS[0], ACROSS[1]);
+        let set = (self.cut.finish, self.job.machine);
+        floor_rest(&self.job.part, [self.pitch, BESIDE], self.v_s, set, passes, across)
+    }
+
+    /// What is left in the corners: by the law, or by where the flanks' tool ends, where that is more.
+    fn root(&self, ways: &[Vec<FlankWay>; 2]) -> Root {
+        let law = root(&self.job.part, self.cut.finish);
+        let ends = ways.iter().filter_map(|ways| ways.last()).flat_map(|way| {
+            let [begin, end] = way.in_blank();
+            (0..=LOOKS).map(move |look| way.above_floor(begin + (end - begin) * f64::from(look) / f64::from(LOOKS)))
+        });
+        Root { height: ends.fold(law.height, f64::max), ..law }
     }
 
     fn tool(&self, which: Which, lane: &OwnNormal, lanes: u32, levels: u32, m: f64) -> ToolTold {
