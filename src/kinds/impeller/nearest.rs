@@ -16,7 +16,7 @@ use crate::number::root::golden;
 const LINES: u8 = 40;
 
 /// Lines about each of the nearest of them that are looked at next.
-const FINER: u8 = 24;
+const FINER: u8 = 12;
 
 /// Steps of a golden section about the nearest of those.
 const STEPS: u32 = 12;

@@ -17,7 +17,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::kinds::impeller::clear::body::Body;
-use crate::kinds::impeller::clear::contact::{ABOVE, Contacts};
+use crate::kinds::impeller::clear::contact::{ABOVE, Contacts, touching};
 use crate::kinds::impeller::clear::lane::v_at;
 use crate::kinds::impeller::clear::table::Table;
 use crate::kinds::impeller::clearance::Stand;
@@ -26,12 +26,12 @@ use crate::machine::rotary::Rotary;
 use crate::number::trig::sin_cos;
 
 /// How close the way round the nose is kept, radians of v and of ψ.
-const TABLE: f64 = 2e-7;
+const TABLE: f64 = 1e-6;
 /// Places round the nose at which the room is looked at.
-const LOOKS: u8 = 12;
+const LOOKS: u8 = 8;
 /// Stations at which a splitter is tried to begin, and halvings about the first that is clear.
-const STARTS: u8 = 40;
-const HALVINGS: u8 = 14;
+const STARTS: u8 = 24;
+const HALVINGS: u8 = 10;
 /// g_s, in diameters of the tool.
 pub const ROOM: f64 = 0.05;
 
@@ -63,31 +63,8 @@ impl Nose<'_> {
             let [v, psi] = place(D);
             self.body.apart(&self.contacts.lane.axis((v - HUB) / FRAC_PI_2, psi, ABOVE)) - wanted
         };
-        let mut low = self.part.e / 2.0;
-        let mut high = (low + wanted) * 1.2;
-        for _ in 0..10 {
-            if off(high) >= 0.0 {
-                break;
-            }
-            high *= 1.3;
-        }
-        let (mut at_low, mut at_high) = (off(low), off(high));
-        for round in 0..50_u8 {
-            let part = at_low / (at_low - at_high);
-            let D = low + (high - low) * if round % 4 < 3 && part > 0.0 && part < 1.0 { part } else { 0.5 };
-            let here = off(D);
-            if here < 0.0 {
-                (low, at_low) = (D, here);
-                at_high *= 0.5;
-            } else {
-                (high, at_high) = (D, here);
-                at_low *= 0.5;
-            }
-            if high - low < 1e-10 || here.abs() < 1e-10 {
-                break;
-            }
-        }
-        place(high)
+        let least = self.part.e / 2.0;
+        place(least + touching((least + wanted) * 1.2 - least, |D| off(least + D)))
     }
 
     /// The least room to the blades along the contour, mm.

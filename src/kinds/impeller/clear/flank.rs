@@ -61,6 +61,17 @@ pub fn passing(through: &Vector3<f64>, along: &Vector3<f64>, R: f64, mut psi: f6
     Passing { m: across(from).norm(), at: from.dot(along) }
 }
 
+/// Where the machine's axes stand for a tool's axis, turned about the axis of the part; C is that of the direction `round`,
+/// in the turn that is near to some angle.
+#[must_use]
+pub fn stand(machine: Rotary, axis: &Axis, round: &Vector3<f64>, near: f64, turn: f64) -> Stand {
+    let Axis { foot, along, range } = axis;
+    let B = atan2(hypot(along.x, along.y), along.z);
+    let C = atan2(round.y, round.x);
+    let C = C - ((C - near) / TAU).round() * TAU;
+    Stand { at: machine.to_machine(&(foot + along * range[0]), B, C), B, C: C + turn }
+}
+
 /// The way of a tool along a face of blade 0.
 #[derive(Clone, Debug)]
 pub struct FlankWay {
@@ -177,14 +188,15 @@ impl FlankWay {
     /// Where the machine's axes stand at v, the blade turned about the axis of the part.
     #[must_use]
     pub fn stand(&self, machine: Rotary, v: f64, turn: f64) -> Stand {
-        let Axis { foot, along, range } = self.axis(v);
-        let B = atan2(hypot(along.x, along.y), along.z);
         // At the pole the axis is upright and says nothing of C: it comes there from one side.
-        let round = if v > RIM - POLE { self.axis(RIM - POLE).along } else { along };
-        let near = self.part.circle.u(v.clamp(HUB, RIM)) - TAU;
-        let C = atan2(round.y, round.x);
-        let C = C - ((C - near) / TAU).round() * TAU;
-        Stand { at: machine.to_machine(&(foot + along * range[0]), B, C), B, C: C + turn }
+        let round = self.axis(v.min(RIM - POLE)).along;
+        stand(machine, &self.axis(v), &round, self.part.circle.u(v.clamp(HUB, RIM)) - TAU, turn)
+    }
+
+    /// The radius of the tube that it may not leave.
+    #[must_use]
+    pub const fn r_f(&self) -> f64 {
+        self.r_f
     }
 
     /// How far above the floor the tool touches the face lowest, at v.

@@ -45,10 +45,8 @@ pub enum Cutting {
     },
     /// Round the splitter at full depth.
     Contour,
-    /// A flank of the splitter.
-    SplitterFlank {
-        /// Which.
-        face: Face,
+    /// The flanks of the splitter and its nose.
+    SplitterFlanks {
         /// Which depth.
         level: u32,
     },

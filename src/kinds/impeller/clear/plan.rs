@@ -28,6 +28,7 @@ use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
 use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
 use crate::kinds::impeller::clear::root::{Root, root};
+use crate::kinds::impeller::clear::round::Round;
 use crate::kinds::impeller::clear::scallop::Ridge;
 use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, Told, ToolTold};
 use crate::kinds::impeller::clear::tool::Tool;
@@ -43,6 +44,9 @@ const OVER: f64 = 0.3;
 const SLOT_FEED: f64 = 0.5;
 /// The rest of the floor is told farther from the walls than this, mm.
 pub const BESIDE: f64 = 0.4;
+/// How often a splitter's beginning is moved on at most, and by how much, radians of v.
+const STARTS: u8 = 40;
+const START: f64 = 0.01;
 /// Places along a face at which its error is looked at.
 const LOOKS: u8 = 48;
 /// Places across the floor at which it is looked at, for each lane, and in all.
@@ -82,10 +86,11 @@ impl Plan {
         let (rough, finish) = (rough?, finish?);
         // What the finishing tool roughs where the roughing tool has no room.
         let rest = if cut.splitters { contacts_of(job, cut.finish, part.a_p - cut.s, cut.s) } else { None };
-        let v_s = match (cut.splitters, cut.splitter_from) {
-            (false, _) => None,
-            (true, Some(from)) => Some(from),
-            (true, None) => rest.as_ref().and_then(|rest| contour::start(part, rest, cut.s)),
+        let ways = ways(job, cut);
+        let v_s = match (&rest, cut.splitter_from) {
+            (None, _) => None,
+            (Some(_), Some(from)) => Some(from),
+            (Some(rest), None) => splitter_start(job, cut, rest, &ways),
         };
         let mut draft = Draft {
             job,
@@ -107,15 +112,12 @@ impl Plan {
             draft.rough(rest, Which::Finish, draft.left_from(v_s));
         }
         let floor_lanes = draft.floor(&finish);
-        let ways = Face::ALL.map(|face| draft.ways(face));
         for ways in &ways {
             draft.flanks(ways);
         }
         if v_s.is_some() {
             draft.contour(&finish, Which::Finish, 0.0, Cutting::Contour);
-            for ways in &ways {
-                draft.splitter_flanks(ways);
-            }
+            draft.splitter_flanks(&ways);
         }
         draft.done();
 
@@ -213,6 +215,34 @@ fn largest(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<f64> {
 fn ridge(contacts: &Contacts, q: f64) -> Ridge {
     let tan = slope(contacts, 0.5, q);
     Ridge::at(&contacts.lane, v_at(q), tan / (1.0 + tan * tan).sqrt())
+}
+
+/// The ways along both faces: one each, or as many as it takes to keep their errors within the tolerance.
+fn ways(job: &Job, cut: &Cut) -> [Vec<FlankWay>; 2] {
+    let (part, tool) = (&job.part, cut.finish);
+    let error = |face: Face| {
+        let whole = Flank::new(part, face, tool.a(), [0.0, part.a_p]);
+        (0..=LOOKS)
+            .map(|look| whole.full(HUB + (RIM - HUB) * f64::from(look) / f64::from(LOOKS)).E.abs())
+            .fold(0.0, f64::max)
+    };
+    // The error goes with the third power of the depth of the fit.
+    let error = Face::ALL.map(error).into_iter().fold(0.0, f64::max);
+    let levels = steps(pow(2.0 * error / cut.tolerance, 1.0 / 3.0));
+    let deep = |level: u32| part.a_p * f64::from(level) / f64::from(levels);
+    let way = |face, level| FlankWay::new(part, face, tool, [deep(level), deep(level + 1)], cut.d_s);
+    Face::ALL.map(|face| (0..levels).map(|level| way(face, level)).collect())
+}
+
+/// v_s from which on the finishing tool has room round a splitter, on its contour and along its flanks.
+fn splitter_start(job: &Job, cut: &Cut, rest: &Contacts, ways: &[Vec<FlankWay>; 2]) -> Option<f64> {
+    let first = contour::start(&job.part, rest, cut.s)?;
+    let (obverse, reverse) = (ways[0].last()?, ways[1].last()?);
+    let pitch = TAU / f64::from(job.N);
+    (0..STARTS).map(|start| first + START * f64::from(start)).filter(|&v_s| v_s < RIM).find(|&v_s| {
+        contour::room(&job.part, rest, cut.s, v_s) >= 0.0
+            && Round::new(&job.part, cut.finish, [obverse, reverse], v_s).is_clear(pitch, -pitch / 2.0)
+    })
 }
 
 /// A count of steps no longer than one, of a length that may be none.
@@ -540,38 +570,8 @@ impl Draft<'_> {
             return;
         }
         let contour = Contour::new(part, contacts, s, v_s);
-        let mut pieces = contour.pieces(m);
-        if self.cut.spindle == Spindle::Counterclockwise {
-            pieces.reverse();
-        }
-        let tolerance = self.tolerance(tool, contacts.lane.r_f - contacts.lane.torus.r);
-        let way = |x: f64| contour.stand(self.job.machine, x, m);
-        let points = tolerance.place(&way, &pieces).into_iter().map(|(_, stand)| stand).collect();
-        self.add(Wanted {
-            cutting,
-            tool,
-            direction: Direction::Round,
-            mode: Mode::Climb,
-            feed: 1.0,
-            points,
-            dead_end: false,
-            on_lane: true,
-            rim_slot: false,
-            from: f64::NEG_INFINITY,
-        });
-    }
-
-    /// The ways along a face: one, or as many as it takes to keep its error within the tolerance.
-    fn ways(&self, face: Face) -> Vec<FlankWay> {
-        let (part, tool) = (&self.job.part, self.cut.finish);
-        let whole = Flank::new(part, face, tool.a(), [0.0, part.a_p]);
-        let error = (0..=LOOKS)
-            .map(|look| whole.full(HUB + (RIM - HUB) * f64::from(look) / f64::from(LOOKS)).E.abs())
-            .fold(0.0, f64::max);
-        // The error goes with the third power of the depth of the fit.
-        let levels = steps(pow(2.0 * error / self.cut.tolerance, 1.0 / 3.0));
-        let deep = |level: u32| part.a_p * f64::from(level) / f64::from(levels);
-        (0..levels).map(|level| FlankWay::new(part, face, tool, [deep(level), deep(level + 1)], self.cut.d_s)).collect()
+        let (machine, depth) = (self.job.machine, contacts.lane.r_f - contacts.lane.torus.r);
+        self.go_round(cutting, tool, true, contour.pieces(m), depth, |x| contour.stand(machine, x, m));
     }
 
     /// Runs the flanks of a blade along one face: the obverse of this channel's, the reverse of the next.
@@ -593,24 +593,47 @@ impl Draft<'_> {
         }
     }
 
-    /// Runs the flanks of the splitter along one face, in to where it begins and back out.
-    fn splitter_flanks(&mut self, ways: &[FlankWay]) {
+    /// Runs the flanks of the splitter and its nose.
+    fn splitter_flanks(&mut self, ways: &[Vec<FlankWay>; 2]) {
         let Some(v_s) = self.v_s else { return };
-        let a = self.cut.finish.a();
-        let obstacles = Obstacles::new(&self.job.part, self.pitch, a, None);
-        let turn = -self.pitch / 2.0;
-        for (level, way) in (0..).zip(ways) {
-            let face = way.face();
-            let clear = |v: f64| {
-                let axis = turned(&way.axis(v), turn);
-                // Its obverse looks at the reverse of the next blade.
-                let opposite =
-                    if face == Face::Obverse { obstacles.from_reverse(&axis) } else { obstacles.from_obverse(&axis) };
-                opposite >= a
-            };
-            let kept = parts(&[v_s, way.v[1]], clear);
-            self.flank(way, Cutting::SplitterFlank { face, level }, turn, v_s, &kept, By::Blade);
+        let (machine, turn) = (self.job.machine, -self.pitch / 2.0);
+        for (level, (obverse, reverse)) in (0..).zip(ways[0].iter().zip(&ways[1])) {
+            let round = Round::new(&self.job.part, self.cut.finish, [obverse, reverse], v_s);
+            let (cutting, tool) = (Cutting::SplitterFlanks { level }, Which::Finish);
+            if !round.is_clear(self.pitch, turn) {
+                self.dropped.push(Dropped { cutting, tool, v: [v_s, RIM], by: By::Blade });
+                continue;
+            }
+            self.go_round(cutting, tool, false, round.pieces(), self.job.part.a_p, |x| round.stand(machine, x, turn));
         }
+    }
+
+    /// A pass in along the obverse of the splitter and out along its reverse, or the other way with the other spindle.
+    fn go_round(
+        &mut self,
+        cutting: Cutting,
+        tool: Which,
+        on_lane: bool,
+        mut pieces: Vec<f64>,
+        depth: f64,
+        way: impl Fn(f64) -> Stand,
+    ) {
+        if self.cut.spindle == Spindle::Counterclockwise {
+            pieces.reverse();
+        }
+        let points = self.tolerance(tool, depth).place(&way, &pieces).into_iter().map(|(_, stand)| stand).collect();
+        self.add(Wanted {
+            cutting,
+            tool,
+            direction: Direction::Round,
+            mode: Mode::Climb,
+            feed: 1.0,
+            points,
+            dead_end: false,
+            on_lane,
+            rim_slot: false,
+            from: f64::NEG_INFINITY,
+        });
     }
 
     fn flank(&mut self, way: &FlankWay, cutting: Cutting, turn: f64, from: f64, kept: &[[f64; 2]], by: By) {
@@ -654,9 +677,14 @@ impl Draft<'_> {
     /// What is left in the corners: by the law, or by where the flanks' tool ends, where that is more.
     fn root(&self, ways: &[Vec<FlankWay>; 2]) -> Root {
         let law = root(&self.job.part, self.cut.finish);
+        let torus = self.job.part.circle.torus;
+        // What the tool touches lies ahead of its v by its tilt.
+        let tilt = self.cut.finish.a() * ((torus.R + torus.r) / (torus.R - torus.r)).sqrt() / torus.R / 2.0;
+        let ahead = tilt * self.job.part.a_p / torus.R;
         let ends = ways.iter().filter_map(|ways| ways.last()).flat_map(|way| {
             let [begin, end] = way.in_blank();
-            (0..=LOOKS).map(move |look| way.above_floor(begin + (end - begin) * f64::from(look) / f64::from(LOOKS)))
+            let (begin, whole) = (begin - ahead, end - begin + 2.0 * ahead);
+            (0..=LOOKS).map(move |look| way.above_floor(begin + whole * f64::from(look) / f64::from(LOOKS)))
         });
         Root { height: ends.fold(law.height, f64::max), ..law }
     }
