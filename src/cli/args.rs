@@ -368,10 +368,10 @@ pub(super) struct Compare {
     /// Workbook B
     #[arg(value_name = "B.xlsx")]
     pub(super) other: PathBuf,
-    /// Write the comparison as a workbook
-    #[arg(short, long, value_name = "FILE.xlsx")]
-    pub(super) output: Option<PathBuf>,
-    /// Language of the messages and of the workbook written [default: that of A]
+    /// Write the comparison as a workbook or as a PDF, by the name's ending; once for each
+    #[arg(short, long, value_name = "FILE")]
+    pub(super) output: Vec<PathBuf>,
+    /// Language of the messages and of the file written [default: that of A]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
     /// Print one JSON document instead of text

@@ -143,7 +143,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
 /// The typst that was asked for: on the command line, in the environment, else the one inside rodete, or an installed
 /// one where rodete was built without.
 #[expect(clippy::disallowed_methods, reason = "the door to the environment: the compiler that is asked for")]
-fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
+pub(super) fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
     let named = named.or_else(|| env::var_os(TYPST).filter(|path| !path.is_empty()).map(PathBuf::from));
     let typst = match (named, env::current_exe()) {
         (Some(program), _) => Typst::installed(program),
@@ -191,12 +191,18 @@ fn build(
     let notes = into.as_ref().map(|into| into.notes().to_vec()).unwrap_or_default();
     verdict.findings.extend(notes);
     let scene = outcome.scene.take().transpose()?;
-    let logo = if settings.typst.is_some() { stationery::logo(&item.workbook, outcome) } else { Ok(None) };
-    let logo = logo.unwrap_or_else(|caution| {
-        verdict.findings.push((*caution).clone());
-        outcome.told(*caution);
-        None
-    });
+    let logo = match stationery::logo(&item.workbook, outcome) {
+        Ok(Some((logo, file))) => {
+            outcome.files.push(file);
+            Some(logo)
+        }
+        Err(caution) if settings.typst.is_some() => {
+            verdict.findings.push((*caution).clone());
+            outcome.told(*caution);
+            None
+        }
+        _ => None,
+    };
     let (printed, viewer) = (settings.typst.is_some(), scene.is_some());
     let outcome = &*outcome;
     let (tables, live) = (settings.tables, settings.view);

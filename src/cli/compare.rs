@@ -1,6 +1,9 @@
 //! The command `compare`: two workbooks of one kind side by side.
 
+use std::io::Write;
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use anstyle::Style;
 use serde_json::{Value, json};
@@ -8,33 +11,32 @@ use textwrap::core::display_width;
 
 use super::args::Compare;
 use super::finding::wrapped;
+use super::interrupt::AtWork;
 use super::locale::spoken;
 use super::made::Made;
 use super::new::workbook_name;
 use super::rules::*;
 use super::terminal::Terminal;
 use super::verdict::{code, gravest, status};
-use super::{finding, interrupt, json, plan, reading, refused, show};
+use super::{build, finding, interrupt, json, plan, reading, refused, show};
 use crate::finding::{Exit, Place, Raise, Refusal};
-use crate::kind::comparison::sheets::{Held, Sheet};
+use crate::kind::comparison::sheets::Sheet;
 use crate::kind::comparison::{Comparison, Found, Input, ProgramPair, Shown};
 use crate::kind::{Kind, Wants};
 use crate::machine::axis::{Axis, Pose};
-use crate::number::{decimal, shown};
+use crate::report::comparison::{self, Named};
 use crate::store::{Existing, Folder, Set};
 use crate::text::{Language, Text, t};
 use crate::workbook::comparison_book;
 
 /// Columns wider than this stand on lines of their own.
 const WIDE: usize = 34;
-/// Decimals of the figures shown.
-const DECIMALS: usize = 6;
 /// Most rows of a table that are shown; the workbook and the JSON document have all.
 const ROWS: usize = 60;
 
 /// Compares, and prints or writes what differs.
 pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
-    interrupt::listen();
+    let interrupted = interrupt::listen();
     let sides = [&arguments.one, &arguments.other].map(|path| computed(path, kinds));
     let language = spoken(arguments.lang, sides[0].ending.language);
     let mut exit = Exit::Done;
@@ -57,8 +59,9 @@ pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Termi
         }
         return exit;
     };
-    let written = arguments.output.as_deref().map(|file| write(file, &sides, &comparison, language)).transpose();
-    if let Err(refusal) = &written {
+    let written: Vec<_> =
+        arguments.output.iter().map(|file| write(file, &sides, &comparison, language, &interrupted)).collect();
+    for refusal in written.iter().filter_map(|one| one.as_ref().err()) {
         exit = gravest(exit, refusal.exit);
     }
     if arguments.json {
@@ -66,13 +69,15 @@ pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Termi
     } else {
         print(&sides, &comparison, language, terminal);
     }
-    match written {
-        Ok(Some(path)) if !arguments.json => {
-            let text = Text::new(format!("{path} está listo\n"), format!("{path} is ready\n"));
-            terminal.out(text.get(language));
+    for one in written {
+        match one {
+            Ok(path) if !arguments.json => {
+                let text = Text::new(format!("{path} está listo\n"), format!("{path} is ready\n"));
+                terminal.out(text.get(language));
+            }
+            Ok(_) => {}
+            Err(refusal) => finding::general(&refusal.findings, language, terminal),
         }
-        Ok(_) => {}
-        Err(refusal) => finding::general(&refusal.findings, language, terminal),
     }
     exit
 }
@@ -105,17 +110,48 @@ fn compared(sides: &[Made; 2]) -> Result<Option<Comparison<'_>>, Refusal> {
     Ok(Some(Comparison::of(form, [one, other])))
 }
 
-/// Writes the workbook; gives its path.
-fn write(file: &Path, sides: &[Made; 2], comparison: &Comparison<'_>, language: Language) -> Result<String, Refusal> {
-    let name = workbook_name(file)?;
+/// Writes the comparison into a file, a workbook or a PDF by its name; gives its path.
+fn write(
+    file: &Path,
+    sides: &[Made; 2],
+    comparison: &Comparison<'_>,
+    language: Language,
+    interrupted: &Arc<AtomicBool>,
+) -> Result<String, Refusal> {
+    let pdf = file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pdf"));
+    let name = match file.file_name() {
+        Some(name) if pdf => name,
+        _ => workbook_name(file)?,
+    };
     let folder = Folder::open(plan::beside(file))?;
     let inputs: Vec<&Path> = sides.iter().map(|side| side.ending.workbook.as_path()).collect();
     let mut set = Set::new(&folder, &inputs, Existing::Replace);
     let names = sides.each_ref().map(|side| show::path(&side.ending.workbook));
-    let names = names.each_ref().map(String::as_str);
-    set.write(name, |out| comparison_book::write(comparison, names, language, out))?;
+    if pdf {
+        let named = [0, 1].map(|at| Named {
+            name: &names[at],
+            sha256: sides[at].ending.sha256.as_deref().unwrap_or_default(),
+            rejected: rejected(&sides[at]),
+        });
+        let at_work = AtWork::begin();
+        let pdf = comparison::pdf(comparison, named, language, &build::typst(None, Arc::clone(interrupted)));
+        drop(at_work);
+        let pdf = pdf.map_err(|failure| {
+            let document = t("la comparación", "the comparison");
+            Refusal { exit: Exit::ReportFailed, findings: vec![failure.finding_on(&document)] }
+        })?;
+        set.write(name, |out| out.write_all(&pdf))?;
+    } else {
+        let names = names.each_ref().map(String::as_str);
+        set.write(name, |out| comparison_book::write(comparison, names, language, out))?;
+    }
     set.commit()?;
     Ok(show::path(file))
+}
+
+/// True where a workbook is rejected: then it has no programs.
+fn rejected(side: &Made) -> bool {
+    side.outcome.is_none() || side.ending.exit != Exit::Done
 }
 
 fn print(sides: &[Made; 2], comparison: &Comparison<'_>, language: Language, terminal: &mut Terminal) {
@@ -124,11 +160,7 @@ fn print(sides: &[Made; 2], comparison: &Comparison<'_>, language: Language, ter
     for (side, letter) in sides.iter().zip(["A", "B"]) {
         let path = show::path(&side.ending.workbook);
         let schema = side.ending.schema.unwrap_or_default();
-        let end = if side.outcome.is_none() || side.ending.exit != Exit::Done {
-            t(", rechazado", ", rejected").get(language).to_owned()
-        } else {
-            String::new()
-        };
+        let end = if rejected(side) { t(", rechazado", ", rejected").get(language).to_owned() } else { String::new() };
         text.push_str(&format!("{bold}{letter}{bold:#}  {path}  {schema}{end}\n"));
     }
     for sheet in comparison.sheets() {
@@ -144,7 +176,7 @@ fn print(sides: &[Made; 2], comparison: &Comparison<'_>, language: Language, ter
 fn table(sheet: &Sheet, language: Language, width: Option<usize>) -> String {
     let bold = Style::new().bold();
     let differing: Vec<Vec<String>> =
-        sheet.lines.iter().filter(|line| line.differs).map(|line| texts(&line.cells, language)).collect();
+        sheet.lines.iter().filter(|line| line.differs).map(|line| line.texts(language)).collect();
     let same = sheet.lines.len() - differing.len();
     let mut text = format!("{bold}{}{bold:#}\n", sheet.title.get(language));
     let widths: Vec<usize> = (0..sheet.headings.len())
@@ -186,19 +218,6 @@ fn table(sheet: &Sheet, language: Language, width: Option<usize>) -> String {
         text.push_str(t("  ninguna\n", "  none\n").get(language));
     }
     text
-}
-
-/// The cells of a row as texts. Figures that are not the same do not look the same.
-fn texts(cells: &[Held], language: Language) -> Vec<String> {
-    let rounded = |one: &Held| match one {
-        Held::Nothing => String::new(),
-        Held::Number(number) => shown(*number, DECIMALS),
-        Held::Text(text) => crate::escape::printable(text.get(language)),
-    };
-    let numbers: Vec<_> = cells.iter().filter(|one| matches!(one, Held::Number(_))).collect();
-    let alike = numbers.windows(2).any(|pair| pair[0] != pair[1] && rounded(pair[0]) == rounded(pair[1]));
-    let whole = |one: &Held| if let Held::Number(number) = one { decimal(*number) } else { rounded(one) };
-    cells.iter().map(|one| if alike { whole(one) } else { rounded(one) }).collect()
 }
 
 fn document(sides: &[Made; 2], comparison: Option<&Comparison<'_>>, exit: Exit) -> Value {

@@ -1,5 +1,6 @@
 //! From a workbook's path to an outcome: what `check` and `build` have in common.
 
+use std::mem;
 use std::path::Path;
 
 use super::plan::{self, beside};
@@ -19,9 +20,10 @@ pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
         let (_, mut filled) = read(workbook, kinds, verdict)?;
         filled.findings.extend(filled.stale.take());
+        let verified = mem::take(&mut filled.files);
         let outcome = compute(workbook, filled, kinds, Wants::default(), verdict)?;
-        // What a build would leave out of its report.
-        verdict.findings.extend(stationery::logo(workbook, &outcome).err().map(|caution| *caution));
+        // What a build would leave out of its report, or would take anew.
+        verdict.findings.extend(stationery::named(workbook, &outcome, &verified));
         Ok(())
     })
 }

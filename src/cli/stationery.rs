@@ -10,10 +10,11 @@ use super::plan::beside;
 use super::show;
 use crate::escape::{excerpt, printable};
 use crate::finding::{Finding, Place, Raise};
-use crate::kind::Outcome;
+use crate::kind::{NamedFile, Outcome};
 use crate::parameter::title_block;
-use crate::report::rules::{LogoNotRead, TemplatesNotRead};
+use crate::report::rules::{LogoNotRead, NamedFileChanged, TemplatesNotRead};
 use crate::report::stationery::{self, Logo, Template};
+use crate::store;
 use crate::text::{Text, t};
 
 /// Most files of a folder of templates.
@@ -25,11 +26,11 @@ const DEPTH: usize = 8;
 /// Characters of a logo's name shown in a message.
 const SHOWN: usize = 80;
 
-/// The logo that a workbook names; `None` where it names none.
+/// The logo that a workbook names, with the SHA-256 of its file; `None` where it names none.
 ///
 /// # Errors
 /// A caution at its cell, where there is no such file beside the workbook or below its folder, or it is no picture.
-pub(super) fn logo(workbook: &Path, outcome: &Outcome) -> Result<Option<Logo>, Box<Finding>> {
+pub(super) fn logo(workbook: &Path, outcome: &Outcome) -> Result<Option<(Logo, NamedFile)>, Box<Finding>> {
     let name = outcome.fields.values().line(&title_block::LOGO);
     if name.is_empty() {
         return Ok(None);
@@ -45,7 +46,31 @@ pub(super) fn logo(workbook: &Path, outcome: &Outcome) -> Result<Option<Logo>, B
         return Err(not_read(t("queda fuera de la carpeta del libro", "it is outside of the workbook's folder")));
     }
     let bytes = bytes(&beside(workbook).join(path), stationery::LOGO).map_err(not_read)?;
-    Logo::new(shown(), bytes, place()).map(Some).map_err(|finding| located(*finding))
+    let file = NamedFile { name: name.to_owned(), sha256: store::sha256(&bytes) };
+    let logo = Logo::new(shown(), bytes, place()).map_err(|finding| located(*finding))?;
+    Ok(Some((logo, file)))
+}
+
+/// The cautions of the files that a workbook names: those that cannot be read, and those that are not what they were when its
+/// programs were `verified`. Results stand in a folder beside the workbook that they are of, so that a file is looked for in the
+/// folder above theirs, too.
+pub(super) fn named(workbook: &Path, outcome: &Outcome, verified: &[NamedFile]) -> Vec<Finding> {
+    let name = outcome.fields.values().line(&title_block::LOGO);
+    let mut findings = Vec::new();
+    let now = match logo(workbook, outcome) {
+        Ok(now) => now.map(|(_, now)| now.sha256),
+        Err(caution) => {
+            findings.push(*caution);
+            let above = beside(workbook).join("..").join(name.replace('\\', "/"));
+            bytes(&above, stationery::LOGO).ok().map(|bytes| store::sha256(&bytes))
+        }
+    };
+    let changed = |then: &&NamedFile| then.name == name && now.as_ref().is_some_and(|now| *now != then.sha256);
+    if verified.iter().any(|then| changed(&then)) {
+        let place = Place::Parameters(vec![title_block::LOGO.key()]);
+        findings.push(outcome.fields.locate(NamedFileChanged { name: excerpt(name, SHOWN) }.at(place)));
+    }
+    findings
 }
 
 /// The bytes of a file of at most so many.

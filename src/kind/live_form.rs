@@ -31,28 +31,61 @@ pub struct LiveRow {
     /// What it is, while it is right.
     pub meaning: Text,
     /// What it is computed by.
-    pub formula: &'static str,
-    /// When something is wrong with it.
-    pub wrong: Option<Wrong>,
+    pub formula: Formula,
+    /// True where it is computed even while inputs are missing: it says itself what is missing.
+    pub always: bool,
+    /// When something is wrong with it; the first one that is true is told.
+    pub wrong: Vec<Wrong>,
+}
+
+impl LiveRow {
+    /// A value of millimetres, computed as soon as the inputs are there, with no limit.
+    #[must_use]
+    pub fn length(symbol: &'static str, name: &'static str, meaning: Text, formula: impl Into<Formula>) -> Self {
+        let (formula, unit) = (formula.into(), Unit::Millimetre);
+        Self { symbol, name, unit, meaning, formula, always: false, wrong: Vec::new() }
+    }
+
+    /// The same in another unit.
+    #[must_use]
+    pub fn unit(self, unit: Unit) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// The same, computed even while inputs are missing.
+    #[must_use]
+    pub fn always(self) -> Self {
+        Self { always: true, ..self }
+    }
+
+    /// The same with a limit: when it is broken, the words for it, and the input that is to be changed.
+    #[must_use]
+    pub fn wrong(mut self, when: impl Into<Formula>, words: Text, input: &'static str) -> Self {
+        self.wrong.push(Wrong { when: when.into(), words, input });
+        self
+    }
 }
 
 /// A limit that is broken.
 #[derive(Clone, Debug)]
 pub struct Wrong {
     /// The formula that is true where it is.
-    pub when: &'static str,
+    pub when: Formula,
     /// What is said of it.
     pub words: Text,
     /// The defined name of the input that is to be changed.
     pub input: &'static str,
 }
 
-/// A view of the part, scaled to a circle of radius 1, on a hidden sheet.
+/// A view of the part on a hidden sheet, scaled so that it is 2 wide about the origin.
 #[derive(Clone, Debug)]
 pub struct LiveView {
     /// Its title.
     pub title: Text,
-    /// The columns of the sheet, from A; each a formula a row, from row 1. Formulas may refer to cells of this sheet.
+    /// How high it is for its width.
+    pub height: f64,
+    /// The columns of the sheet, from A; each a formula a row, from row 1. Formulas may refer to cells of this sheet, and to all
+    /// cells of a list's column as `[tools.Q_x]`.
     pub columns: Vec<Vec<Formula>>,
     /// The curves.
     pub curves: Vec<LiveCurve>,

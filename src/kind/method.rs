@@ -244,6 +244,7 @@ impl<M: Method> Kind for Of<M> {
         let whole = end == End::Whole;
         let scene = (wants.scene && whole).then(|| staging::scene(M::part(&design, &model), &programs, &findings));
         Ok(Outcome {
+            files: Vec::new(),
             kind: const { &Self::new() },
             control: M::control(&design),
             style: M::style(&design),

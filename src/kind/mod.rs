@@ -262,6 +262,15 @@ impl End {
     }
 }
 
+/// A file that a workbook names, as it was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NamedFile {
+    /// Its name in the workbook.
+    pub name: String,
+    /// The SHA-256 of its bytes, in hexadecimal.
+    pub sha256: String,
+}
+
 /// What came of a design: parts that are the same of every kind, so that who delivers them asks no kind.
 #[derive(Debug)]
 pub struct Outcome {
@@ -295,6 +304,8 @@ pub struct Outcome {
     pub setup: Vec<(&'static str, Shown)>,
     /// Every check of every program that was read back, in their order.
     pub checks: Vec<Check>,
+    /// The files that the workbook names, as who reads files found them.
+    pub files: Vec<NamedFile>,
     /// All findings, passed checks among them, gravest first.
     pub findings: Vec<Finding>,
     /// How the work ended.

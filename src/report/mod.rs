@@ -6,6 +6,7 @@
 //! says so.
 
 mod attachments;
+pub mod comparison;
 mod contents;
 mod document;
 mod number;

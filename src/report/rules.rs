@@ -48,4 +48,12 @@ rules! {
         why "Un informe con otras plantillas que las pedidas pasaría por bueno.", "A report with other templates than those asked for would pass for the right one.";
         example Example::Made { key: "no-templates", how: t(
             "build --templates con una carpeta que no existe", "build --templates with a folder that does not exist") };
+    "T0206" NamedFileChanged Caution { name: String }
+        es "el archivo {name} ha cambiado desde que se hicieron los programas"
+        en "the file {name} has changed since the programs were made"
+        remedy "vuelva a generar con \"rodete build\", o recupere el archivo anterior", "build again with \"rodete build\", or bring back the earlier file";
+        why "El libro de resultados guarda el SHA-256 de cada archivo que nombra el libro, y el informe se hizo con el de entonces.",
+            "The results workbook keeps the SHA-256 of each file that the workbook names, and the report was made with the file of then.";
+        example Example::Made { key: "changed-logo", how: t(
+            "un libro de resultados cuyo logotipo ha cambiado", "a results workbook whose logo has changed") };
 }

@@ -153,6 +153,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
             form,
             sheet: self.sheet.name.get(self.language),
             column,
+            lists: &[],
             language: self.language,
         })
     }

@@ -19,6 +19,7 @@ use super::error::WriteError;
 use super::form_sheet::label;
 use super::sheet_cells::{Content, SheetCells};
 use super::style::Styles;
+use crate::kind::NamedFile;
 use crate::parameter::{Form, Parameter, Value, Values};
 use crate::text::{Language, Text, t};
 
@@ -38,6 +39,8 @@ const FILES: ColNum = 4;
 const SHEETS: ColNum = 5;
 /// The most characters of a text inside a formula.
 const LITERAL: usize = 255;
+/// What the row of a file that the workbook names begins with; its name follows.
+const FILE: &str = "SHA-256 ";
 
 /// What an input held when the programs were verified.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,6 +108,7 @@ pub struct Column {
 pub struct Guard {
     inputs: Vec<(&'static str, Copy)>,
     columns: Vec<Column>,
+    files: Vec<NamedFile>,
 }
 
 /// The first column of the copies of lists.
@@ -119,6 +123,11 @@ impl Guard {
     /// Watches a column of a list.
     pub fn watch_column(&mut self, column: Column) {
         self.columns.push(column);
+    }
+
+    /// Keeps the SHA-256 of the files that the workbook names. No formula asks a file: `rodete check` compares them.
+    pub fn keep(&mut self, files: &[NamedFile]) {
+        self.files.extend_from_slice(files);
     }
 
     /// Writes the hidden sheet under a name and defines the name of its count. `files` are what was made from these inputs.
@@ -158,12 +167,30 @@ impl Guard {
                 copy.write(sheet, to, at, styles)?;
             }
         }
+        for file in &self.files {
+            row += 1;
+            write_text(sheet, row, 0, &format!("{FILE}{}", file.name), &styles.entry)?;
+            write_text(sheet, row, 1, &file.sha256, &styles.entry)?;
+        }
         for (row, file) in (0..).zip(files) {
             write_text(sheet, row, FILES, file, &styles.entry)?;
         }
         sheet.protect();
         Ok(())
     }
+}
+
+/// The files that the workbook named when its programs were verified, by the sheet [`SHEET`]; none where that is not rodete's.
+#[must_use]
+pub(super) fn files(sheet: &SheetCells) -> Vec<NamedFile> {
+    if sheet.text((0, 0)) != Some(MARK) {
+        return Vec::new();
+    }
+    let file = |&row: &u32| {
+        let (name, sha256) = (sheet.text((row, 0))?.strip_prefix(FILE)?, sheet.text((row, 1))?);
+        Some(NamedFile { name: name.to_owned(), sha256: sha256.to_owned() })
+    };
+    sheet.rows.keys().filter_map(file).collect()
 }
 
 /// The files whose inputs differ from what they were made of.

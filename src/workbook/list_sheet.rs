@@ -1,6 +1,6 @@
 //! The sheet of a list: meanings, units and headings of its columns, and one row for each thing.
 
-use rust_xlsxwriter::{ColNum, IgnoreError, RowNum, Worksheet};
+use rust_xlsxwriter::{ColNum, IgnoreError, RowNum, Worksheet, quote_sheet_name, utility::column_number_to_name};
 
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
@@ -9,7 +9,7 @@ use super::guard::{self, Copy, Guard};
 use super::page::Page;
 use super::style::Styles;
 use super::validation::validation;
-use crate::parameter::list::{List, Row};
+use crate::parameter::list::{List, Naming, Row};
 use crate::parameter::{FieldKind, Value};
 use crate::text::Language;
 
@@ -33,6 +33,16 @@ pub struct ListSheet<'a> {
     pub rows: &'a [Row],
     /// The language of everything but the values.
     pub language: Language,
+}
+
+/// The cells of a column of a list that has one sheet, as `TOOLS!$A$6:$A$505` for `tools.T`; `None` where it is another list's.
+#[must_use]
+pub fn cells(list: &List, reference: &str, language: Language) -> Option<String> {
+    let (Naming::One(name), (key, symbol)) = (&list.naming, reference.split_once('.')?) else { return None };
+    let at = list.columns.iter().position(|column| list.key == key && column.symbol() == symbol)?;
+    let column = column_number_to_name(ColNum::try_from(at).ok()?);
+    let last = usize::try_from(FIRST).ok()? + list.most;
+    Some(format!("{}!${column}${}:${column}${last}", quote_sheet_name(name.get(language)), FIRST + 1))
 }
 
 impl ListSheet<'_> {

@@ -11,17 +11,21 @@ use rust_xlsxwriter::{
 use super::cell::write_text;
 use super::error::WriteError;
 use super::form_sheet::Layout;
+use super::list_sheet;
 use super::style::{Styles, digits};
-use crate::kind::live_form::{LiveForm, LiveLook};
+use crate::kind::live_form::{LiveForm, LiveLook, LiveRow, LiveView};
+use crate::parameter::list::List;
 use crate::text::{Language, Text, t};
 
 /// The stored result of a formula that has none: it is taken out when the workbook is saved.
 pub const UNCOMPUTED: &str = "rodete:uncomputed";
 /// The hidden sheet of the view.
 pub const SHEET: &str = "Plan";
-/// The size of the view in pixels.
-pub const VIEW: [u32; 2] = [420, 420];
-/// How far the view reaches, in radii of the part.
+/// The width of the view in pixels.
+const WIDTH: u32 = 440;
+/// How much of the view's width and height the axes take.
+const AXES: [f64; 2] = [0.92, 0.86];
+/// How far the view reaches, in half widths of the part.
 const REACH: f64 = 1.15;
 /// Widths of the columns in characters: symbol, value, unit, words.
 const WIDTHS: [f64; 4] = [11.0, 12.0, 7.0, 42.0];
@@ -35,8 +39,49 @@ pub struct LivePart<'a> {
     pub sheet: &'a str,
     /// Its first column.
     pub column: ColNum,
+    /// The lists of the form, for the view.
+    pub lists: &'a [List],
     /// The language.
     pub language: Language,
+}
+
+/// The size of a view in pixels: one scale on both axes.
+#[must_use]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cast keeps within the type's range")]
+pub fn size(view: &LiveView) -> [u32; 2] {
+    let [across, up] = AXES;
+    [WIDTH, (f64::from(WIDTH) * view.height * across / up).round() as u32]
+}
+
+impl LiveRow {
+    /// The formula that is true where one of its limits is broken; none for a row without limits.
+    fn broken(&self) -> Option<String> {
+        let all = match self.wrong.as_slice() {
+            [] => return None,
+            [one] => one.when.to_string(),
+            more => format!("OR({})", more.iter().map(|one| one.when.as_ref()).collect::<Vec<_>>().join(",")),
+        };
+        Some(self.once(&all, "FALSE"))
+    }
+
+    /// A formula, where the row waits for the inputs instead of another until they are there.
+    fn once(&self, formula: &str, other: &str) -> String {
+        if self.always { formula.to_owned() } else { format!("IF(live_ok,{formula},{other})") }
+    }
+
+    /// The formula of what is said of it.
+    fn words(&self, language: Language) -> String {
+        let meaning = format!("\"{}\"", self.meaning.get(language));
+        if self.wrong.is_empty() {
+            return meaning;
+        }
+        let first = self
+            .wrong
+            .iter()
+            .rev()
+            .fold(meaning.clone(), |rest, one| format!("IF({},\"{}\",{rest})", one.when, one.words.get(language)));
+        self.once(&first, &meaning)
+    }
 }
 
 /// A formula that is computed when the workbook is opened.
@@ -67,10 +112,10 @@ impl LivePart<'_> {
         let (count, all) = (self.count(), self.form.inputs.len());
         let unsound = self.form.sound.1.get(language);
         let formula = format!(
-            "IF({count}<{all},\"{}\"&({all}-{count}),IF(NOT(live_ok),\"{unsound}\",IF(live_wrong=0,\"{}\",\"{}\"&live_wrong)))",
+            "IF(live_wrong>0,\"{}\"&live_wrong,IF({count}<{all},\"{}\"&({all}-{count}),IF(live_ok,\"{}\",\"{unsound}\")))",
+            BROKEN.get(language),
             MISSING.get(language),
             HOLD.get(language),
-            BROKEN.get(language)
         );
         sheet.merge_range(row, first, row, last, "", &styles.source)?;
         sheet.write_formula_with_format(row, first, uncomputed(&formula), &styles.source)?;
@@ -113,43 +158,31 @@ impl LivePart<'_> {
             row += 1;
             write_text(sheet, row, self.column, one.symbol, &styles.symbol)?;
             let number = styles.number.clone().set_num_format(digits(one.unit));
-            let formula = format!("IF(live_ok,{},\"\")", one.formula);
+            let formula = one.once(&one.formula, "\"\"");
             sheet.write_formula_with_format(row, self.column + 1, uncomputed(&formula), &number)?;
             write_text(sheet, row, self.column + 2, one.unit.label(), &styles.unit)?;
-            let meaning = one.meaning.get(language);
-            let words = match &one.wrong {
-                Some(wrong) => {
-                    format!(
-                        "IF(live_ok,IF({},\"{}\",\"{meaning}\"),\"{meaning}\")",
-                        wrong.when,
-                        wrong.words.get(language)
-                    )
-                }
-                None => format!("\"{meaning}\""),
-            };
-            sheet.write_formula_with_format(row, self.column + 3, uncomputed(&words), &styles.text)?;
+            sheet.write_formula_with_format(row, self.column + 3, uncomputed(&one.words(language)), &styles.text)?;
             names.push((one.name.to_owned(), place(row)));
-            let Some(wrong) = &one.wrong else { continue };
-            let broken = format!("=IF(live_ok,{},FALSE)", wrong.when);
-            let holds = format!("=IF(live_ok,NOT({}),FALSE)", wrong.when);
+            let Some(broken) = one.broken() else { continue };
+            // What has no value holds nothing.
+            let holds = one.once(&format!("AND(LEN({})>0,NOT({broken}))", one.name), "FALSE");
             for (rule, format) in [(&broken, &styles.stale), (&holds, &styles.holds)] {
-                let rule = ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(format.clone());
+                let rule =
+                    ConditionalFormatFormula::new().set_rule(format!("={rule}").as_str()).set_format(format.clone());
                 sheet.add_conditional_format(row, self.column + 1, row, self.column + 3, &rule)?;
             }
-            if let Some((_, input)) = layout.names.iter().find(|(name, _)| *name == wrong.input) {
-                let rule = ConditionalFormatFormula::new().set_rule(broken.as_str()).set_format(styles.stale.clone());
+            for wrong in &one.wrong {
+                let Some((_, input)) = layout.names.iter().find(|(name, _)| *name == wrong.input) else { continue };
+                let rule = format!("={}", one.once(&wrong.when, "FALSE"));
+                let rule = ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(styles.stale.clone());
                 sheet.add_conditional_format(*input, 2, *input, 2, &rule)?;
             }
         }
         // What the other formulas ask stands below them.
-        let wrong: Vec<String> = form
-            .rows
-            .iter()
-            .filter_map(|one| one.wrong.as_ref())
-            .map(|wrong| format!("IF({},1,0)", wrong.when))
-            .collect();
+        let wrong: Vec<String> =
+            form.rows.iter().filter_map(LiveRow::broken).map(|broken| format!("IF({broken},1,0)")).collect();
         let sound = format!("AND({}={},{})", self.count(), form.inputs.len(), form.sound.0);
-        let wrong = format!("IF(live_ok,{},0)", wrong.join("+"));
+        let wrong = wrong.join("+");
         for (name, formula) in [("live_ok", sound), ("live_wrong", wrong)] {
             row += 1;
             write_text(sheet, row, self.column, name, &styles.faint)?;
@@ -189,13 +222,16 @@ impl LivePart<'_> {
                 .set_format(ChartFormat::new().set_line(&line));
         }
         // Axes of their own would jump with every value.
+        let high = REACH * self.form.view.height;
         chart.x_axis().set_min(-REACH).set_max(REACH).set_hidden(true).set_major_gridlines(false);
-        chart.y_axis().set_min(-REACH).set_max(REACH).set_hidden(true).set_major_gridlines(false);
-        chart.plot_area().set_layout(&ChartLayout::new().set_offset(0.04, 0.1).set_dimensions(0.92, 0.86));
+        chart.y_axis().set_min(-high).set_max(high).set_hidden(true).set_major_gridlines(false);
+        let [across, up] = AXES;
+        chart.plot_area().set_layout(&ChartLayout::new().set_offset(0.04, 0.1).set_dimensions(across, up));
         chart.title().set_name(self.form.view.title.get(self.language)).set_font(ChartFont::new().set_size(11));
         chart.legend().set_hidden();
         chart.show_hidden_data();
-        chart.set_width(VIEW[0]).set_height(VIEW[1]);
+        let [width, height] = size(&self.form.view);
+        chart.set_width(width).set_height(height);
         chart.set_alt_text(self.form.view.title.get(self.language));
         chart
     }
@@ -209,9 +245,25 @@ impl LivePart<'_> {
         sheet.set_hidden(true);
         for (column, formulas) in (0..).zip(&self.form.view.columns) {
             for (row, formula) in (0..).zip(formulas) {
-                sheet.write_formula(row, column, uncomputed(formula))?;
+                sheet.write_formula(row, column, uncomputed(&self.resolved(formula)?))?;
             }
         }
         Ok(())
+    }
+
+    /// A formula with the columns of lists in it made ranges.
+    fn resolved(&self, formula: &str) -> Result<String, WriteError> {
+        let mut text = String::with_capacity(formula.len());
+        let mut rest = formula;
+        while let Some((before, after)) = rest.split_once('[') {
+            let lost = || WriteError::Reference(formula.to_owned());
+            let (reference, after) = after.split_once(']').ok_or_else(lost)?;
+            let range = self.lists.iter().find_map(|list| list_sheet::cells(list, reference, self.language));
+            text.push_str(before);
+            text.push_str(&range.ok_or_else(lost)?);
+            rest = after;
+        }
+        text.push_str(rest);
+        Ok(text)
     }
 }

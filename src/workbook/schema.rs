@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 
 use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal};
+use crate::kind::NamedFile;
 use crate::number::decimal;
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values};
@@ -48,6 +49,8 @@ pub struct Filled {
     pub findings: Vec<Finding>,
     /// What was changed in a results workbook since its programs were made.
     pub stale: Option<Finding>,
+    /// The files that the workbook named when its programs were verified.
+    pub files: Vec<NamedFile>,
 }
 
 /// Reads a workbook that follows one of `forms`.
@@ -129,25 +132,32 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
         return Err(refusal(exit, findings));
     }
-    let stale = changed(&mut book, form, &values)?;
-    Ok(Filled { form, values, findings, stale })
+    let (stale, files) = verified(&mut book, form, &values)?;
+    Ok(Filled { form, values, findings, stale, files })
 }
 
-/// What was changed since the programs of the same workbook were made, by the copies that stand in it.
-fn changed(book: &mut Book<'_>, form: &'static Form, values: &Values) -> Result<Option<Finding>, Refusal> {
+/// What was changed since the programs of the same workbook were made, by the copies that stand in it, and the files that it
+/// named then.
+fn verified(
+    book: &mut Book<'_>,
+    form: &'static Form,
+    values: &Values,
+) -> Result<(Option<Finding>, Vec<NamedFile>), Refusal> {
     let named = |entry: &&SheetEntry| entry.name.starts_with(guard::SHEET);
     let sheets: Vec<SheetEntry> = book.gated.sheets.iter().filter(named).cloned().collect();
-    let mut stale = None;
+    let (mut stale, mut named_files) = (None, Vec::new());
     for entry in sheets {
-        stale = guard::stale(&book.read(&entry, guard::COLUMNS)?, form, values).or(stale);
+        let sheet = book.read(&entry, guard::COLUMNS)?;
+        stale = guard::stale(&sheet, form, values).or(stale);
+        named_files.extend(guard::files(&sheet));
     }
-    let Some(guard::Stale { inputs, lists, files }) = stale else { return Ok(None) };
+    let Some(guard::Stale { inputs, lists, files }) = stale else { return Ok((None, named_files)) };
     let symbols = inputs.iter().map(|key| (*key).to_owned());
     let inputs_told = symbols.chain(lists.iter().map(|sheet| excerpt(sheet, SHOWN))).collect::<Vec<_>>().join(", ");
     let programs = files.join(", ");
     let place = if inputs.is_empty() { Place::File } else { Place::Parameters(inputs) };
     let stale = InputsChanged { inputs: inputs_told, programs }.at(place);
-    Ok(Some(values.locate(stale)))
+    Ok((Some(values.locate(stale)), named_files))
 }
 
 /// The sheet that a form begins with, read.

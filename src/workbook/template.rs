@@ -9,7 +9,7 @@ use super::error::WriteError;
 use super::form_sheet::{Filling, Layout};
 use super::guard::Guard;
 use super::list_sheet::ListSheet;
-use super::live_form::{LivePart, VIEW};
+use super::live_form::{self, LivePart};
 use super::names::{Made, Present, Role, SheetNames};
 use super::page::{Page, properties};
 use super::save::{Additions, save};
@@ -78,7 +78,7 @@ pub fn write_into<W: Write + Seek + Send>(
     let drawn = sketch.as_ref().map(|figure| Drawn { figure, language });
     // In a workbook of one's own there may be names that are the same, and other things beside the inputs.
     let live = kind.live().filter(|_| present.taken.is_empty());
-    let charts = live.iter().map(|_| VIEW).collect();
+    let charts = live.iter().map(|form| live_form::size(&form.view)).collect();
     let additions = Additions { drawn, uncomputed: live.is_some(), charts, ..Additions::default() };
     for (index, sheet) in form.sheets.iter().enumerate() {
         let (notes, sketch) = (notes(sheet, note, language), drawn.filter(|_| index == 0));
@@ -102,8 +102,8 @@ pub fn write_into<W: Write + Seek + Send>(
         made.push(Made { name: name.to_owned(), role: Role::Form });
         name.to_owned()
     })?;
-    if let Some(form) = &live {
-        LivePart { form, sheet: "", column: 0, language }.write_view(&mut workbook)?;
+    if let Some(live) = &live {
+        LivePart { form: live, sheet: "", column: 0, lists: form.lists, language }.write_view(&mut workbook)?;
     }
     save(&mut workbook, additions, out)?;
     Ok(made)

@@ -163,6 +163,15 @@ fn made(key: &str, folder: &Path) -> Option<Line> {
                 _ => "build impeller.xlsx --templates nowhere".to_owned(),
             }
         }
+        "changed-logo" => {
+            let logo = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"4\" height=\"4\"/>";
+            put("logo.svg", logo);
+            let named = common::workbook::Parts::sound().string("logo", "logo.svg").zip();
+            fs::write(path("impeller.xlsx"), named).unwrap();
+            run(folder, &["build", "impeller.xlsx", "--no-report"].map(str::to_owned), Language::En);
+            put("logo.svg", &logo.replace('4', "5"));
+            "check impeller-out/impeller-results.xlsx".to_owned()
+        }
         "two-kinds" => {
             run(folder, &["new", "lathe"].map(str::to_owned), Language::En);
             run(folder, &["new", "impeller"].map(str::to_owned), Language::En);

@@ -9,6 +9,7 @@ mod common;
 mod corpus;
 mod form_elsewhere;
 mod hard_books;
+mod killed;
 mod libreoffice;
 mod made;
 mod names;

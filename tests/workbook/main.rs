@@ -5,9 +5,11 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod drawing;
+mod ironcalc;
 mod lathe_workbook;
 mod libreoffice;
 mod live;
+mod live_forms;
 mod offsets_workbook;
 mod report;
 mod results_workbook;

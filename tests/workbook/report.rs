@@ -76,6 +76,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             }]
         })),
         drawings: Vec::new(),
+        files: Vec::new(),
         solids: Vec::new(),
         scene: None,
         setup: Vec::new(),
@@ -244,6 +245,13 @@ mod embedded {
                 typeset(&outcome, &[workbook()], &Stationery::default(), language, &typst()).expect("a report");
             assert!(report.findings.is_empty(), "{kind:?} {}: {:?}", case.name, report.findings);
             let Some(text) = text(&report.pdf) else { continue };
+            let first = text.split('\u{C}').next().unwrap_or_default();
+            let first = first.split_whitespace().collect::<Vec<_>>().join(" ");
+            let red = match language {
+                Language::Es => "está en rojo",
+                Language::En => "is red",
+            };
+            assert!(first.contains(red), "{kind:?} {}: page 1 says what a red banner means", case.name);
             for table in outcome.tables.iter().filter(|table| table.print != Print::No && table.rows() > 0) {
                 assert!(text.contains(table.name.get(language)), "{kind:?} {}", table.key);
             }

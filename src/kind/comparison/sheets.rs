@@ -1,11 +1,12 @@
 //! A comparison as four tables: inputs, derived values, findings, programs. The terminal and the workbook show the same.
 
 use super::{Comparison, Derived, Found, Input, ProgramPair, Shown};
+use crate::escape::printable;
 use crate::finding::{CellPlace, Grade};
 use crate::kind::checks;
 use crate::machine::axis::Axis;
-use crate::number::shown;
-use crate::text::{Text, t};
+use crate::number::{decimal, shown};
+use crate::text::{Language, Text, t};
 
 /// What a cell holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +26,25 @@ pub struct Line {
     pub cells: Vec<Held>,
     /// What it compares is not the same.
     pub differs: bool,
+}
+
+/// Decimals of the figures shown.
+const DECIMALS: usize = 6;
+
+impl Line {
+    /// The cells as texts. Figures that are not the same do not look the same.
+    #[must_use]
+    pub fn texts(&self, language: Language) -> Vec<String> {
+        let rounded = |one: &Held| match one {
+            Held::Nothing => String::new(),
+            Held::Number(number) => shown(*number, DECIMALS),
+            Held::Text(text) => printable(text.get(language)),
+        };
+        let numbers: Vec<_> = self.cells.iter().filter(|one| matches!(one, Held::Number(_))).collect();
+        let alike = numbers.windows(2).any(|pair| pair[0] != pair[1] && rounded(pair[0]) == rounded(pair[1]));
+        let whole = |one: &Held| if let Held::Number(number) = one { decimal(*number) } else { rounded(one) };
+        self.cells.iter().map(|one| if alike { whole(one) } else { rounded(one) }).collect()
+    }
 }
 
 /// A table.

@@ -1,8 +1,8 @@
 //! The live form of the impeller: its closed limits, and the blades in plan.
 
-use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, Wrong};
+use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
 use crate::table::{Formula, Unit};
-use crate::text::{Text, t};
+use crate::text::t;
 
 /// The points of one face of a blade in the view, less one.
 const STEPS: usize = 8;
@@ -39,100 +39,77 @@ pub fn live() -> LiveForm {
 }
 
 fn rows() -> Vec<LiveRow> {
-    let mm = Unit::Millimetre;
-    let row =
-        |symbol, name, unit, meaning: Text, formula| LiveRow { symbol, name, unit, meaning, formula, wrong: None };
-    let limit = |row: LiveRow, when, words, input| LiveRow { wrong: Some(Wrong { when, words, input }), ..row };
+    let row = LiveRow::length;
     vec![
-        row("L", "live_L", mm, t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H"),
-        row("k", "live_k", mm, t("√(R² − r²)", "√(R² − r²)"), "SQRT((torus_R-meridian_r)*(torus_R+meridian_r))"),
+        row("L", "live_L", t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H"),
+        row("k", "live_k", t("√(R² − r²)", "√(R² − r²)"), "SQRT((torus_R-meridian_r)*(torus_R+meridian_r))"),
         row(
             "α = β",
             "live_alpha",
-            Unit::Degree,
             t("Inclinación del álabe", "Inclination of the blade"),
             "DEGREES(ASIN(meridian_r/torus_R))",
-        ),
-        row("R·π/2", "live_length", mm, t("Longitud de la fibra media", "Length of the mean line"), "torus_R*PI()/2"),
+        )
+        .unit(Unit::Degree),
+        row("R·π/2", "live_length", t("Longitud de la fibra media", "Length of the mean line"), "torus_R*PI()/2"),
         row(
             "w",
             "live_w",
-            mm,
             t("Semiancho de álabe y herramienta", "Half width of blade and tool"),
             "(thickness_e+tool_diameter_d_t)/2",
         ),
+        row("d", "live_d", t("Separación mínima entre álabes", "Least gap between blades"), "tool_diameter_d_t*4/3"),
         row(
-            "d",
-            "live_d",
-            mm,
-            t("Separación mínima entre álabes", "Least gap between blades"),
-            "tool_diameter_d_t*4/3",
-        ),
-        limit(
-            row(
-                "gap",
-                "live_gap",
-                mm,
-                t("Separación en el cubo", "Gap at the hub"),
-                "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-thickness_e",
-            ),
+            "gap",
+            "live_gap",
+            t("Separación en el cubo", "Gap at the hub"),
+            "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-thickness_e",
+        )
+        .wrong(
             "live_gap<live_d",
             t("demasiado estrecha para la herramienta", "too narrow for the tool"),
             "tool_diameter_d_t",
         ),
-        limit(
-            row(
-                "N_max",
-                "live_N_max",
-                Unit::Count,
-                t("Número máximo de álabes", "Greatest number of blades"),
-                "INT(2*PI()*(torus_R-meridian_r-depth_a_p)/(thickness_e+live_d))",
-            ),
-            "blades_N>live_N_max",
-            t("N es demasiado grande", "N is too large"),
-            "blades_N",
-        ),
-        limit(
-            row(
-                "e_max",
-                "live_e_max",
-                mm,
-                t("Espesor máximo del álabe", "Greatest blade thickness"),
-                "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-live_d",
-            ),
-            "thickness_e>live_e_max",
-            t("e es demasiado grande", "e is too large"),
-            "thickness_e",
-        ),
-        limit(
-            row(
-                "2·r − d_t",
-                "live_room",
-                mm,
-                t("Sitio de la herramienta en el hueco", "Room of the tool in the hollow"),
-                "2*meridian_r-tool_diameter_d_t",
-            ),
+        row(
+            "N_max",
+            "live_N_max",
+            t("Número máximo de álabes", "Greatest number of blades"),
+            "INT(2*PI()*(torus_R-meridian_r-depth_a_p)/(thickness_e+live_d))",
+        )
+        .unit(Unit::Count)
+        .wrong("blades_N>live_N_max", t("N es demasiado grande", "N is too large"), "blades_N"),
+        row(
+            "e_max",
+            "live_e_max",
+            t("Espesor máximo del álabe", "Greatest blade thickness"),
+            "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-live_d",
+        )
+        .wrong("thickness_e>live_e_max", t("e es demasiado grande", "e is too large"), "thickness_e"),
+        row(
+            "2·r − d_t",
+            "live_room",
+            t("Sitio de la herramienta en el hueco", "Room of the tool in the hollow"),
+            "2*meridian_r-tool_diameter_d_t",
+        )
+        .wrong(
             "live_room<0",
             t("la herramienta es más ancha que el hueco", "the tool is wider than the hollow"),
             "tool_diameter_d_t",
         ),
-        limit(
-            row(
-                "d_s + d_t/2",
-                "live_reach",
-                mm,
-                t("Del final de la fibra al punto seguro", "From the end of the mean line to the safe point"),
-                "safety_d_s+tool_diameter_d_t/2",
-            ),
+        row(
+            "d_s + d_t/2",
+            "live_reach",
+            t("Del final de la fibra al punto seguro", "From the end of the mean line to the safe point"),
+            "safety_d_s+tool_diameter_d_t/2",
+        )
+        .wrong(
             "live_reach<=live_w*live_k/torus_R",
             t("d_s es demasiado pequeña", "d_s is too small"),
             "safety_d_s",
         ),
-        row("360°/N", "live_pitch", Unit::Degree, t("Giro entre álabes", "Turn between blades"), "360/blades_N"),
+        row("360°/N", "live_pitch", t("Giro entre álabes", "Turn between blades"), "360/blades_N").unit(Unit::Degree),
         row(
             "Z_r",
             "live_Z_r",
-            mm,
             t("Altura de retirada", "Retract height"),
             "ROUNDUP((SQRT(live_L^2+torus_R^2)-live_L+safety_d_s)*1000,0)/1000",
         ),
@@ -212,6 +189,7 @@ fn view() -> LiveView {
     let [splitters_x, splitters_y] = splitters;
     LiveView {
         title: t("Planta", "Plan view"),
+        height: 1.0,
         columns: vec![
             v,
             side,

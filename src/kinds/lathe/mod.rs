@@ -8,6 +8,7 @@ pub mod catalogue;
 pub mod figures;
 mod findings;
 mod form_sketch;
+mod live_form;
 pub mod parameters;
 mod part_view;
 mod profile;
@@ -30,6 +31,7 @@ use crate::gcode::program::Program;
 use crate::gcode::rules::lexis::MoreRefusals;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::revolution::volume;
+use crate::kind::live_form::LiveForm;
 use crate::kind::{Chapters, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants};
 use crate::kinds::lathe::figures::Drawn;
 use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
@@ -141,6 +143,10 @@ impl Kind for Lathe {
 
     fn sketch(&self) -> Option<Figure> {
         Some(form_sketch::sketch())
+    }
+
+    fn live(&self) -> Option<LiveForm> {
+        Some(live_form::live())
     }
 
     fn cases(&self) -> &'static [Case] {
@@ -530,6 +536,7 @@ fn outcome(
     let end = End::of(&findings, endless);
     let programs = followed.into_iter().filter(|_| end == End::Whole).map(Followed::proved).collect();
     let outcome = Outcome {
+        files: Vec::new(),
         kind: &Lathe,
         fields,
         control: given.control,

@@ -28,7 +28,7 @@ use crate::removal::turning::turret::Turret;
 use crate::text::Text;
 
 /// Z′ and X′ of the source: the clearance of the longest tools from the stock at the reference point, mm.
-const MARGIN: f64 = 30.0;
+pub(super) const MARGIN: f64 = 30.0;
 
 /// What a filled-in form gives: the lathe before the program starts, and its control.
 #[derive(Clone, Debug)]

@@ -4,6 +4,7 @@ mod form;
 mod form_sketch;
 pub mod hole;
 pub mod insert;
+mod live_form;
 pub mod rules;
 pub mod scene;
 pub mod size;

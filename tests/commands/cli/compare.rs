@@ -127,3 +127,34 @@ fn the_comparison_is_written_as_a_workbook_with_the_same_bytes_each_time() {
     rodete(&folder).args(["compare", "impeller.xlsx", "other.xlsx", "-o", "a.txt"]).assert().code(2);
     assert_eq!(names(folder.path()), ["a.xlsx", "b.xlsx", "impeller.xlsx", "other.xlsx"]);
 }
+
+#[cfg(feature = "embedded-typst")]
+#[test]
+fn the_comparison_is_written_as_a_pdf_that_names_both_workbooks_and_what_differs() {
+    let folder = two(&[("N", Value::Whole(3))]);
+    for (language, title, verdict) in [
+        ("en", "Comparison of two workbooks", "The two differ"),
+        ("es", "Comparación de dos libros", "Hay diferencias"),
+    ] {
+        let line = ["compare", "impeller.xlsx", "other.xlsx", "-o", "a.pdf", "-o", "a.xlsx", "--lang", language];
+        rodete(&folder).args(line).assert().code(0);
+        let pdf = fs::read(folder.path().join("a.pdf")).expect("a PDF");
+        assert!(pdf.starts_with(b"%PDF"));
+        rodete(&folder)
+            .args(["compare", "impeller.xlsx", "other.xlsx", "-o", "b.pdf", "--lang", language])
+            .assert()
+            .code(0);
+        assert!(pdf == fs::read(folder.path().join("b.pdf")).expect("a PDF"), "the same bytes each time");
+        let text =
+            std::process::Command::new("pdftotext").args(["-layout", "a.pdf", "-"]).current_dir(folder.path()).output();
+        let Ok(text) = text else {
+            assert!(std::env::var_os("CI").is_none(), "pdftotext (poppler-utils) is needed here and cannot be called");
+            return;
+        };
+        let text = String::from_utf8(text.stdout).expect("UTF-8");
+        for told in [title, verdict, "impeller.xlsx", "other.xlsx", "DATA!C11", "SHA-256"] {
+            assert!(text.contains(told), "{told}: {text}");
+        }
+    }
+    assert_eq!(names(folder.path()), ["a.pdf", "a.xlsx", "b.pdf", "impeller.xlsx", "other.xlsx"]);
+}

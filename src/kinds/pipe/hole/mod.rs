@@ -11,6 +11,7 @@ pub mod design;
 pub mod figures;
 mod form_sketch;
 pub mod height;
+mod live_form;
 pub mod parameters;
 pub mod program;
 pub mod proof;
@@ -24,6 +25,7 @@ use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::Distance;
+use crate::kind::live_form::LiveForm;
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, out_of_format};
 use crate::kinds::pipe::hole::bounds::too_high;
@@ -84,6 +86,10 @@ impl Method for Hole {
 
     fn sketch() -> Option<Figure> {
         Some(form_sketch::sketch())
+    }
+
+    fn live() -> Option<LiveForm> {
+        Some(live_form::live())
     }
 
     fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {

@@ -14,7 +14,7 @@
 
 use nalgebra::Vector3;
 
-use crate::geometry::pipe_pair::{PipePair, Side};
+use crate::geometry::pipe_pair::PipePair;
 use crate::kinds::pipe::hole::height::{Rule, Torch};
 use crate::machine::torch::TorchPose;
 use crate::number::trig::{acos, asin, hypot, sin_cos};
@@ -74,10 +74,10 @@ impl Groove {
         let normal = Vector3::new(0.0, root.y, root.z).try_normalize(1e-12)?;
         let out =
             (pair.on_branch(alpha, 0.0) - pair.on_branch(alpha + std::f64::consts::PI, 0.0)).try_normalize(1e-12)?;
-        let along = self.along(alpha);
-        let away = along.cross(&normal);
-        let away = if away.dot(&out) < 0.0 { -away } else { away };
-        let phi = std::f64::consts::PI - acos(normal.dot(&out).clamp(-1.0, 1.0));
+        // Square to n and to the direction along the curve, n × o: in the plane of n and o.
+        let c = normal.dot(&out).clamp(-1.0, 1.0);
+        let away = (out - normal * c).try_normalize(1e-9)?;
+        let phi = std::f64::consts::PI - acos(c);
         let lean = phi - self.gamma;
         let (sin, cos) = sin_cos(lean);
         let axis = away * cos + normal * sin;
@@ -115,17 +115,6 @@ impl Groove {
             waste,
             pose: TorchPose { tip: face + axis * D, axis },
         })
-    }
-
-    /// The direction of the curve at α, of length 1.
-    fn along(&self, alpha: f64) -> Vector3<f64> {
-        let step = 1e-6;
-        let slope = self.pair.slope(alpha, Side::After);
-        // Along the generator by the slope, round the branch by the radius.
-        let depth = self.pair.depth(alpha);
-        let ahead = self.pair.on_branch(alpha + step, depth + slope * step);
-        let behind = self.pair.on_branch(alpha - step, depth - slope * step);
-        (ahead - behind).try_normalize(0.0).unwrap_or_else(Vector3::x)
     }
 }
 

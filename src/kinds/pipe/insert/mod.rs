@@ -22,6 +22,7 @@ pub mod cut;
 pub mod design;
 pub mod figures;
 mod form_sketch;
+mod live_form;
 pub mod outline;
 pub mod parameters;
 pub mod program;
@@ -36,6 +37,7 @@ use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
 use crate::gcode::word::Distance;
+use crate::kind::live_form::LiveForm;
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, out_of_format};
 use crate::kinds;
@@ -97,6 +99,10 @@ impl Method for Insert {
 
     fn sketch() -> Option<Figure> {
         Some(form_sketch::sketch())
+    }
+
+    fn live() -> Option<LiveForm> {
+        Some(live_form::live())
     }
 
     fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {

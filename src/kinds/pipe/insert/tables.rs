@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use crate::kinds::pipe::insert::arcs::triples;
+use crate::kinds::pipe::insert::arcs::{Triple, triples};
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
 use crate::kinds::pipe::insert::design::{Design, Mode};
 use crate::kinds::pipe::insert::program::template_points;
+use crate::number::grid::LIMIT;
 use crate::table::{Column, Index, Law, Print, Table, Unit};
 use crate::text::t;
 
@@ -39,17 +40,32 @@ pub fn template(design: &Design) -> Table {
 }
 
 /// The arcs through triples of the template's points, the printed columns of table 2 beside the right ones.
+///
+/// Which points are joined by one arc stays as it was computed; what the arcs are follows the inputs.
 #[must_use]
 pub fn arcs(design: &Design) -> Table {
     let triples = triples(&template_points(design), design.arc_tolerance);
-    let numbers = |symbol, unit, law, value: &dyn Fn(&crate::kinds::pipe::insert::arcs::Triple) -> f64| {
+    let numbers = |symbol, unit, law, value: &dyn Fn(&Triple) -> f64| {
         Column::numbers(symbol, unit, law, triples.iter().map(value).collect::<Vec<_>>())
     };
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     let j = triples.iter().map(|triple| triple.j as f64).collect::<Vec<_>>();
-    let centre = |axis: usize| {
-        move |triple: &crate::kinds::pipe::insert::arcs::Triple| triple.circle.map_or(0.0, |circle| circle.centre[axis])
+    let centre = |axis: usize| move |triple: &Triple| triple.circle.map_or(0.0, |circle| circle.centre[axis]);
+    // A move to the next point is straight whatever the inputs are.
+    let froms = std::iter::once(0).chain(triples.iter().map(|triple| triple.j));
+    let steps: Vec<usize> = triples.iter().zip(froms).map(|(triple, from)| triple.j - from).collect();
+    let each = |formula: &str| -> Vec<String> {
+        let of = |step: &usize| if *step == 2 { formula.to_owned() } else { String::new() };
+        steps.iter().map(of).collect()
     };
+    let arc = |formula: &str| each(&format!("IF([j]>divisions_N,\"\",IF([code]=\"G01\",0,{formula}))"));
+    let at = |axis: &str| format!("IF([j]>divisions_N,\"\",INDEX([template.{axis} all],[j]+1))");
+    let Circle { radius, left, to_centre } = circle();
+    let code = format!(
+        "IF([j]>divisions_N,\"\",IF(AND({half}<=0,{radius}),IF({left},\"G03\",\"G02\"),\"G01\"))",
+        half = half()
+    );
+    let [h, k] = to_centre;
     Table {
         key: "arcs",
         name: t("Arcos", "Arcs"),
@@ -62,30 +78,84 @@ pub fn arcs(design: &Design) -> Table {
         print: Print::Short,
         columns: vec![
             Column::numbers("j", Unit::Count, Law::None, j),
-            numbers("x", MM, Law::None, &|triple| triple.to.x),
-            numbers("y", MM, Law::None, &|triple| triple.to.y),
-            numbers("D", MM, Law::Told("x² + y² + Dx + Ey + F = 0"), &|triple| triple.D_E()[0]),
-            numbers("E", MM, Law::None, &|triple| triple.D_E()[1]),
-            numbers("F", Unit::One, Law::Told("mm²"), &|triple| triple.F()),
-            numbers("h", MM, Law::Told("h = −D/2"), &centre(0)),
-            numbers("k", MM, Law::Told("k = −E/2"), &centre(1)),
+            numbers("x", MM, Law::None, &|triple| triple.to.x).by(at("x")),
+            numbers("y", MM, Law::None, &|triple| triple.to.y).by(at("y")),
+            numbers("D", MM, Law::Told("x² + y² + Dx + Ey + F = 0"), &|triple| triple.D_E()[0]).by_each(arc("-2*[h]")),
+            numbers("E", MM, Law::None, &|triple| triple.D_E()[1]).by_each(arc("-2*[k]")),
+            numbers("F", Unit::One, Law::Told("mm²"), &|triple| triple.F()).by_each(arc("[h]^2+[k]^2-[R]^2")),
+            numbers("h", MM, Law::Told("h = −D/2"), &centre(0)).by_each(arc(&h)),
+            numbers("k", MM, Law::Told("k = −E/2"), &centre(1)).by_each(arc(&k)),
             numbers("R", MM, Law::Told("R = √(h² + k² − F)"), &|triple| {
                 triple.circle.map_or(0.0, |circle| circle.radius)
-            }),
+            })
+            .by_each(arc("SQRT(([x]-[h])^2+([y]-[k])^2)")),
             numbers("y″", Unit::One, Law::Told("y″ = −2(1 + y′²)/(2y + E)"), &|triple| {
                 triple.second_derivative()
-            }),
+            })
+            .by_each(arc("-2*((2*[y]+[E])^2+(2*[x]+[D])^2)/(2*[y]+[E])^3")),
             Column::texts(
                 t("código", "code"),
                 Law::None,
                 triples.iter().map(|triple| t(triple.code(), triple.code())).collect(),
-            ),
-            numbers("D/2", MM, Law::None, &|triple| triple.D_E()[0] / 2.0).named(t("D impresa", "D as printed")),
-            numbers("E/2", MM, Law::None, &|triple| triple.D_E()[1] / 2.0).named(t("E impresa", "E as printed")),
+            )
+            .by_each(each(&code)),
+            numbers("D/2", MM, Law::None, &|triple| triple.D_E()[0] / 2.0)
+                .named(t("D impresa", "D as printed"))
+                .by_each(arc("[D]/2")),
+            numbers("E/2", MM, Law::None, &|triple| triple.D_E()[1] / 2.0)
+                .named(t("E impresa", "E as printed"))
+                .by_each(arc("[E]/2")),
             numbers("eq", Unit::One, Law::None, &|triple| triple.equation_18_as_printed())
-                .named(t("ec. 18 impresa", "eq. 18 as printed")),
+                .named(t("ec. 18 impresa", "eq. 18 as printed"))
+                .by_each(arc("(-2*(2*[y]+[E]/2)^2-(-2*[x]-[D]/2)^2)/(2*[y]+[E]/2)^3")),
         ],
     }
+}
+
+/// A point of the template in a formula, so many points before that of the row, from 0.
+fn point(axis: &str, before: usize) -> String {
+    format!("INDEX([template.{axis} all],[j]+1-{before})")
+}
+
+/// The circle through the three points of a row in a formula, as [`through`](crate::geometry::circle::through) has it.
+struct Circle {
+    /// True where there is one that a control takes by its radius.
+    radius: String,
+    /// True where the points turn left.
+    left: String,
+    /// The centre.
+    to_centre: [String; 2],
+}
+
+/// The step from the first point of a row to another, in a formula.
+fn step(axis: &str, before: usize) -> String {
+    format!("({}-{})", point(axis, before), point(axis, 2))
+}
+
+fn circle() -> Circle {
+    let [d, f] = [1, 0].map(|before| ["x", "y"].map(|axis| step(axis, before)));
+    let square = |[x, y]: &[String; 2]| format!("({x}^2+{y}^2)");
+    let (d2, f2) = (square(&d), square(&f));
+    let turn = format!("({}*{}-{}*{})", d[0], f[1], d[1], f[0]);
+    let third = square(&["x", "y"].map(|axis| format!("({}-{})", point(axis, 0), point(axis, 1))));
+    let most = f64::from(LIMIT) / 1000.0;
+    Circle {
+        radius: format!("SQRT({d2}*{f2}*{third})<{most}*2*ABS({turn})"),
+        left: format!("{turn}>0"),
+        to_centre: [
+            format!("{}+({}*{d2}-{}*{f2})/(2*{turn})", point("x", 2), f[1], d[1]),
+            format!("{}+({}*{f2}-{}*{d2})/(2*{turn})", point("y", 2), d[0], f[0]),
+        ],
+    }
+}
+
+/// Where it is not positive in a formula, the three points are within half a circle.
+fn half() -> String {
+    let product = |axis: &str| {
+        let middle = point(axis, 1);
+        format!("({}-{middle})*({}-{middle})", point(axis, 2), point(axis, 0))
+    };
+    format!("({}+{})", product("x"), product("y"))
 }
 
 /// The torch's way on the output grid.

@@ -1,0 +1,270 @@
+//! The live form of the lathe: its closed limits, and stock, chuck, tailstock and mounted tools in plan, the turret at its
+//! reference point.
+
+use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
+use crate::kinds::lathe::setup::MARGIN;
+use crate::removal::turning::machine::Lathe;
+use crate::table::{Formula, Unit};
+use crate::text::t;
+
+/// The places of a turret.
+const PLACES: usize = 8;
+/// How high the view is for its width.
+const HEIGHT: f64 = 0.8;
+/// So much of the tailstock's quill is drawn, mm.
+const QUILL: f64 = 60.0;
+
+/// The live part of the form.
+#[must_use]
+pub fn live() -> LiveForm {
+    LiveForm {
+        inputs: &["stock_D", "stock_L", "held_L4", "facing_L5", "chuck_L1", "jaws_L2", "chuck_D_c"],
+        sound: (
+            "AND(stock_D>0,stock_L>0,chuck_D_c>0)",
+            t("D, L y D_c han de ser mayores que 0", "D, L and D_c must be greater than 0"),
+        ),
+        rows: rows(),
+        view: view(),
+    }
+}
+
+fn rows() -> Vec<LiveRow> {
+    let travel = |symbol, name, meaning, [least, most]: [&'static str; 2]| {
+        let both = format!("COUNT({least},{most})=2");
+        LiveRow::length(symbol, name, meaning, format!("IF({both},{most}-{least},\"\")")).wrong(
+            format!("AND({both},{least}>={most})"),
+            t("el mínimo no es menor que el máximo", "the minimum is not below the maximum"),
+            least,
+        )
+    };
+    vec![
+        LiveRow::length("L3", "live_stick_out", t("Voladizo: L − L4", "Stick-out: L − L4"), "stock_L-held_L4").wrong(
+            "held_L4>=stock_L",
+            t("L4 debe ser menor que L", "L4 must be less than L"),
+            "held_L4",
+        ),
+        LiveRow::length(
+            "L3 − L5",
+            "live_free",
+            t("De las garras al cero pieza W1", "From the jaws to the part zero W1"),
+            "live_stick_out-facing_L5",
+        )
+        .wrong(
+            "AND(live_stick_out>0,facing_L5>=live_stick_out)",
+            t("L5 debe ser menor que el voladizo", "L5 must be less than the stick-out"),
+            "facing_L5",
+        ),
+        LiveRow::length(
+            "Z_W1",
+            "live_Z_W1",
+            t("Cero pieza W1 (G54), desde M", "Part zero W1 (G54), from M"),
+            "chuck_L1+jaws_L2+live_stick_out-facing_L5",
+        ),
+        LiveRow::length(
+            "L3/D",
+            "live_slenderness",
+            t("Con contrapunto según el voladizo, si pasa de 3", "By the stick-out, with the tailstock if above 3"),
+            "live_stick_out/stock_D",
+        )
+        .unit(Unit::One),
+        LiveRow::length(
+            "(D − d)/2",
+            "live_wall",
+            t("Pared del bruto hueco", "Wall of a hollow stock"),
+            "IF(ISNUMBER(stock_bore_d),(stock_D-stock_bore_d)/2,\"\")",
+        )
+        .wrong(
+            "AND(ISNUMBER(stock_bore_d),stock_bore_d>=stock_D)",
+            t("d debe ser menor que D", "d must be less than D"),
+            "stock_bore_d",
+        ),
+        travel(
+            "ΔX",
+            "live_travel_X",
+            t("Recorrido en X, en diámetro", "Travel in X, as a diameter"),
+            ["travel_X_min", "travel_X_max"],
+        ),
+        travel("ΔZ", "live_travel_Z", t("Recorrido en Z", "Travel in Z"), ["travel_Z_min", "travel_Z_max"]),
+        LiveRow::length(
+            "R_X",
+            "live_reference_X",
+            t("Punto de referencia, X en diámetro, desde M", "Reference point, X as a diameter, from M"),
+            "2*Plan!$G$1",
+        )
+        .wrong(
+            "AND(ISNUMBER(reference_R_Z),NOT(ISNUMBER(reference_R_X)))",
+            t("falta: con R_Z va R_X", "missing: R_Z needs R_X"),
+            "reference_R_X",
+        ),
+        LiveRow::length(
+            "R_Z",
+            "live_reference_Z",
+            t("Punto de referencia, Z desde M", "Reference point, Z from M"),
+            "Plan!$G$2",
+        )
+        .wrong(
+            "AND(ISNUMBER(reference_R_X),NOT(ISNUMBER(reference_R_Z)))",
+            t("falta: con R_X va R_Z", "missing: R_X needs R_Z"),
+            "reference_R_Z",
+        ),
+        LiveRow::length(
+            "T",
+            "live_tools",
+            t("Herramientas montadas", "Mounted tools"),
+            format!("COUNTIF(Plan!$A$1:$A${PLACES},\">0\")"),
+        )
+        .unit(Unit::Count)
+        .wrong("Plan!$G$9>live_tools", t("un puesto está dos veces", "a place is there twice"), ""),
+    ]
+}
+
+/// The mounted tools in columns A to F, by their places: row of the list, Q_x, Q_z, width, length, whether it is a bar; single
+/// cells in G; then the curves, in mm from machine zero M in H to Q, and scaled behind them.
+fn view() -> LiveView {
+    let place = |formula: &str| -> Vec<Formula> {
+        (1..=PLACES).map(|at| formula.replace('#', &at.to_string()).into()).collect()
+    };
+    let own = |symbol: &str| place(&format!("IF($A#>0,N(INDEX([tools.{symbol}],$A#)),0)"));
+    let kind = "INDEX([tools.type],$A#)";
+    // Boring bars and drills lie along the axis, whatever the language of their type.
+    let bar = format!(
+        "IF($A#>0,IF(OR(LEFT({kind},5)=\"broca\",RIGHT({kind},5)=\"drill\",RIGHT({kind},8)=\"interior\",LEFT({kind},8)=\"internal\"),1,0),0)"
+    );
+    let Lathe { chuck, tailstock, .. } = Lathe::default();
+    let free = |far: &str, [least, most]: [&str; 2], scale: &str| {
+        format!("MAX(IF(ISNUMBER({least}),{least}{scale},-5000),MIN(IF(ISNUMBER({most}),{most}{scale},5000),{far}))")
+    };
+    let referred = "COUNT(reference_R_X,reference_R_Z)=2";
+    let [far_x, far_z] = [
+        format!("stock_D/2+{MARGIN}+MAX(0,$B$1:$B${PLACES})"),
+        format!("chuck_L1+jaws_L2+stock_L-held_L4+{MARGIN}+MAX(0,$C$1:$C${PLACES})"),
+    ];
+    let [free_x, free_z] =
+        [free(&far_x, ["travel_X_min", "travel_X_max"], "/2"), free(&far_z, ["travel_Z_min", "travel_Z_max"], "")];
+    let (right, left) = ("(chuck_L1+jaws_L2+stock_L-held_L4)", "(chuck_L1+jaws_L2-held_L4)");
+    let tip = format!("({right}-{})", tailstock.depth);
+    let cone = format!("{}/TAN(RADIANS(30))", tailstock.diameter / 2.0);
+    // G10: whether the tailstock supports the stock.
+    let behind = format!("IF($G$10,{right}+{QUILL},{right})");
+    let half = tailstock.diameter / 2.0;
+    let jaw = format!("(stock_D/2+{})", chuck.jaw_height);
+    let front = "(chuck_L1+jaws_L2)";
+    let raw = |points: &[[String; 2]]| -> [Vec<Formula>; 2] {
+        [0, 1].map(|axis| points.iter().map(|point| format!("IF(live_ok,{},0)", point[axis]).into()).collect())
+    };
+    let at = |z: &str, r: &str| [z.to_owned(), r.to_owned()];
+    let fixtures = raw(&[
+        at("chuck_L1", "stock_D/2"),
+        at(front, "stock_D/2"),
+        at(front, &jaw),
+        at("chuck_L1", &jaw),
+        at("chuck_L1", "chuck_D_c/2"),
+        at("0", "chuck_D_c/2"),
+        at("0", "-chuck_D_c/2"),
+        at("chuck_L1", "-chuck_D_c/2"),
+        at("chuck_L1", &format!("-{jaw}")),
+        at(front, &format!("-{jaw}")),
+        at(front, "-stock_D/2"),
+        at("chuck_L1", "-stock_D/2"),
+        at("chuck_L1", "stock_D/2"),
+    ]);
+    let stock = raw(&[
+        at(left, "stock_D/2"),
+        at(right, "stock_D/2"),
+        at(right, "-stock_D/2"),
+        at(left, "-stock_D/2"),
+        at(left, "stock_D/2"),
+    ]);
+    // The bore; of a solid stock its axis. Then the part zero.
+    let bore = raw(&[
+        at("0", "0"),
+        at(left, "0"),
+        at(left, "N(stock_bore_d)/2"),
+        at(right, "N(stock_bore_d)/2"),
+        at(right, "-N(stock_bore_d)/2"),
+        at(left, "-N(stock_bore_d)/2"),
+        at(left, "0"),
+        at("live_Z_W1", "0"),
+        at("live_Z_W1", "0.7*stock_D"),
+        at("live_Z_W1", "-0.7*stock_D"),
+        at("live_Z_W1", "0"),
+        at(&behind, "0"),
+    ]);
+    let quill = |point: [String; 2]| [format!("IF($G$10,{},{right})", point[0]), format!("IF($G$10,{},0)", point[1])];
+    let quill = raw(&[
+        quill(at(&tip, "0")),
+        quill([format!("{tip}+{cone}"), half.to_string()]),
+        quill([behind.clone(), half.to_string()]),
+        quill([behind.clone(), format!("-{half}")]),
+        quill([format!("{tip}+{cone}"), format!("-{half}")]),
+        quill(at(&tip, "0")),
+    ]);
+    // From the reference point to the end of the shank, round it, and back. G3: 1 for a rear turret, −1 for a front one.
+    let mut points = Vec::new();
+    for place in 1..=PLACES {
+        let (tip_z, tip_x) = (format!("($G$2-$C${place})"), format!("($G$1-$B${place})"));
+        let corner = |along: f64, beside: f64| {
+            let (long, wide) = (format!("{along}*$E${place}"), format!("{beside}*$D${place}/2"));
+            let bar = format!("$F${place}=1");
+            [format!("{tip_z}+IF({bar},{long},{wide})"), format!("$G$3*({tip_x}+IF({bar},{wide},{long}))")]
+        };
+        let reference = || at("$G$2", "$G$3*$G$1");
+        let mounted =
+            |[z, x]: [String; 2]| [format!("IF($A${place}>0,{z},$G$2)"), format!("IF($A${place}>0,{x},$G$3*$G$1)")];
+        points.push(reference());
+        let outline = [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, -1.0), (1.0, -1.0), (1.0, 0.0)];
+        points.extend(outline.map(|(along, beside)| mounted(corner(along, beside))));
+        points.push(reference());
+    }
+    let tools = raw(&points);
+    let lines = [fixtures, stock, bore, quill, tools];
+    // H to Q.
+    let letters = [['H', 'I'], ['J', 'K'], ['L', 'M'], ['N', 'O'], ['P', 'Q']];
+    let all = |axis: usize| {
+        let ranges =
+            lines.iter().zip(letters).map(|(line, letter)| format!("${0}$1:${0}${1}", letter[axis], line[axis].len()));
+        ranges.collect::<Vec<_>>().join(",")
+    };
+    let single: Vec<Formula> = vec![
+        format!("IF({referred},reference_R_X/2,{free_x})").into(),
+        format!("IF({referred},reference_R_Z,{free_z})").into(),
+        "IF(OR(turret=\"rear\",turret=\"trasera\"),1,-1)".into(),
+        format!("MIN({})", all(0)).into(),
+        format!("MAX({})", all(0)).into(),
+        format!("MIN({})", all(1)).into(),
+        format!("MAX({})", all(1)).into(),
+        // G8: the scale. G9: the tools with a place.
+        format!("IF($G$5>$G$4,1/MAX(($G$5-$G$4)/2,($G$7-$G$6)/2/{HEIGHT}),0)").into(),
+        "COUNT([tools.T])".into(),
+        format!(
+            "OR(tailstock=\"yes\",tailstock=\"sí\",AND(NOT(tailstock=\"no\"),stock_L-held_L4>{}*stock_D))",
+            tailstock.beyond
+        )
+        .into(),
+    ];
+    let mut columns = vec![
+        place("IF(ISNUMBER(MATCH(#,[tools.T],0)),MATCH(#,[tools.T],0),0)"),
+        own("Q_x"),
+        own("Q_z"),
+        own("b"),
+        own("l"),
+        place(&bar),
+        single,
+    ];
+    columns.extend(lines.iter().flatten().cloned());
+    let mut curves = Vec::new();
+    let looks = [LiveLook::Faint, LiveLook::Part, LiveLook::Dashed, LiveLook::Faint, LiveLook::Dashed];
+    for ((line, letter), look) in lines.iter().zip(letters).zip(looks) {
+        for (axis, [low, high]) in [["$G$4", "$G$5"], ["$G$6", "$G$7"]].into_iter().enumerate() {
+            let scaled = |row: usize| format!("(${}{row}-({low}+{high})/2)*$G$8", letter[axis]).into();
+            columns.push((1..=line[axis].len()).map(scaled).collect());
+        }
+        curves.push(LiveCurve { columns: [columns.len() - 2, columns.len() - 1], look });
+    }
+    LiveView {
+        title: t("Planta: plato, bruto, torreta", "Plan view: chuck, stock, turret"),
+        height: HEIGHT,
+        columns,
+        curves,
+    }
+}

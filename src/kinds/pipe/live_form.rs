@@ -1,0 +1,118 @@
+//! What the live forms of both pipe workbooks share: the standard's sizes, looked up as they are chosen.
+
+use crate::kind::live_form::LiveRow;
+use crate::kinds::pipe::size::{NPS, SCHEDULES, SIZES};
+use crate::table::Formula;
+use crate::text::{Text, t};
+
+/// The names of the cells of a pipe's size, and of what they come to.
+struct Names {
+    size: &'static str,
+    schedule: &'static str,
+    diameter: &'static str,
+    wall: &'static str,
+    live: [&'static str; 2],
+    /// The cell of the hidden sheet with the row of the size among [`sizes`], 0 for none.
+    found: &'static str,
+}
+
+const BRANCH: Names = Names {
+    size: "branch_size",
+    schedule: "branch_schedule",
+    diameter: "branch_diameter_D",
+    wall: "branch_wall_t",
+    live: ["live_branch_D", "live_branch_t"],
+    found: "Plan!$D$1",
+};
+const HEADER: Names = Names {
+    size: "header_size",
+    schedule: "header_schedule",
+    diameter: "header_diameter_D",
+    wall: "header_wall_t",
+    live: ["live_header_D", "live_header_t"],
+    found: "Plan!$D$2",
+};
+
+/// Columns A to C of the hidden sheet: size and schedule, outside diameter, wall.
+pub(super) fn sizes() -> [Vec<Formula>; 3] {
+    let label = |choices: &[crate::parameter::Choice], key: &str| {
+        choices.iter().find(|choice| choice.key == key).map_or(String::new(), |choice| choice.label.en.to_string())
+    };
+    let [mut words, mut diameters, mut walls] = [Vec::new(), Vec::new(), Vec::new()];
+    for size in SIZES {
+        for (schedule, wall) in size.walls {
+            words.push(format!("\"{} / {}\"", label(NPS, size.nps), label(SCHEDULES, schedule)).into());
+            diameters.push(size.outside.to_string().into());
+            walls.push(wall.to_string().into());
+        }
+    }
+    [words, diameters, walls]
+}
+
+/// The first cells of column D: where branch and header stand among the sizes.
+pub(super) fn found() -> Vec<Formula> {
+    let found = |pipe: &Names| {
+        let row = format!("MATCH(TRIM({})&\" / \"&TRIM({}),$A$1:$A${},0)", pipe.size, pipe.schedule, count());
+        format!("IF(ISNUMBER({row}),{row},0)").into()
+    };
+    vec![found(&BRANCH), found(&HEADER)]
+}
+
+fn count() -> usize {
+    SIZES.iter().map(|size| size.walls.len()).sum()
+}
+
+/// Diameter and wall of both pipes, with what is wrong with them.
+pub(super) fn rows() -> Vec<LiveRow> {
+    static MEANINGS: [[Text; 2]; 2] = [
+        [
+            t("Diámetro exterior del injerto", "Outside diameter of the branch"),
+            t("Pared del injerto", "Wall of the branch"),
+        ],
+        [
+            t("Diámetro exterior del tubo base", "Outside diameter of the header"),
+            t("Pared del tubo base", "Wall of the header"),
+        ],
+    ];
+    let [branch, header] = &MEANINGS;
+    let mut rows = pipe(&BRANCH, ["D_branch", "t_branch"], branch);
+    rows.extend(pipe(&HEADER, ["D_header", "t_header"], header));
+    rows
+}
+
+fn pipe(pipe: &Names, symbols: [&'static str; 2], meanings: &[Text; 2]) -> Vec<LiveRow> {
+    let Names { size, schedule, diameter, wall, live: [D, thick], found } = *pipe;
+    let value = |column: char, typed: &str| {
+        format!(
+            "IF({found}>0,INDEX(Plan!${column}$1:${column}${},{found}),IF(AND(LEN({size})=0,LEN({schedule})=0,ISNUMBER({diameter}),ISNUMBER({wall})),{typed},\"\"))",
+            count()
+        )
+    };
+    let named = format!("AND(LEN({size})>0,LEN({schedule})>0)");
+    let other = |typed: &str, own: &str| format!("IF(ISNUMBER({typed}),ABS({typed}-{own})>0.000000001,FALSE)");
+    let [of_D, of_t] = meanings.clone();
+    vec![
+        LiveRow::length(symbols[0], D, of_D, value('B', diameter))
+            .always()
+            .wrong(
+                format!("AND({named},{found}=0)"),
+                t("la norma no tiene esa cédula en ese tamaño", "the standard has no such schedule in this size"),
+                schedule,
+            )
+            .wrong(
+                format!("AND(NOT({named}),NOT(ISNUMBER({D})))"),
+                t("falta: tamaño y cédula, o D y t", "missing: size and schedule, or D and t"),
+                size,
+            )
+            .wrong(
+                format!("IF({found}>0,OR({},{}),FALSE)", other(diameter, D), other(wall, thick)),
+                t("D o t no es la del tamaño", "D or t is not that of the size"),
+                diameter,
+            ),
+        LiveRow::length(symbols[1], thick, of_t, value('C', wall)).always().wrong(
+            format!("IF(ISNUMBER({D}),{thick}>={D}/2,FALSE)"),
+            t("debe ser menor que el radio", "must be less than the radius"),
+            wall,
+        ),
+    ]
+}

@@ -1,0 +1,207 @@
+//! The live forms of every kind, computed by LibreOffice: derived values as the engine's, limits told by their words.
+
+use crate::common;
+use crate::common::workbook::{Parts, written};
+use crate::libreoffice::libreoffice;
+use crate::live::{cell_of, number, place_of, range, recalculated, with_on};
+
+use calamine::Data;
+use rodete::kind::Kind;
+use rodete::kinds::KINDS;
+use rodete::text::Language;
+
+/// What LibreOffice keeps of a number in its file.
+const TOLERANCE: f64 = 1e-12;
+
+fn kind_of(kind: &str) -> &'static dyn Kind {
+    *KINDS.iter().find(|one| one.form().kind == kind).expect("a kind")
+}
+
+fn form(kind: &str, case: &str, language: Language) -> Vec<u8> {
+    let kind = kind_of(kind);
+    written(kind, kind.cases().iter().find(|one| one.name == case).expect("a case"), language)
+}
+
+const fn sheet(language: Language) -> &'static str {
+    match language {
+        Language::Es => "DATOS",
+        Language::En => "DATA",
+    }
+}
+
+/// Number, text or nothing in the cell of an input.
+fn typed(value: &str) -> String {
+    if value.is_empty() {
+        ">".to_owned()
+    } else if value.parse::<f64>().is_ok() {
+        format!("><v>{value}</v>")
+    } else {
+        format!(" t=\"inlineStr\"><is><t>{value}</t></is>")
+    }
+}
+
+#[test]
+fn every_form_of_a_sound_case_says_that_its_limits_hold_and_shows_what_the_engine_derives() {
+    if !libreoffice() {
+        return;
+    }
+    /// The symbols of derived values with the names of their cells in the forms.
+    const SAME: [(&str, &str, &str); 13] = [
+        ("pipe-insert", "r", "live_branch_r"),
+        ("pipe-insert", "R", "live_header_R"),
+        ("pipe-insert", "r_dev", "live_r_dev"),
+        ("pipe-insert", "W", "live_W"),
+        ("pipe-insert", "e_max", "live_e_max"),
+        ("pipe-hole", "R_o", "live_R_o"),
+        ("pipe-hole", "r", "live_hole_r"),
+        ("pipe-hole", "h_s", "live_h_s"),
+        ("pipe-hole", "sigma_0", "live_sigma_0"),
+        ("impeller", "L", "live_L"),
+        ("impeller", "k", "live_k"),
+        ("impeller", "w", "live_w"),
+        ("impeller", "N_max", "live_N_max"),
+    ];
+    let mut compared = 0;
+    for language in Language::ALL {
+        let folder = tempfile::tempdir().expect("a folder");
+        let cases: Vec<_> = common::cases().filter(|(.., one)| *one == language).collect();
+        let forms: Vec<(String, Vec<u8>)> = cases
+            .iter()
+            .enumerate()
+            .map(|(at, (kind, case, language))| (format!("form-{at}"), written(*kind, case, *language)))
+            .collect();
+        let books = recalculated(folder.path(), language == Language::Es, &forms);
+        for (((kind, case, _), (_, form)), mut book) in cases.into_iter().zip(&forms).zip(books) {
+            let data = range(&mut book, sheet(language));
+            let told = data.get_value((0, 2)).map(ToString::to_string).unwrap_or_default();
+            assert!(told.contains("rodete check") && !told.contains("valid"), "{}: {told}", case.name);
+            let outcome = common::outcome_of(kind, case, language, &[]);
+            for (of, symbol, name) in SAME.iter().filter(|(of, ..)| *of == kind.form().kind) {
+                let value = outcome.quantities.iter().find(|one| one.symbol == *symbol).expect("a quantity").value;
+                let there = number(data.get_value(place_of(&cell_of(form, name)))).expect("a number");
+                assert!((there - value).abs() <= TOLERANCE * value.abs().max(1.0), "{of} {symbol}: {value}, {there}");
+                compared += 1;
+            }
+            // Every point of the view is a number within it, and something is drawn.
+            let plan = range(&mut book, "Plan");
+            let points: Vec<f64> = plan.used_cells().filter_map(|(.., cell)| number_or_none(cell)).collect();
+            assert!(points.len() > 100, "{}: {} points", case.name, points.len());
+            assert!(!plan.used_cells().any(|(.., cell)| matches!(cell, Data::Error(_))), "{}: an error", case.name);
+        }
+    }
+    assert!(compared > 30, "{compared} values only");
+}
+
+fn number_or_none(cell: &Data) -> Option<f64> {
+    if let Data::Float(value) = cell { Some(*value) } else { None }
+}
+
+/// A kind and its case, what is typed into its form, the words that tell it in English and Spanish, and the code of the stop with
+/// which `rodete check` rejects it.
+type Broken = (&'static str, &'static str, &'static [(&'static str, &'static str)], [&'static str; 2], &'static str);
+
+const BROKEN: [Broken; 15] = [
+    ("pipe-insert", "square", &[("branch_schedule", "")], ["missing", "falta"], "P2003"),
+    (
+        "pipe-insert",
+        "square",
+        &[("branch_size", "1/8 in"), ("branch_schedule", "Sch 160")],
+        ["no such schedule", "no tiene esa cédula"],
+        "P2001",
+    ),
+    ("pipe-insert", "square", &[("branch_diameter_D", "90")], ["not that of the size", "no es la del tamaño"], "P2002"),
+    (
+        "pipe-insert",
+        "square",
+        &[("header_size", "2 in")],
+        ["larger than the header", "mayor que el tubo base"],
+        "P2101",
+    ),
+    ("pipe-insert", "square", &[("eccentricity_e", "30")], ["the branch overhangs", "el injerto sobresale"], "P2102"),
+    ("pipe-insert", "square", &[("feed_F", "")], ["full needs F", "full necesita F"], "P0101"),
+    ("pipe-insert", "square", &[("style", "annex")], ["on flat sheet", "en chapa plana"], "P2104"),
+    ("pipe-hole", "", &[("land_h", "90")], ["less than the wall", "menor que la pared"], "P3001"),
+    ("pipe-hole", "", &[("branch_size", "6 in")], ["does not fit", "no cabe"], "P3002"),
+    (
+        "pipe-hole",
+        "",
+        &[("least_gap_g0", "50"), ("greatest_height_D_max", "500")],
+        ["less than d0", "menor que d0"],
+        "P3003",
+    ),
+    (
+        "pipe-hole",
+        "",
+        &[("nozzle_r_g", "100"), ("torch_body_radius", "90")],
+        ["thinner than the tip", "más fino que la punta"],
+        "P3004",
+    ),
+    ("pipe-hole", "", &[("kerf", "1")], ["finer than the beam", "más fino que el chorro"], "P3006"),
+    ("pipe-hole", "", &[("lead_in", "200")], ["reaches past", "pasa del eje"], "P3007"),
+    (
+        "pipe-hole",
+        "",
+        &[("groove_gamma", "45"), ("greatest_height_D_max", "8")],
+        ["γ is too large", "γ es demasiado grande"],
+        "P3009",
+    ),
+    ("lathe", "shaft", &[("held_L4", "400"), ("stock_L", "300")], ["less than L", "menor que L"], ""),
+];
+
+#[test]
+fn a_form_says_what_is_wrong_where_the_engine_rejects_it() {
+    if !libreoffice() {
+        return;
+    }
+    for language in Language::ALL {
+        let folder = tempfile::tempdir().expect("a folder");
+        let books: Vec<(String, Vec<u8>)> = BROKEN
+            .iter()
+            .enumerate()
+            .map(|(number, (kind, case, changes, ..))| {
+                let case = if case.is_empty() { kind_of(kind).cases()[0].name } else { case };
+                let bytes = form(kind, case, language);
+                let change = |bytes: Vec<u8>, (name, value): &(&str, &str)| {
+                    let cell = cell_of(&bytes, name);
+                    with_on(&bytes, sheet(language), &cell, &typed(value))
+                };
+                (format!("broken-{number}"), changes.iter().fold(bytes, change))
+            })
+            .collect();
+        let computed = recalculated(folder.path(), language == Language::Es, &books);
+        for (((kind, _, changes, words, code), (_, bytes)), mut book) in BROKEN.iter().zip(&books).zip(computed) {
+            let data = range(&mut book, sheet(language));
+            let told = data.get_value((0, 2)).map(ToString::to_string).unwrap_or_default();
+            assert!(!told.contains("rodete check"), "{kind} {changes:?}: {told}");
+            let wanted = words[usize::from(language == Language::Es)];
+            let seen = data.used_cells().any(|(.., cell)| cell.to_string().contains(wanted));
+            assert!(seen, "{kind} {changes:?}: {wanted} is nowhere");
+            // The engine says the same.
+            let read = rodete::workbook::read(bytes, &[kind_of(kind).form()]);
+            let filled = read.unwrap_or_else(|refusal| panic!("{kind} {changes:?}: {:?}", refusal.findings));
+            let refused = rodete::kinds::run(filled.form, filled.values, common::source());
+            let codes: Vec<&str> = match &refused {
+                Err(refusal) => refusal.findings.iter().map(rodete::finding::Finding::code).collect(),
+                Ok(outcome) => outcome.findings.iter().map(rodete::finding::Finding::code).collect(),
+            };
+            assert!(codes.iter().any(|one| one.starts_with(code)) || code.is_empty(), "{kind} {changes:?}: {codes:?}");
+        }
+    }
+}
+
+#[test]
+fn the_sizes_of_a_form_are_those_of_the_standard() {
+    let parts = Parts::of(&form("pipe-hole", kind_of("pipe-hole").cases()[0].name, Language::En));
+    let plan = (1..9)
+        .map(|at| format!("xl/worksheets/sheet{at}.xml"))
+        .filter(|part| parts.has(part))
+        .map(|part| parts.text(&part))
+        .find(|text| text.contains(" / Sch 160"))
+        .expect("the hidden sheet");
+    for (nps, schedule) in [("3", "40"), ("48", "XS"), ("1/8", "10"), ("1-1/2", "XXS")] {
+        let (outside, wall) = rodete::kinds::pipe::size::wall(nps, schedule).expect("a pipe");
+        let schedule = if schedule.starts_with('X') { schedule.to_owned() } else { format!("Sch {schedule}") };
+        let row = plan.split("<row ").find(|row| row.contains(&format!("\"{nps} in / {schedule}\""))).expect("its row");
+        assert!(row.contains(&format!("<f>{outside}</f>")) && row.contains(&format!("<f>{wall}</f>")), "{row}");
+    }
+}
