@@ -84,6 +84,8 @@ pub struct LiveView {
     pub title: Text,
     /// How high it is for its width.
     pub height: f64,
+    /// The formula that is true where there is something to draw.
+    pub drawn: &'static str,
     /// The columns of the sheet, from A; each a formula a row, from row 1. Formulas may refer to cells of this sheet, and to all
     /// cells of a list's column as `[tools.Q_x]`.
     pub columns: Vec<Vec<Formula>>,

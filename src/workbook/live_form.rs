@@ -181,7 +181,8 @@ impl LivePart<'_> {
         // What the other formulas ask stands below them.
         let wrong: Vec<String> =
             form.rows.iter().filter_map(LiveRow::broken).map(|broken| format!("IF({broken},1,0)")).collect();
-        let sound = format!("AND({}={},{})", self.count(), form.inputs.len(), form.sound.0);
+        // Not AND: it would compute with what is no number.
+        let sound = format!("IF({}={},{},FALSE)", self.count(), form.inputs.len(), form.sound.0);
         let wrong = wrong.join("+");
         for (name, formula) in [("live_ok", sound), ("live_wrong", wrong)] {
             row += 1;
@@ -189,6 +190,9 @@ impl LivePart<'_> {
             sheet.write_formula_with_format(row, self.column + 1, uncomputed(&formula), &styles.faint)?;
             names.push((name.to_owned(), place(row)));
         }
+        static NOTHING: Text = t("Nada que dibujar: vea las celdas rojas", "Nothing to draw: see the red cells");
+        let told = format!("IF({},\"\",\"{}\")", form.view.drawn, NOTHING.get(language));
+        sheet.write_formula_with_format(row + 1, self.column, uncomputed(&told), &styles.source)?;
         let chart = self.chart();
         sheet.insert_chart(row + 2, self.column, &chart)?;
         Ok(names)

@@ -150,6 +150,45 @@ fn a_program_knows_the_workbook_that_its_results_went_into_until_an_input_change
 }
 
 #[test]
+fn a_logo_that_has_changed_or_is_gone_is_named() {
+    let folder = folder();
+    let here = |name: &str| folder.path().join(name);
+    rodete(&folder).args(["new", "impeller", "a.xlsx"]).assert().code(0);
+    let bytes = fs::read(here("a.xlsx")).expect("the book");
+    let logo = |size: u8| format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{size}\" height=\"4\"/>");
+    let named = super::common::workbook::Parts::of(&bytes);
+    let at = named.text("xl/workbook.xml");
+    let (_, rest) = at.split_once("<definedName name=\"title_logo\">").expect("the name");
+    let cell = rest.split_once('<').expect("its end").0.rsplit_once('!').expect("a sheet").1.replace('$', "");
+    let text = format!("<c r=\"{cell}\" t=\"inlineStr\"><is><t>logo.svg</t></is></c>");
+    fs::write(here("a.xlsx"), named.cell("xl/worksheets/sheet1.xml", &cell, &text).zip()).expect("written");
+    fs::write(here("logo.svg"), logo(4)).expect("a logo");
+    let check = || {
+        let output = rodete(&folder).args(["check", "a.xlsx"]).assert().code(0).get_output().clone();
+        [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("UTF-8")).concat()
+    };
+    // Nothing was verified yet, so that nothing has changed.
+    assert!(!check().contains("T0206"));
+    rodete(&folder).args(["build", "a.xlsx", "--into", "--no-report"]).assert().code(0);
+    assert!(!check().contains("T02"), "{}", check());
+    fs::write(here("logo.svg"), logo(5)).expect("another logo");
+    assert!(
+        check().contains("caution T0206: the file logo.svg has changed since the programs were made"),
+        "{}",
+        check()
+    );
+    fs::remove_file(here("logo.svg")).expect("removed");
+    let told = check();
+    assert!(told.contains("T0203: the logo logo.svg could not be read") && !told.contains("T0206"), "{told}");
+    fs::write(here("logo.svg"), logo(4)).expect("the first logo");
+    assert!(!check().contains("T02"));
+    // A new build takes the file as it is.
+    fs::write(here("logo.svg"), logo(5)).expect("another logo");
+    rodete(&folder).args(["build", "a.xlsx", "--into", "--no-report"]).assert().code(0);
+    assert!(!check().contains("T02"));
+}
+
+#[test]
 fn a_file_that_is_no_workbook_is_refused() {
     let folder = folder();
     fs::write(folder.path().join("a.ods"), "x").expect("a file");

@@ -20,7 +20,7 @@ TOLD = 20
 # Greatest difference, for numbers up to 1 and in parts of larger ones. The centre of a flat arc lies far off its three points, and
 # the angle of a torch that stands upright is a cosine near 1: there the last digits of the points count many times.
 CLOSE = 1e-13
-FAR = {"Arcs": 1e-7, "Arcos": 1e-7}
+FAR = {"Arcs": 1e-10, "Arcos": 1e-10}
 
 
 def sheets(package):

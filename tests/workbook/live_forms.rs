@@ -6,9 +6,13 @@ use crate::libreoffice::libreoffice;
 use crate::live::{cell_of, number, place_of, range, recalculated, with_on};
 
 use calamine::Data;
+use rodete::finding::Finding;
 use rodete::kind::Kind;
 use rodete::kinds::KINDS;
+use rodete::parameter::Value;
+use rodete::table::Entry;
 use rodete::text::Language;
+use rodete::workbook::Filled;
 
 /// What LibreOffice keeps of a number in its file.
 const TOLERANCE: f64 = 1e-12;
@@ -75,6 +79,11 @@ fn every_form_of_a_sound_case_says_that_its_limits_hold_and_shows_what_the_engin
             let data = range(&mut book, sheet(language));
             let told = data.get_value((0, 2)).map(ToString::to_string).unwrap_or_default();
             assert!(told.contains("rodete check") && !told.contains("valid"), "{}: {told}", case.name);
+            assert!(
+                !data
+                    .used_cells()
+                    .any(|(.., cell)| ["celdas rojas", "red cells"].iter().any(|red| cell.to_string().contains(red)))
+            );
             let outcome = common::outcome_of(kind, case, language, &[]);
             for (of, symbol, name) in SAME.iter().filter(|(of, ..)| *of == kind.form().kind) {
                 let value = outcome.quantities.iter().find(|one| one.symbol == *symbol).expect("a quantity").value;
@@ -100,7 +109,10 @@ fn number_or_none(cell: &Data) -> Option<f64> {
 /// which `rodete check` rejects it.
 type Broken = (&'static str, &'static str, &'static [(&'static str, &'static str)], [&'static str; 2], &'static str);
 
-const BROKEN: [Broken; 15] = [
+const BROKEN: [Broken; 18] = [
+    ("impeller", "tfg-2021", &[("torus_R", "x")], ["no numbers: 1", "no son números: 1"], "W0"),
+    ("pipe-hole", "", &[("groove_gamma", ""), ("height_d0", "x")], ["no numbers: 2", "no son números: 2"], "W0"),
+    ("lathe", "shaft", &[("stock_D", "")], ["no numbers: 1", "no son números: 1"], "W0"),
     ("pipe-insert", "square", &[("branch_schedule", "")], ["missing", "falta"], "P2003"),
     (
         "pipe-insert",
@@ -148,6 +160,9 @@ const BROKEN: [Broken; 15] = [
     ("lathe", "shaft", &[("held_L4", "400"), ("stock_L", "300")], ["less than L", "menor que L"], ""),
 ];
 
+/// The stops behind which there is no curve to draw.
+const UNDRAWN: [&str; 7] = ["W0", "P2001", "P2003", "P2101", "P2102", "P3001", "P3002"];
+
 #[test]
 fn a_form_says_what_is_wrong_where_the_engine_rejects_it() {
     if !libreoffice() {
@@ -176,14 +191,22 @@ fn a_form_says_what_is_wrong_where_the_engine_rejects_it() {
             let wanted = words[usize::from(language == Language::Es)];
             let seen = data.used_cells().any(|(.., cell)| cell.to_string().contains(wanted));
             assert!(seen, "{kind} {changes:?}: {wanted} is nowhere");
+            let nothing = data.used_cells().any(|(.., cell)| {
+                ["Nothing to draw: see", "Nada que dibujar: vea"].iter().any(|told| cell.to_string().starts_with(told))
+            });
+            assert_eq!(nothing, UNDRAWN.contains(code), "{kind} {changes:?}");
+            let plan = range(&mut book, "Plan");
+            let wrong = |cell: &Data| matches!(cell, Data::Error(_)) || cell.to_string().starts_with('#');
+            let wrong = data.used_cells().chain(plan.used_cells()).find(|(.., cell)| wrong(cell));
+            assert_eq!(wrong, None, "{kind} {changes:?}: an error in a cell");
             // The engine says the same.
             let read = rodete::workbook::read(bytes, &[kind_of(kind).form()]);
-            let filled = read.unwrap_or_else(|refusal| panic!("{kind} {changes:?}: {:?}", refusal.findings));
-            let refused = rodete::kinds::run(filled.form, filled.values, common::source());
-            let codes: Vec<&str> = match &refused {
-                Err(refusal) => refusal.findings.iter().map(rodete::finding::Finding::code).collect(),
-                Ok(outcome) => outcome.findings.iter().map(rodete::finding::Finding::code).collect(),
+            let run = |filled: Filled| rodete::kinds::run(filled.form, filled.values, common::source());
+            let findings = match read.and_then(run) {
+                Err(refusal) => refusal.findings,
+                Ok(outcome) => outcome.findings,
             };
+            let codes: Vec<&str> = findings.iter().map(Finding::code).collect();
             assert!(codes.iter().any(|one| one.starts_with(code)) || code.is_empty(), "{kind} {changes:?}: {codes:?}");
         }
     }
@@ -203,5 +226,77 @@ fn the_sizes_of_a_form_are_those_of_the_standard() {
         let schedule = if schedule.starts_with('X') { schedule.to_owned() } else { format!("Sch {schedule}") };
         let row = plan.split("<row ").find(|row| row.contains(&format!("\"{nps} in / {schedule}\""))).expect("its row");
         assert!(row.contains(&format!("<f>{outside}</f>")) && row.contains(&format!("<f>{wall}</f>")), "{row}");
+    }
+}
+
+/// A branch and a hole that are neither square nor centred: what the forms draw is what the engine computes.
+#[test]
+fn the_views_of_the_pipes_are_the_curves_of_the_engine() {
+    if !libreoffice() {
+        return;
+    }
+    let changes = [
+        ("theta", "angle_theta", Value::Real(61.5)),
+        ("e", "eccentricity_e", Value::Real(7.25)),
+        ("kerf", "kerf", Value::Real(2.0)),
+    ];
+    let folder = tempfile::tempdir().expect("a folder");
+    let books: Vec<(String, Vec<u8>)> = ["pipe-insert", "pipe-hole"]
+        .into_iter()
+        .map(|kind| {
+            let bytes = form(kind, kind_of(kind).cases()[0].name, Language::En);
+            let change = |bytes: Vec<u8>, (_, name, value): &(&str, &str, Value)| {
+                let Value::Real(value) = value else { panic!("{name}") };
+                with_on(&bytes, "DATA", &cell_of(&bytes, name), &typed(&value.to_string()))
+            };
+            (kind.to_owned(), changes.iter().fold(bytes, change))
+        })
+        .collect();
+    let own = |points: u32| -> Vec<(&'static str, Value)> {
+        let changes = changes.iter().map(|(key, _, value)| (*key, value.clone()));
+        changes.chain([("N", Value::Whole(points))]).collect()
+    };
+    let mut computed = recalculated(folder.path(), false, &books);
+    let column = |book: &mut crate::live::Book, column: u32, count: usize| -> Vec<f64> {
+        let plan = range(book, "Plan");
+        (0..u32::try_from(count).expect("a row"))
+            .map(|row| number(plan.get_value((row, column))).expect("a number"))
+            .collect()
+    };
+    let of = |kind: &str, points: u32| {
+        let kind = kind_of(kind);
+        common::outcome_of(kind, &kind.cases()[0], Language::En, &own(points))
+    };
+    let values = |outcome: &rodete::kind::Outcome, table: &str, symbol: &str| -> Vec<f64> {
+        let column = outcome.table(table).and_then(|table| table.column(symbol)).expect("a column");
+        let value = |row| match column.values.get(row) {
+            Entry::Number(value) => value,
+            Entry::Text(_) => panic!("{symbol}"),
+        };
+        (0..column.values.len()).map(value).collect()
+    };
+    let close = |one: &[f64], other: &[f64], what: &str| {
+        assert_eq!(one.len(), other.len(), "{what}");
+        for (one, other) in one.iter().zip(other) {
+            assert!((one - other).abs() <= 1e-11 * other.abs().max(1.0), "{what}: {one}, {other}");
+        }
+    };
+    // The y of the branch's curve stands in column F.
+    let branch = of("pipe-insert", 120);
+    close(&column(&mut computed[0], 5, 121), &values(&branch, "template", "y"), "y");
+    // The height of the torch stands in column Q, the foot of its axis is reached without the kerf: the same angle, to less than
+    // a tenth of a millimetre.
+    let hole = of("pipe-hole", 96);
+    let (drawn, told) = (column(&mut computed[1], 16, 97), values(&hole, "height", "D"));
+    for (drawn, told) in drawn.iter().zip(&told) {
+        assert!((drawn - told).abs() < 0.1, "{drawn}, {told}");
+    }
+    // The root stands in columns F, G and H.
+    for (at, symbol) in [(7, "x"), (5, "y"), (6, "z")] {
+        close(&column(&mut computed[1], at, 97), &values(&hole, "curve", symbol), symbol);
+    }
+    // The direction of the torch stands in columns K to M.
+    for (at, symbol) in [(10, "a_x"), (11, "a_y"), (12, "a_z")] {
+        close(&column(&mut computed[1], at, 97), &values(&hole, "pose", symbol), symbol);
     }
 }

@@ -190,6 +190,7 @@ fn view() -> LiveView {
     LiveView {
         title: t("Planta", "Plan view"),
         height: 1.0,
+        drawn: "live_ok",
         columns: vec![
             v,
             side,

@@ -264,6 +264,7 @@ fn view() -> LiveView {
     LiveView {
         title: t("Planta: plato, bruto, torreta", "Plan view: chuck, stock, turret"),
         height: HEIGHT,
+        drawn: "live_ok",
         columns,
         curves,
     }

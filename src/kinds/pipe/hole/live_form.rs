@@ -205,6 +205,7 @@ fn view() -> LiveView {
     LiveView {
         title: t("Plantilla sobre el exterior del tubo", "Template on the pipe's outside"),
         height: 1.0,
+        drawn: "Plan!$D$3",
         columns: vec![
             words,
             diameters,

@@ -147,6 +147,7 @@ fn view() -> LiveView {
     LiveView {
         title: t("Plantilla sobre el desarrollo", "Template on the development"),
         height: HEIGHT,
+        drawn: "Plan!$D$3",
         columns: vec![
             words,
             diameters,
