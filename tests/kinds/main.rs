@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod fields;
+mod impeller_cut;
 mod impeller_shortfalls;
 mod laws;
 mod pipe_designs;

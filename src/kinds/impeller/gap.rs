@@ -32,8 +32,8 @@ use nalgebra::Vector3;
 
 use crate::kinds::impeller::blade_count::{N_max, e_max, least_gap};
 use crate::kinds::impeller::design::Design;
-use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
-use crate::number::root::golden;
+use crate::kinds::impeller::nearest::{Axis, Wall};
+use crate::kinds::impeller::part::{Face, HUB, Part};
 use crate::number::trig::sin_cos;
 
 /// Where the gap is looked at, from the hub (0) to the rim (1); negative: run out of the hub plane, in radii of the tool.
@@ -41,12 +41,6 @@ const STATIONS: [f64; 15] = [-0.4, -0.2, 0.0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2
 
 /// How far above the blank the axis is looked at, mm.
 const ABOVE: f64 = 0.3;
-
-/// Lines of a face that are looked at first.
-const LINES: u8 = 40;
-
-/// Steps of a golden section about the nearest of them.
-const STEPS: u32 = 16;
 
 /// Most rounds in which the depth of the tip follows the tool. Each takes the difference to about a tenth.
 const ROUNDS: usize = 8;
@@ -176,51 +170,12 @@ struct Channel<'a> {
     a: f64,
     /// The unit of run-outs.
     run_out: f64,
-    /// h_1.
-    bottom: f64,
-}
-
-/// The least of a function about a place that is near to it, by parabolas through three points each; `None` where it is
-/// not near. The first parabola has points `width` apart, the last ones a 256th of that.
-fn bottom(guess: f64, mut width: f64, value: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
-    let (mut at, mut closer) = (guess, 0);
-    for _ in 0..6 {
-        let [before, here, after] = [-width, 0.0, width].map(|aside| value(at + aside));
-        let bend = before - 2.0 * here + after;
-        let shift = width * (before - after) / (2.0 * bend);
-        // NaN counts as far.
-        let near = bend > 0.0 && shift.abs() <= 4.0 * width;
-        if !near {
-            return None;
-        }
-        at += shift;
-        if shift.abs() <= width {
-            closer += 1;
-            if closer == 3 {
-                return Some((value(at), at));
-            }
-            width /= 16.0;
-        }
-    }
-    None
-}
-
-/// A stretch of a tool's axis.
-struct Axis {
-    /// Where it passes the tops.
-    foot: Vector3<f64>,
-    /// Out of the metal.
-    along: Vector3<f64>,
-    /// From and to, above the foot.
-    range: [f64; 2],
 }
 
 impl<'a> Channel<'a> {
     fn new(part: &'a Part, N: u32, d_t: f64) -> Self {
         // One blade alone leaves more than two do, but its face, gone on straight past the hub, comes round to its own back.
-        let (torus, a_p) = (part.circle.torus, part.a_p);
-        let bottom = a_p + part.e * part.e / 4.0 / (2.0 * (torus.R - torus.r - a_p));
-        Self { part, pitch: TAU / f64::from(N.max(2)), a: d_t / 2.0, run_out: d_t / 2.0, bottom }
+        Self { part, pitch: TAU / f64::from(N.max(2)), a: d_t / 2.0, run_out: d_t / 2.0 }
     }
 
     /// The least width over stations. Those that are far above it are left out: what is not the least for one depth of the
@@ -248,11 +203,12 @@ impl<'a> Channel<'a> {
             return 0.0;
         }
         // From the reverse of the next blade, where D_o − D_r is positive, to the obverse.
+        let wall = Wall::new(self.part, self.a);
         let mut guess = [None, None];
         let mut both = |psi: f64| {
             let [(obverse, at_obverse), (reverse, at_reverse)] = [
-                self.nearest(Face::Obverse, &self.axis(v, psi, out), guess[0]),
-                self.nearest(Face::Reverse, &self.axis(v, psi + self.pitch, out), guess[1]),
+                wall.nearest(Face::Obverse, &self.axis(v, psi, out), guess[0]),
+                wall.nearest(Face::Reverse, &self.axis(v, psi + self.pitch, out), guess[1]),
             ];
             guess = [Some(at_obverse), Some(at_reverse)];
             [obverse, reverse]
@@ -295,40 +251,6 @@ impl<'a> Channel<'a> {
             range: [(-depth).min(ABOVE), ABOVE],
         }
     }
-
-    /// The least distance of an axis from a face, and the v where it is.
-    fn nearest(&self, face: Face, axis: &Axis, guess: Option<f64>) -> (f64, f64) {
-        let torus = self.part.circle.torus;
-        let (sin, cos) = (torus.r / torus.R, self.part.circle.k / torus.R);
-        // Beyond its ends a face is as long as a tool that runs out beside it needs.
-        let beyond = ((self.part.e / 2.0 + self.a) * cos / sin + self.a / sin + 0.5) / torus.R;
-        let (begin, end) = (HUB - beyond, RIM + beyond);
-        let step = (end - begin) / f64::from(LINES);
-        let at = |v: f64| self.apart(face, v, axis);
-        if let Some(found) = guess.and_then(|guess| bottom(guess, step / 8.0, at))
-            && (begin..=end).contains(&found.1)
-        {
-            return found;
-        }
-        let (_, about) = (0..=LINES)
-            .map(|line| begin + step * f64::from(line))
-            .map(|v| (at(v), v))
-            .fold((f64::INFINITY, begin), |least, here| if here.0 < least.0 { here } else { least });
-        golden([(about - step).max(begin), (about + step).min(end)], STEPS, at)
-    }
-
-    /// The distance of an axis from the line of a face at v.
-    fn apart(&self, face: Face, v: f64, axis: &Axis) -> f64 {
-        let ruling = self.part.ruling(face, v);
-        let (from, down) = (ruling.foot - axis.foot, -ruling.N);
-        let ([low, high], [near, far]) = ([self.part.top(v), self.bottom], axis.range);
-        let (b, down_from, along_from) = (down.dot(&axis.along), down.dot(&from), axis.along.dot(&from));
-        let slant = 1.0 - b * b;
-        let h = if slant > 1e-14 { ((b * along_from - down_from) / slant).clamp(low, high) } else { low };
-        let l = (along_from + b * h).clamp(near, far);
-        let h = (b * l - down_from).clamp(low, high);
-        (from + down * h - axis.along * l).norm()
-    }
 }
 
 #[cfg(test)]
@@ -347,19 +269,6 @@ mod tests {
             let found = gap(&Part::with(Torus { R, r }, e, a_p), N, d_t);
             assert!((found.width - check).abs() < 0.0015, "{found:?} {check}");
         }
-    }
-
-    #[test]
-    fn the_bottom_of_a_valley_is_found_from_near_it_only() {
-        let valley = |x: f64| {
-            let off = x - 1.25;
-            off * off * (1.0 + 0.1 * off) + 2.0
-        };
-        let (value, at) = bottom(1.1, 0.05, valley).unwrap();
-        assert!((value - 2.0).abs() < 1e-9 && (at - 1.25).abs() < 1e-4, "{value} {at}");
-        assert_eq!(bottom(0.0, 0.05, |x| (x - 1.25) * (x - 1.25)), None);
-        assert_eq!(bottom(0.0, 0.05, |x| -x * x), None);
-        assert_eq!(bottom(0.0, 0.05, |_| f64::NAN), None);
     }
 
     #[test]

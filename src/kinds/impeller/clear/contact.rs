@@ -1,0 +1,274 @@
+//! Contact lanes: where the own-normal tool touches the faces of its channel, with what is to be left on them.
+//!
+//! # Derivation
+//! At a station the distance of the tool's axis, from its tip to 1 mm above the tops, from one face grows evenly as the tool
+//! turns away from it about the axis of the part. So ψ_o, where it is a + s from the obverse of the blade, is found by
+//! halving, and ψ_r, where it is as far from the reverse of the next blade, likewise; that one is blade 0 turned by
+//! −2π/N. The faces go straight on beyond their ends and are not cut off there: the search stays even, and the run-out has
+//! a direction for as long as the tool is still beside the blade, to a out of it.
+//!
+//! The tool fits at a station where ψ_o ≥ ψ_r.
+//!
+//! # Units
+//! Millimetres and radians.
+
+use std::cell::Cell;
+use std::f64::consts::TAU;
+
+use crate::kinds::impeller::clear::lane::{OwnNormal, out_at, v_at};
+use crate::kinds::impeller::clear::table::Table;
+use crate::kinds::impeller::nearest::Wall;
+use crate::kinds::impeller::part::{Face, Part};
+use crate::number::trig::{atan2, sin_cos};
+
+/// How far above the tops the axis is looked at, mm.
+pub const ABOVE: f64 = 1.0;
+/// How close contacts are found, radians.
+const CLOSE: f64 = 1e-10;
+/// A valley is the lowest where its distance is that of all to this, mm.
+const SAME: f64 = 1e-6;
+/// How close the table is, mm at the rim.
+const TABLE: f64 = 3e-5;
+
+/// A tool beside the faces of a part's blades.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beside {
+    part: Part,
+    lane: OwnNormal,
+    /// s, what is left on the faces.
+    s: f64,
+    wall: Wall,
+}
+
+impl Beside {
+    /// The tool of a lane beside faces on which s is to be left.
+    #[must_use]
+    pub fn new(part: &Part, lane: OwnNormal, s: f64) -> Self {
+        Self { part: *part, lane, s, wall: Wall::new(part, lane.tool.a() + s.max(0.0)) }
+    }
+
+    /// ψ at which the tool touches a face of blade 0 at a station.
+    #[must_use]
+    pub fn psi(&self, face: Face, q: f64) -> f64 {
+        let (v, wanted) = (v_at(q), self.lane.tool.a() + self.s);
+        let (torus, k) = (self.part.circle.torus, self.part.circle.k);
+        let (rho, sin_alpha) = (torus.rho(v), torus.r / torus.R);
+        // The mean line, straight on beyond the ends.
+        let out = out_at(q);
+        let along = out / sin_alpha;
+        let middle = self.part.circle.u(v)
+            + if q < 0.0 { -atan2(along * k / torus.R, rho) } else { atan2(along * k / torus.R, rho + out) };
+        // Towards lower ψ from the obverse, towards higher from the reverse.
+        let away = -face.side();
+        let axis = |x: f64| self.lane.axis(q, middle + away * x, ABOVE);
+        let begin = 1.6 * (self.part.e / 2.0 + wanted) / (rho * sin_alpha) + 0.1;
+        // A face may have two valleys under the axis. The one that is the lower at first usually is in the end.
+        let guess = Cell::new(None);
+        let follow = |x: f64| {
+            let (distance, at) = self.wall.nearest(face, &axis(x), guess.get());
+            guess.set(Some(at));
+            distance - wanted
+        };
+        let fresh = |x: f64| self.wall.nearest(face, &axis(x), None).0 - wanted;
+        let x = touching(begin, follow);
+        let x = if fresh(x).abs() < SAME { x } else { touching(begin, fresh) };
+        middle + away * x
+    }
+}
+
+/// The root of a function that grows, from 0 to `high` or somewhat beyond.
+#[must_use]
+pub fn touching(mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
+    let mut low = 0.0;
+    let (mut at_low, mut at_high) = (value(low), value(high));
+    for _ in 0..12 {
+        if at_high >= 0.0 {
+            break;
+        }
+        high *= 1.3;
+        at_high = value(high);
+    }
+    for round in 0..60_u8 {
+        let part = at_low / (at_low - at_high);
+        // Illinois, with a halving now and then: the function may have a bend.
+        let x = low + (high - low) * if round % 4 < 3 && part > 0.0 && part < 1.0 { part } else { 0.5 };
+        let off = value(x);
+        if off < 0.0 {
+            (low, at_low) = (x, off);
+            at_high *= 0.5;
+        } else {
+            (high, at_high) = (x, off);
+            at_low *= 0.5;
+        }
+        if high - low < CLOSE || off.abs() < CLOSE {
+            return x;
+        }
+    }
+    high
+}
+
+/// The contact lanes of a channel: the obverse of blade 0, and the reverse of the next one.
+#[derive(Clone, Debug)]
+pub struct Contacts {
+    /// The tool, and how deep it cuts.
+    pub lane: OwnNormal,
+    /// The angle between the two faces' blades.
+    pub pitch: f64,
+    table: Table<2>,
+}
+
+impl Contacts {
+    /// Those of a tool in a part with N blades, with s left on the faces.
+    #[must_use]
+    pub fn new(part: &Part, N: u32, lane: OwnNormal, s: f64) -> Self {
+        let (beside, pitch) = (Beside::new(part, lane, s), TAU / f64::from(N));
+        let a = lane.tool.a();
+        let close = TABLE / part.circle.torus.R;
+        let table = Table::new(&[-a, 0.0, 1.0, 1.0 + a], [close; 2], |q| {
+            [beside.psi(Face::Obverse, q), beside.psi(Face::Reverse, q) - pitch]
+        });
+        Self { lane, pitch, table }
+    }
+
+    /// The same lanes for the tool at another depth.
+    #[must_use]
+    pub fn at_depth(&self, lane: OwnNormal) -> Self {
+        Self { lane, ..self.clone() }
+    }
+
+    /// ψ_o and ψ_r at a station; farther out than the radius of the tool they are held.
+    #[must_use]
+    pub fn at(&self, q: f64) -> [f64; 2] {
+        self.table.at(q)
+    }
+
+    /// How far the tool can turn at a station: ψ_o − ψ_r; negative where it does not fit.
+    #[must_use]
+    pub fn room(&self, q: f64) -> f64 {
+        let [obverse, reverse] = self.at(q);
+        obverse - reverse
+    }
+
+    /// ψ of the lane at a part of the way from the obverse to the reverse.
+    #[must_use]
+    pub fn psi(&self, lambda: f64, q: f64) -> f64 {
+        let [obverse, reverse] = self.at(q);
+        obverse + (reverse - obverse) * lambda
+    }
+
+    /// ψ_o and ψ_r of the channels beside a splitter, which stands half a pitch from both blades: ψ where the tool touches
+    /// the splitter's reverse, and where it touches its obverse.
+    #[must_use]
+    pub fn beside_splitter(&self, q: f64) -> [f64; 2] {
+        let [obverse, reverse] = self.at(q);
+        [reverse + self.pitch / 2.0, obverse - self.pitch / 2.0]
+    }
+
+    /// The stations at which a tool is looked at from hub to rim: those of the table.
+    pub fn stations(&self) -> impl Iterator<Item = f64> {
+        self.table.nodes().filter(|q| (0.0..=1.0).contains(q))
+    }
+
+    /// The greatest over the stations between hub and rim.
+    pub fn greatest(&self, value: impl Fn(f64) -> f64) -> f64 {
+        self.stations().map(value).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// q_f, the least station from which on the tool fits all the way to the rim; `None` where not even there.
+    #[must_use]
+    pub fn fits_from(&self) -> Option<f64> {
+        let stations: Vec<f64> = self.table.nodes().filter(|&q| q <= 1.0).collect();
+        let last = stations.iter().rposition(|&q| self.room(q) < 0.0);
+        let Some(last) = last else { return Some(0.0) };
+        let (mut low, mut high) = (stations[last], *stations.get(last + 1)?);
+        for _ in 0..40 {
+            let middle = f64::midpoint(low, high);
+            if self.room(middle) < 0.0 { low = middle } else { high = middle }
+        }
+        Some(high.max(0.0))
+    }
+}
+
+/// tan α_l, the tangent of the angle of a lane to the parallel on the floor, at a station inside the blank.
+#[must_use]
+pub fn slope(contacts: &Contacts, lambda: f64, q: f64) -> f64 {
+    let step = 1e-3;
+    let (low, high) = ((q - step).max(0.0), (q + step).min(1.0));
+    let turn = contacts.psi(lambda, high) - contacts.psi(lambda, low);
+    let (v, lane) = (v_at(q), &contacts.lane);
+    let rho_f = lane.torus.R + lane.r_f * sin_cos(v).1;
+    lane.r_f * (v_at(high) - v_at(low)) / (rho_f * turn)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::torus::Torus;
+    use crate::kinds::impeller::clear::tool::Tool;
+    use crate::kinds::impeller::gap::gap;
+
+    /// Check designs: R, r, N, e, a_p; d is 6.
+    const DESIGNS: [(f64, f64, u32, f64, f64); 3] =
+        [(25.0, 15.0, 4, 2.0, 2.0), (25.0, 17.0, 2, 1.0, 4.0), (50.0, 30.0, 5, 2.0, 3.0)];
+
+    fn beside(at: usize, tool: Tool, s: f64) -> (Beside, f64) {
+        let (R, r, N, e, a_p) = DESIGNS[at];
+        let part = Part::with(Torus { R, r }, e, a_p);
+        (Beside::new(&part, OwnNormal::new(part.circle.torus, tool, r + a_p).unwrap(), s), TAU / f64::from(N))
+    }
+
+    #[test]
+    fn contacts_are_those_of_the_check_values() {
+        let checks = [
+            [[0.820_975, 0.674_612], [2.452_355, 1.813_080], [3.498_375, 2.447_094]],
+            [[0.444_880, -0.635_582], [2.647_119, 0.339_849], [3.672_008, 0.935_753]],
+            [[1.189_322, 0.650_179], [2.713_430, 1.920_677], [3.647_173, 2.651_950]],
+        ];
+        for (at, checks) in checks.into_iter().enumerate() {
+            let (R, r, ..) = DESIGNS[at];
+            let (beside, pitch) = beside(at, Tool::flat(6.0), 0.0);
+            for (q, [obverse, reverse]) in [0.0, 0.5, 1.0].into_iter().zip(checks) {
+                let found = [beside.psi(Face::Obverse, q), beside.psi(Face::Reverse, q) - pitch];
+                // The check values were found on rulings some tenths of a millimetre apart, which seem farther away, and
+                // with other upper edges, by some hundredths.
+                let scale = (R + beside.lane.below(q) * sin_cos(v_at(q)).1) * r / R;
+                let nearer = [obverse - found[0], found[1] - reverse].map(|turn| turn * scale);
+                assert!(nearer.iter().all(|mm| (-4e-3..1.1e-2).contains(mm)), "{at} {q} {nearer:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_tool_as_wide_as_the_gap_just_fits() {
+        let (R, r, N, e, a_p) = DESIGNS[0];
+        let part = Part::with(Torus { R, r }, e, a_p);
+        let gap = gap(&part, N, 6.0);
+        let room = |d: f64, s: f64| {
+            let lane = OwnNormal::new(part.circle.torus, Tool::flat(d), r + a_p).unwrap();
+            let beside = Beside::new(&part, lane, s);
+            beside.psi(Face::Obverse, gap.station) - beside.psi(Face::Reverse, gap.station) + TAU / f64::from(N)
+        };
+        assert!(room(gap.width - 0.01, 0.0) > 0.0 && room(gap.width + 0.01, 0.0) < 0.0);
+        // With s on both faces it is a tool 2·s thinner, as deep as its own diameter lets it.
+        assert!(room(gap.width - 0.75, 0.3) > 0.0 && room(gap.width - 0.55, 0.3) < 0.0);
+    }
+
+    #[test]
+    fn the_table_of_contacts_is_as_good_as_the_search() {
+        let (R, r, N, e, a_p) = DESIGNS[0];
+        let part = Part::with(Torus { R, r }, e, a_p);
+        let lane = OwnNormal::new(part.circle.torus, Tool::flat(6.0), r + a_p).unwrap();
+        let contacts = Contacts::new(&part, N, lane, 0.0);
+        let beside = Beside::new(&part, lane, 0.0);
+        for q in [-2.7, -1.1, -0.02, 0.013, 0.21, 0.49, 0.777, 0.99, 1.4, 3.2] {
+            let [obverse, reverse] = contacts.at(q);
+            assert!((obverse - beside.psi(Face::Obverse, q)).abs() * R < 2e-4, "{q}");
+            assert!((reverse - beside.psi(Face::Reverse, q) + TAU / f64::from(N)).abs() * R < 2e-4, "{q}");
+        }
+        assert_eq!(contacts.at(-9.0), contacts.at(-3.0), "held beyond");
+        assert_eq!(contacts.fits_from(), Some(0.0));
+        let wide = OwnNormal::new(part.circle.torus, Tool::flat(9.0), r + a_p).unwrap();
+        let from = Contacts::new(&part, N, wide, 0.0).fits_from().unwrap();
+        assert!(from > 0.1 && from < 0.6, "{from}");
+    }
+}

@@ -1,0 +1,132 @@
+//! What a plan is asked for, and when it cannot be made.
+//!
+//! # Units
+//! Millimetres.
+
+use crate::kinds::impeller::clear::holder::Stage;
+use crate::kinds::impeller::clear::tool::Tool;
+use crate::kinds::impeller::part::Part;
+use crate::machine::rotary::Rotary;
+
+/// The part and the machine it is cut on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Job {
+    /// What one blade is.
+    pub part: Part,
+    /// N, the number of blades.
+    pub N: u32,
+    /// The rotary axes.
+    pub machine: Rotary,
+}
+
+/// Which of the two tools.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Which {
+    /// The one that takes the metal out of the channels.
+    Rough,
+    /// The one that cuts floor and flanks.
+    Finish,
+}
+
+/// Which way the spindle turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spindle {
+    /// M3, clockwise seen from above.
+    Clockwise,
+    /// M4.
+    Counterclockwise,
+}
+
+/// How the part is cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    /// The roughing tool.
+    pub rough: Tool,
+    /// The finishing tool.
+    pub finish: Tool,
+    /// s, what roughing leaves on walls and floor.
+    pub s: f64,
+    /// a_k, the most that a roughing level takes; half the tool's diameter where it is not given.
+    pub level: Option<f64>,
+    /// κ, the part of its diameter by which the roughing tool steps sideways.
+    pub step: f64,
+    /// c, the ridges that floor lanes may leave.
+    pub scallop: f64,
+    /// ε, how far blocks may leave the way.
+    pub tolerance: f64,
+    /// δ, the part by which the tip's feed may change within a block; not looked at where it is not given.
+    pub feed: Option<f64>,
+    /// d_s, how far the tool runs clear of the blank.
+    pub d_s: f64,
+    /// Which way the spindle turns.
+    pub spindle: Spindle,
+    /// Splitters are wanted.
+    pub splitters: bool,
+    /// v_s where the splitters are to begin; at the earliest where the finishing tool
+    /// has room where it is not given.
+    pub splitter_from: Option<f64>,
+    /// The stages of shank and holder.
+    pub stages: Vec<Stage>,
+}
+
+impl Cut {
+    /// The usual cut with two flat end mills.
+    #[must_use]
+    pub const fn usual(rough: f64, finish: f64) -> Self {
+        Self {
+            rough: Tool::flat(rough),
+            finish: Tool::flat(finish),
+            s: 0.3,
+            level: None,
+            step: 0.7,
+            scallop: 0.02,
+            tolerance: 0.01,
+            feed: None,
+            d_s: 5.0,
+            spindle: Spindle::Clockwise,
+            splitters: false,
+            splitter_from: None,
+            stages: Vec::new(),
+        }
+    }
+
+    /// One of the tools.
+    #[must_use]
+    pub const fn tool(&self, which: Which) -> Tool {
+        match which {
+            Which::Rough => self.rough,
+            Which::Finish => self.finish,
+        }
+    }
+
+    /// What a tool leaves on the walls.
+    #[must_use]
+    pub const fn allowance(&self, which: Which) -> f64 {
+        match which {
+            Which::Rough => self.s,
+            Which::Finish => 0.0,
+        }
+    }
+
+    /// M: how far out of the blank a lane begins and ends.
+    #[must_use]
+    pub const fn run_out(&self, which: Which) -> f64 {
+        self.tool(which).a() + self.d_s
+    }
+}
+
+/// A tool that does not pass between the blades.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("the tool of diameter {d} mm does not fit; {largest:?} mm does")]
+pub struct DoesNotFit {
+    /// Which of the two.
+    pub tool: Which,
+    /// Its diameter.
+    pub d: f64,
+    /// The largest diameter that fits, with its allowance, in whole hundredths of a millimetre; `None` where none does.
+    pub largest: Option<f64>,
+    /// The station from which on this one fits all the way to the rim; `None` where not even there.
+    pub from: Option<f64>,
+    /// The share of the channels that it would leave uncut, from 0 to 1.
+    pub uncut: f64,
+}

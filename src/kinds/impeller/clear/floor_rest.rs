@@ -1,0 +1,233 @@
+//! What the passes leave on the floor, some way off from the walls: looked for on a grid, with the blocks as they are.
+//!
+//! # Derivation
+//! The law of the ridges says what lanes leave between them. Beside the walls and round a splitter it says nothing: a floor
+//! point at v is touched from the stations v ± θ alone, and where both are shut by a wall it stays higher. So along each
+//! line from K through a floor point the lowest place is looked for that the tools of the passes hold, three to a block; what
+//! is left is the greatest of what is lacking to a_p. It is a greatest of samples, not a bound: between them it may be a little more.
+//!
+//! # Units
+//! Millimetres and radians.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector3;
+
+use crate::kinds::impeller::clear::body::Body;
+use crate::kinds::impeller::clear::tool::Tool;
+use crate::kinds::impeller::clearance::Stand;
+use crate::kinds::impeller::nearest::Axis;
+use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
+use crate::machine::rotary::Rotary;
+use crate::number::trig::{asin, atan2, hypot, sin_cos};
+
+/// Stations of the floor that are looked at.
+const ALONG: u8 = 48;
+/// Rulings by which a wall's foot is known.
+const FEET: u16 = 200;
+/// Steps and halvings for the end of a tool that is not flat.
+const STEPS: u8 = 8;
+const HALVINGS: u8 = 12;
+
+/// What is left on the floor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FloorRest {
+    /// Farther from the walls than this, mm.
+    pub beside: f64,
+    /// It is this much, mm.
+    pub most: f64,
+    /// v where it is.
+    pub v: f64,
+}
+
+/// The floor of a channel, and the feet of what stands on it.
+struct Floor {
+    /// The feet of the two walls as points.
+    walls: [Vec<Vector3<f64>>; 2],
+    /// v and ψ of the two blades' feet.
+    sides: [Vec<[f64; 2]>; 2],
+    splitter: Option<Body>,
+}
+
+/// The foot of a face turned about the axis of the part: its points on the floor.
+fn foot(part: &Part, face: Face, turn: f64) -> Vec<Vector3<f64>> {
+    let (sin, cos) = sin_cos(turn);
+    let beyond = (part.e + part.a_p) / part.circle.torus.r;
+    (0..=FEET)
+        .map(|foot| HUB - beyond + (RIM - HUB + 2.0 * beyond) * f64::from(foot) / f64::from(FEET))
+        .map(|v| {
+            let ruling = part.ruling(face, v);
+            let point = ruling.at(part.floor(&ruling, part.top(v)));
+            Vector3::new(point.x * cos - point.y * sin, point.x * sin + point.y * cos, point.z)
+        })
+        .collect()
+}
+
+/// v and ψ of points, ψ near that of the channel.
+fn chart(part: &Part, points: &[Vector3<f64>], turn: f64) -> Vec<[f64; 2]> {
+    let R = part.circle.torus.R;
+    let positive = |angle: f64| if angle < 0.0 { angle + TAU } else { angle };
+    let angles = |point: &Vector3<f64>| {
+        let v = positive(atan2(point.z, hypot(point.x, point.y) - R));
+        let u = part.circle.u(v.clamp(HUB, RIM)) + turn;
+        let psi = atan2(point.y, point.x);
+        [v, psi - ((psi - u) / TAU).round() * TAU]
+    };
+    points.iter().map(angles).collect()
+}
+
+/// ψ of a foot at v.
+fn psi_at(foot: &[[f64; 2]], v: f64) -> f64 {
+    let after = foot.partition_point(|point| point[0] < v).clamp(1, foot.len().max(2) - 1);
+    match (foot.get(after - 1), foot.get(after)) {
+        (Some([v_0, psi_0]), Some([v_1, psi_1])) => psi_0 + (psi_1 - psi_0) * ((v - v_0) / (v_1 - v_0)),
+        _ => 0.0,
+    }
+}
+
+impl Floor {
+    fn new(part: &Part, pitch: f64, a: f64, v_s: Option<f64>) -> Self {
+        let turns = [0.0, -pitch];
+        let walls = [0, 1].map(|side: usize| foot(part, Face::ALL[side], turns[side]));
+        let sides = [0, 1].map(|side: usize| chart(part, &walls[side], turns[side]));
+        Self { walls, sides, splitter: v_s.map(|v_s| Body::new(part, v_s, -pitch / 2.0, a)) }
+    }
+
+    /// How far a point of the floor is from what stands on it; negative inside a splitter.
+    fn free(&self, point: &Vector3<f64>) -> f64 {
+        let feet = self.walls.iter().flatten().map(|foot| (point - foot).norm_squared()).fold(f64::INFINITY, f64::min);
+        let here = Axis { foot: *point, along: Vector3::z(), range: [0.0, 0.0] };
+        self.splitter.as_ref().map_or(f64::INFINITY, |body| body.apart(&here)).min(feet.sqrt())
+    }
+}
+
+/// A tool in the part.
+#[derive(Clone, Copy)]
+struct Pose {
+    tip: Vector3<f64>,
+    along: Vector3<f64>,
+    /// The angle of its axis to the axis of the part.
+    B: f64,
+}
+
+/// The lowest place along the line from c, between r and r_f, that a tool holds; r where it holds none.
+fn reach(tool: Tool, pose: &Pose, c: &Vector3<f64>, out: &Vector3<f64>, [r, r_f]: [f64; 2]) -> f64 {
+    let from = c - pose.tip;
+    let (along, up) = (out.dot(&pose.along), from.dot(&pose.along));
+    let (d, f) = (out - pose.along * along, from - pose.along * up);
+    let (square, half, rest) = (d.norm_squared(), d.dot(&f), f.norm_squared() - tool.a() * tool.a());
+    let root = half * half - square * rest;
+    if root < 0.0 || along > -1e-9 {
+        return r;
+    }
+    // A cylinder is left through its side or through its end.
+    let [enter, leave] =
+        if square > 1e-14 { [-1.0, 1.0].map(|side| (-half + side * root.sqrt()) / square) } else { [r, r_f] };
+    let (low, high) = (enter.max(r), leave.min(up / -along).min(r_f));
+    if tool.r_c == 0.0 || high <= low {
+        return if high > low { high } else { r };
+    }
+    // With a round end the place lies higher.
+    let inside = |T: f64| {
+        let from = from + out * T;
+        let up = from.dot(&pose.along);
+        let down = (tool.r_c - up).max(0.0);
+        let wide = tool.flat_radius() + (tool.r_c * tool.r_c - down * down).max(0.0).sqrt();
+        from.norm_squared() - up * up <= wide * wide
+    };
+    let step = (high - low) / f64::from(STEPS);
+    let Some(held) = (0..=STEPS).map(|k| high - step * f64::from(k)).find(|&T| inside(T)) else { return r };
+    let (mut low, mut high) = (held, (held + step).min(high));
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(low, high);
+        if inside(middle) { low = middle } else { high = middle }
+    }
+    low
+}
+
+/// The rest that passes of a tool leave, given by their points, farther from the walls than `beside`; in a channel of the
+/// pitch, with a splitter from v_s on, looked at in so many places across.
+#[must_use]
+pub fn floor_rest<'p>(
+    part: &Part,
+    [pitch, beside]: [f64; 2],
+    v_s: Option<f64>,
+    (tool, machine): (Tool, Rotary),
+    passes: impl Iterator<Item = &'p [Stand]>,
+    across: u32,
+) -> FloorRest {
+    let torus = part.circle.torus;
+    let (r, r_f) = (torus.r, torus.r + part.a_p);
+    let pose = |stand: &Stand| Pose {
+        tip: machine.to_part(&stand.at, stand.B, stand.C),
+        along: Rotary::direction_to_part(&Vector3::z(), stand.B, stand.C),
+        B: stand.B,
+    };
+    let mut poses: Vec<Pose> = passes
+        .flat_map(|points| {
+            points.windows(2).flat_map(|pair| [0.0, 0.5, 1.0].map(|part| pair[0].towards(&pair[1], part)))
+        })
+        .map(|stand| pose(&stand))
+        .collect();
+    poses.sort_by(|one, other| one.B.total_cmp(&other.B));
+    let floor = Floor::new(part, pitch, tool.a(), v_s);
+    // The axis of a tool that reaches a point is turned from its normal by no more.
+    let turn = 1.2 * asin((tool.a() / r).min(1.0)) + 0.1;
+    let mut rest = FloorRest { beside, most: 0.0, v: HUB };
+    for look in 0..ALONG {
+        let v = HUB + (RIM - HUB) * (f64::from(look) + 0.5) / f64::from(ALONG);
+        let B = RIM - v;
+        let near =
+            &poses[poses.partition_point(|pose| pose.B < B - turn)..poses.partition_point(|pose| pose.B <= B + turn)];
+        let (sin_v, cos_v) = sin_cos(v);
+        let [high, low] = [0, 1].map(|side: usize| psi_at(&floor.sides[side], v));
+        for place in 0..=across {
+            let psi = low + (high - low) * f64::from(place) / f64::from(across);
+            let (sin, cos) = sin_cos(psi);
+            let (c, out) =
+                (Vector3::new(torus.R * cos, torus.R * sin, 0.0), Vector3::new(cos_v * cos, cos_v * sin, sin_v));
+            let point = c + out * r_f;
+            if floor.free(&point) < beside {
+                continue;
+            }
+            let deepest = near.iter().fold(r, |deepest: f64, pose| {
+                if deepest >= r_f { deepest } else { deepest.max(reach(tool, pose, &c, &out, [r, r_f])) }
+            });
+            if r_f - deepest > rest.most {
+                rest = FloorRest { most: r_f - deepest, v, ..rest };
+            }
+        }
+    }
+    rest
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+    use crate::geometry::torus::Torus;
+
+    #[test]
+    fn a_tool_is_left_through_its_side_or_its_end() {
+        let pose = Pose { tip: Vector3::new(0.0, 0.0, -16.0), along: Vector3::z(), B: 0.0 };
+        let (c, down) = (Vector3::zeros(), -Vector3::z());
+        let slant = Vector3::new(0.1, 0.0, -(1.0_f64 - 0.01).sqrt());
+        for tool in [Tool::flat(6.0), Tool::ball(6.0)] {
+            assert!((reach(tool, &pose, &c, &down, [15.0, 17.0]) - 16.0).abs() < 1e-4);
+        }
+        let end = reach(Tool::flat(6.0), &pose, &c, &slant, [15.0, 17.0]);
+        assert!((end - 16.0 / (1.0_f64 - 0.01).sqrt()).abs() < 1e-12, "{end}");
+        let side = reach(Tool::flat(3.1), &pose, &c, &slant, [15.0, 17.0]);
+        assert!((side - 15.5).abs() < 1e-9, "{side}");
+        assert_eq!(reach(Tool::flat(2.0), &pose, &c, &slant, [15.0, 17.0]), 15.0);
+    }
+
+    #[test]
+    fn without_a_pass_the_whole_depth_is_left() {
+        let part = Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, 2.0);
+        let set = (Tool::flat(3.0), Rotary { L: 242.9 });
+        let rest = floor_rest(&part, [PI / 2.0, 0.4], None, set, std::iter::empty(), 20);
+        assert_eq!(rest.most, 2.0);
+    }
+}

@@ -1,0 +1,133 @@
+//! A pass of the plan: what it is, with which tool, which way, and where the axes stand.
+
+use crate::kinds::impeller::clear::cut::Which;
+use crate::kinds::impeller::clearance::Stand;
+use crate::kinds::impeller::part::Face;
+
+/// What a pass cuts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cutting {
+    /// A lane of a roughing level.
+    Rough {
+        /// Which level, from 0 at the top.
+        level: u32,
+        /// Which lane, from 0 at the obverse.
+        lane: u32,
+    },
+    /// Round the splitter at a roughing level.
+    RoughContour {
+        /// Which level.
+        level: u32,
+    },
+    /// A lane of a level that the finishing tool roughs where the roughing tool has no room beside a splitter.
+    Rest {
+        /// Which level.
+        level: u32,
+        /// Which lane.
+        lane: u32,
+    },
+    /// Round the splitter at such a level.
+    RestContour {
+        /// Which level.
+        level: u32,
+    },
+    /// A lane of the floor.
+    Floor {
+        /// Which lane, from 0 at the obverse.
+        lane: u32,
+    },
+    /// A flank of a blade: the obverse of this channel's blade, or the reverse of the next one.
+    Flank {
+        /// Which.
+        face: Face,
+        /// Which depth, from 0 at the top.
+        level: u32,
+    },
+    /// Round the splitter at full depth.
+    Contour,
+    /// The flanks of the splitter and its nose.
+    SplitterFlanks {
+        /// Which depth.
+        level: u32,
+    },
+}
+
+/// Which way a pass goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// From the hub to the rim.
+    Outwards,
+    /// From the rim to the hub.
+    Inwards,
+    /// In along the obverse of a splitter and out along its reverse.
+    Round,
+}
+
+impl Direction {
+    /// The other way.
+    #[must_use]
+    pub const fn back(self) -> Self {
+        match self {
+            Self::Outwards => Self::Inwards,
+            Self::Inwards => Self::Outwards,
+            Self::Round => Self::Round,
+        }
+    }
+}
+
+/// How the teeth meet the metal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// The metal is on the side on which the teeth go against the feed: the chip begins thick.
+    Climb,
+    /// It is on the other side.
+    Conventional,
+    /// Metal on both sides.
+    Slot,
+}
+
+/// A move to a position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move {
+    /// At rapid; else at the feed of the pass.
+    pub rapid: bool,
+    /// Where to.
+    pub to: Stand,
+}
+
+/// A pass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pass {
+    /// What it cuts.
+    pub cutting: Cutting,
+    /// With which tool.
+    pub tool: Which,
+    /// Which way.
+    pub direction: Direction,
+    /// How the teeth meet the metal on that way.
+    pub mode: Mode,
+    /// The part of the feed that it may be run at.
+    pub feed: f64,
+    /// From the end of the pass before it, or from above the part, to its first point, without cutting; the last move ends
+    /// at that point.
+    pub approach: Vec<Move>,
+    /// Its points.
+    pub points: Vec<Stand>,
+    /// Back out along the same points where it ends inside the part; up to above the part where a tool is done.
+    pub leave: Vec<Move>,
+}
+
+impl Pass {
+    /// How many blocks it takes.
+    #[must_use]
+    pub fn blocks(&self) -> usize {
+        // The approach ends at the first point.
+        self.approach.len() + self.points.len().saturating_sub(1) + self.leave.len()
+    }
+
+    /// All stands of the pass in order, links and all.
+    pub fn stands(&self) -> impl Iterator<Item = Stand> {
+        let approach = self.approach.iter().map(|one| one.to);
+        approach.chain(self.points.iter().skip(1).copied()).chain(self.leave.iter().map(|one| one.to))
+    }
+}

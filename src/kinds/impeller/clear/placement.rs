@@ -1,0 +1,171 @@
+//! Where the points of a pass lie: as few as the tolerance allows, each block with the same error.
+//!
+//! # Derivation
+//! Between two points the axes run evenly (X, Y, Z, B, C), the tip therefore not along the way that is wanted. The error
+//! of a block is the largest deviation, across the direction of travel, of two points of the tool's axis, the tip and one
+//! above the tops, between the even motion and the exact one, at eight places inside; to that comes what the end's rim
+//! gains by a deviation of the axis' direction. The block is made as long as the error allows. For smooth passes the
+//! greatest of eight is within 4 % of the true one; that much is kept back.
+//!
+//! The axes run evenly, the tip does not either: where a feed deviation δ is asked for, its speed at both ends of a block may
+//! differ from its mean by no more than that.
+//!
+//! # Units
+//! Millimetres and radians.
+
+use nalgebra::Vector3;
+
+use crate::kinds::impeller::clearance::Stand;
+use crate::machine::rotary::Rotary;
+
+/// Inner places at which a block is looked at.
+const PLACES: u8 = 8;
+/// What eight places may miss of the greatest error.
+const KEPT: f64 = 0.96;
+/// The longest block is looked for in halvings of the last difference.
+const HALVINGS: u8 = 7;
+/// No block is shorter than this part of a piece.
+const SHORTEST: f64 = 1e-6;
+
+/// What a pass is held to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// The machine.
+    pub machine: Rotary,
+    /// ε, how far blocks may leave the way.
+    pub epsilon: f64,
+    /// δ, the part by which the feed of the tip may change within a block.
+    pub delta: Option<f64>,
+    /// How far above the tip the tool still cuts.
+    pub height: f64,
+    /// The radius of the tool.
+    pub a: f64,
+}
+
+/// A tool in the part: the tip, and the direction of its axis.
+fn tool(machine: Rotary, stand: &Stand) -> [Vector3<f64>; 2] {
+    [machine.to_part(&stand.at, stand.B, stand.C), Rotary::direction_to_part(&Vector3::z(), stand.B, stand.C)]
+}
+
+/// The size of what is across a direction of travel.
+fn across(off: Vector3<f64>, travel: Vector3<f64>) -> f64 {
+    travel.try_normalize(1e-12).map_or(off, |travel| off - travel * off.dot(&travel)).norm()
+}
+
+impl Tolerance {
+    /// By how much a block from x_0 to x_1 of a way leaves it, mm.
+    #[must_use]
+    pub fn error(&self, way: &impl Fn(f64) -> Stand, [x_0, x_1]: [f64; 2]) -> f64 {
+        self.deviation(way, [x_0, x_1], [&way(x_0), &way(x_1)], PLACES)
+    }
+
+    /// The same, looked at in more or fewer places.
+    #[must_use]
+    pub fn deviation(&self, way: &impl Fn(f64) -> Stand, [x_0, x_1]: [f64; 2], ends: [&Stand; 2], places: u8) -> f64 {
+        let exact = |part: f64| tool(self.machine, &way(x_0 + (x_1 - x_0) * part));
+        let mut last = tool(self.machine, ends[0]);
+        let mut most: f64 = 0.0;
+        for place in 1..=places {
+            let part = f64::from(place) / f64::from(places + 1);
+            let here = exact(part);
+            let even = tool(self.machine, &ends[0].towards(ends[1], part));
+            let (tip, turn) = (even[0] - here[0], even[1] - here[1]);
+            let (travel, over) = (here[0] - last[0], here[0] - last[0] + (here[1] - last[1]) * self.height);
+            let off = across(tip, travel).max(across(tip + turn * self.height, over));
+            let rim = tip.dot(&here[1]).abs() + turn.norm() * self.a;
+            most = most.max(off).max(rim);
+            last = here;
+        }
+        most
+    }
+
+    /// The greatest part by which the speed of the tip at the ends of a block differs from its mean.
+    #[must_use]
+    pub fn feed_error(&self, ends: [&Stand; 2]) -> f64 {
+        let tip = |part: f64| tool(self.machine, &ends[0].towards(ends[1], part))[0];
+        let places: Vec<Vector3<f64>> = (0..=PLACES).map(|place| tip(f64::from(place) / f64::from(PLACES))).collect();
+        let mean: f64 = places.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+        if mean < 1e-9 {
+            return 0.0;
+        }
+        let step = 1e-4;
+        [0.0, 1.0]
+            .map(|at: f64| (tip(at + step) - tip(at - step)).norm() / (2.0 * step))
+            .into_iter()
+            .map(|speed| (speed / mean - 1.0).abs())
+            .fold(0.0, f64::max)
+    }
+
+    fn holds(&self, way: &impl Fn(f64) -> Stand, x: [f64; 2], ends: [&Stand; 2]) -> bool {
+        let near = self.deviation(way, x, ends, PLACES) <= self.epsilon * KEPT;
+        near && self.delta.is_none_or(|delta| self.feed_error(ends) <= delta)
+    }
+
+    /// The points of a way that consists of pieces, given by where they end: every such place, and between as few as hold
+    /// the tolerance. With each the x at which it lies.
+    #[must_use]
+    pub fn place(&self, way: &impl Fn(f64) -> Stand, pieces: &[f64]) -> Vec<(f64, Stand)> {
+        let Some(&first) = pieces.first() else { return Vec::new() };
+        let mut points = vec![(first, way(first))];
+        let mut length = f64::INFINITY;
+        for piece in pieces.windows(2) {
+            let [begin, end] = [piece[0], piece[1]];
+            let whole = end - begin;
+            if whole == 0.0 {
+                continue;
+            }
+            let mut x = begin;
+            let mut here = way(begin);
+            while x != end {
+                let left = (end - x).abs();
+                let towards = whole.signum();
+                let at = |length: f64| if length >= left { end } else { x + towards * length };
+                let try_length = |length: f64| {
+                    let to = at(length);
+                    let stand = way(to);
+                    self.holds(way, [x, to], [&here, &stand]).then_some(stand)
+                };
+                // From the last length, longer or shorter by halves until it is known between which two it lies.
+                let mut good = (0.0, None);
+                let mut bad = f64::INFINITY;
+                let mut guess = length.min(left);
+                for _ in 0..60 {
+                    match try_length(guess) {
+                        Some(stand) => {
+                            good = (guess, Some(stand));
+                            if guess >= left || bad.is_finite() {
+                                break;
+                            }
+                            guess = (guess * 1.5).min(left);
+                        }
+                        None => {
+                            bad = guess;
+                            if good.1.is_some() || guess < whole.abs() * SHORTEST {
+                                break;
+                            }
+                            guess *= 0.6;
+                        }
+                    }
+                }
+                if bad.is_finite() && good.1.is_some() {
+                    for _ in 0..HALVINGS {
+                        let middle = f64::midpoint(good.0, bad);
+                        match try_length(middle) {
+                            Some(stand) => good = (middle, Some(stand)),
+                            None => bad = middle,
+                        }
+                    }
+                }
+                // A way that jumps has no block that holds; it is left by the shortest.
+                let (step, stand) = match good {
+                    (step, Some(stand)) => (step, stand),
+                    (..) => (guess, way(at(guess))),
+                };
+                (x, here) = (at(step), stand);
+                length = step;
+                points.push((x, stand));
+            }
+        }
+        points
+    }
+}

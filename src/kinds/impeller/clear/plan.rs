@@ -1,0 +1,704 @@
+//! The plan of a channel: every pass, in order, with its links.
+//!
+//! # Order
+//! 1. Rough, level by level: the middle lane first, into the full, at half the feed; then pairs outwards. A level ends with
+//!    the splitter's contour. 2. The floor at full depth, from the middle outwards, the contact lanes last. 3. The flanks of
+//!    both faces. 4. The splitter: its contour, and its flanks. With a right-hand spindle the tool climbs where the metal is
+//!    to the right of the feed: on the obverse side from the rim to the hub, on the reverse side from the hub to the rim.
+//!
+//! What does not fit is not run, and told. A lane that a splitter cuts in two is run from its open ends, and back out along
+//! itself.
+//!
+//! # Units
+//! Millimetres and radians. All channels are alike: channel i is this one with C less by i·2π/N.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::kinds::impeller::clear::body::{Obstacles, turned};
+use crate::kinds::impeller::clear::contact::{ABOVE, Beside, Contacts, slope};
+use crate::kinds::impeller::clear::contour::{self, Contour};
+use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Spindle, Which};
+use crate::kinds::impeller::clear::fit::{FADES, Flank};
+use crate::kinds::impeller::clear::flank::FlankWay;
+use crate::kinds::impeller::clear::floor_rest::{FloorRest, floor_rest};
+use crate::kinds::impeller::clear::holder::{clearance, stick_out};
+use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
+use crate::kinds::impeller::clear::link::{End, link, up};
+use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
+use crate::kinds::impeller::clear::pieces::parts;
+use crate::kinds::impeller::clear::placement::Tolerance;
+use crate::kinds::impeller::clear::root::{Root, root};
+use crate::kinds::impeller::clear::round::Round;
+use crate::kinds::impeller::clear::scallop::Ridge;
+use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, Told, ToolTold};
+use crate::kinds::impeller::clear::tool::Tool;
+use crate::kinds::impeller::clear::uncut;
+use crate::kinds::impeller::clearance::Stand;
+use crate::kinds::impeller::gap::gap;
+use crate::kinds::impeller::part::{Face, HUB, RIM};
+use crate::number::trig::{pow, sin_cos};
+
+/// Above the tops the tool counts as far as this, mm.
+const OVER: f64 = 0.3;
+/// The feed into the full.
+const SLOT_FEED: f64 = 0.5;
+/// The rest of the floor is told farther from the walls than this, mm.
+pub const BESIDE: f64 = 0.4;
+/// How often a splitter's beginning is moved on at most, and by how much, radians of v.
+const STARTS: u8 = 40;
+const START: f64 = 0.01;
+/// Places along a face at which its error is looked at.
+const LOOKS: u8 = 48;
+/// Places across the floor at which it is looked at, for each lane, and in all.
+const LOOKS_A_LANE: u32 = 3;
+const ACROSS: [u32; 2] = [40, 240];
+/// Stations at which a smaller tool is tried, in radii where it has run out: where the gap is the least comes first.
+const TRIED: [f64; 24] = [
+    0.1, 0.0, 0.05, 0.15, 0.2, -0.2, -0.4, 0.025, 0.075, 0.125, 0.175, 0.225, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.75,
+    0.9, 1.0, -0.6, -0.8, -1.0,
+];
+/// Room that it must have there, radians: between two of them there may be less.
+const TRIED_ROOM: f64 = 2e-4;
+
+/// The plan of one channel; all are alike.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// The passes, in order: those of the roughing tool, then those of the finishing tool. Each tool begins and ends above
+    /// the part.
+    pub passes: Vec<Pass>,
+    /// How many channels there are: N.
+    pub channels: u32,
+    /// Above this height of Z no point of the part comes, d_s included.
+    pub Z_r: f64,
+    /// What it leaves, and what it does not run.
+    pub told: Told,
+}
+
+impl Plan {
+    /// The plan of a cut.
+    ///
+    /// # Errors
+    /// Where one of the tools does not pass between the blades all the way.
+    pub fn new(job: &Job, cut: &Cut) -> Result<Self, DoesNotFit> {
+        let part = &job.part;
+        let pitch = TAU / f64::from(job.N);
+        let [rough, finish] = [Which::Rough, Which::Finish].map(|which| contacts(job, cut, which));
+        let (rough, finish) = (rough?, finish?);
+        // What the finishing tool roughs where the roughing tool has no room.
+        let rest = if cut.splitters { contacts_of(job, cut.finish, part.a_p - cut.s, cut.s) } else { None };
+        let ways = ways(job, cut);
+        let v_s = match (&rest, cut.splitter_from) {
+            (None, _) => None,
+            (Some(_), Some(from)) => Some(from),
+            (Some(rest), None) => splitter_start(job, cut, rest, &ways),
+        };
+        let mut draft = Draft {
+            job,
+            cut,
+            pitch,
+            v_s,
+            Z_r: job.machine.swing(part.circle.torus.R) + cut.d_s,
+            passes: Vec::new(),
+            last: None,
+            at_rim: false,
+            dropped: Vec::new(),
+            feed_error: [0.0; 2],
+        };
+        let (rough_lanes, levels) = draft.rough(&rough, Which::Rough, f64::NEG_INFINITY);
+        draft.done();
+        if let (Some(v_s), Some(rest)) = (v_s, &rest)
+            && contour::room(part, &rough, cut.s, v_s) < 0.0
+        {
+            draft.rough(rest, Which::Finish, draft.left_from(v_s));
+        }
+        let floor_lanes = draft.floor(&finish);
+        for ways in &ways {
+            draft.flanks(ways);
+        }
+        if v_s.is_some() {
+            draft.contour(&finish, Which::Finish, 0.0, Cutting::Contour);
+            draft.splitter_flanks(&ways);
+        }
+        draft.done();
+
+        let steps = f64::from(floor_lanes);
+        let told = Told {
+            gap: gap(part, job.N, cut.finish.d).width,
+            rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels, 0.0),
+            finish: draft.tool(Which::Finish, &finish.lane, floor_lanes + 1, 1, widest(&ways)),
+            scallop: finish.greatest(|q| ridge(&finish, q).height(finish.room(q) / steps)),
+            floor: draft.floor_rest(floor_lanes),
+            root: draft.root(&ways),
+            faces: [face_error(&ways[0]), face_error(&ways[1])],
+            splitter_from: v_s,
+            no_splitter: cut.splitters && v_s.is_none(),
+            dropped: draft.dropped,
+        };
+        Ok(Self { passes: draft.passes, channels: job.N, Z_r: draft.Z_r, told })
+    }
+
+    /// By how much C of a channel is turned from the first one.
+    #[must_use]
+    pub fn turn(&self, channel: u32) -> f64 {
+        -TAU * f64::from(channel) / f64::from(self.channels)
+    }
+
+    /// The passes of a tool in one channel.
+    pub fn of(&self, tool: Which) -> impl Iterator<Item = &Pass> {
+        self.passes.iter().filter(move |pass| pass.tool == tool)
+    }
+
+    /// How many blocks a tool takes in one channel.
+    #[must_use]
+    pub fn blocks(&self, tool: Which) -> usize {
+        self.of(tool).map(Pass::blocks).sum()
+    }
+
+    /// How many it takes in all channels.
+    #[must_use]
+    pub fn all_blocks(&self, tool: Which) -> usize {
+        self.blocks(tool) * self.channels as usize
+    }
+}
+
+/// How deep a tool of the cut goes below the tops.
+fn depth(job: &Job, cut: &Cut, which: Which) -> f64 {
+    job.part.a_p - cut.allowance(which)
+}
+
+/// The contacts of a tool that cuts to a depth, with s left on the walls; `None` where it is wider than the tube.
+fn contacts_of(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<Contacts> {
+    let torus = job.part.circle.torus;
+    let lane = OwnNormal::new(torus, tool, torus.r + depth)?;
+    Some(Contacts::new(&job.part, job.N, lane, s))
+}
+
+/// The contacts of a tool of the cut, where it fits.
+fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<Contacts, DoesNotFit> {
+    let (tool, s, depth) = (cut.tool(which), cut.allowance(which), depth(job, cut, which));
+    let contacts = contacts_of(job, tool, depth, s);
+    let from = contacts.as_ref().and_then(Contacts::fits_from);
+    match contacts {
+        Some(contacts) if from == Some(0.0) => Ok(contacts),
+        contacts => Err(DoesNotFit {
+            tool: which,
+            d: tool.d,
+            largest: largest(job, tool, depth, s),
+            from,
+            uncut: contacts.map_or(1.0, |contacts| uncut::share(&job.part, &contacts, from)),
+        }),
+    }
+}
+
+/// The largest tool of a kind that fits with s on both walls, in whole hundredths.
+fn largest(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<f64> {
+    let part = &job.part;
+    let torus = part.circle.torus;
+    let width = gap(part, job.N, tool.d).width - 2.0 * s;
+    let fits = |d: f64| {
+        let r_c = if tool.flat_radius() == 0.0 { d / 2.0 } else { tool.r_c.min(d / 2.0) };
+        OwnNormal::new(torus, Tool { d, r_c }, torus.r + depth).is_some_and(|lane| {
+            let beside = Beside::new(part, lane, s);
+            TRIED.iter().all(|&q| {
+                let q = if q < 0.0 { q * d / 2.0 } else { q };
+                beside.psi(Face::Obverse, q) - beside.psi(Face::Reverse, q) + TAU / f64::from(job.N) >= TRIED_ROOM
+            })
+        })
+    };
+    // A tool as wide as the gap stands at another depth than this one: the last hundredths are tried.
+    (0..200_u8)
+        .map(|less| ((width * 100.0).floor() + 10.0 - f64::from(less)) / 100.0)
+        .find(|&d| d > 0.0 && d < tool.d && fits(d))
+}
+
+/// The ridges that a tool leaves at a station.
+fn ridge(contacts: &Contacts, q: f64) -> Ridge {
+    let tan = slope(contacts, 0.5, q);
+    Ridge::at(&contacts.lane, v_at(q), tan / (1.0 + tan * tan).sqrt())
+}
+
+/// The ways along both faces: one each, or as many as it takes to keep their errors within the tolerance.
+fn ways(job: &Job, cut: &Cut) -> [Vec<FlankWay>; 2] {
+    let (part, tool) = (&job.part, cut.finish);
+    let error = |face: Face| {
+        let whole = Flank::new(part, face, tool.a(), [0.0, part.a_p]);
+        (0..=LOOKS)
+            .map(|look| whole.full(HUB + (RIM - HUB) * f64::from(look) / f64::from(LOOKS)).E.abs())
+            .fold(0.0, f64::max)
+    };
+    // The error goes with the third power of the depth of the fit.
+    let error = Face::ALL.map(error).into_iter().fold(0.0, f64::max);
+    let levels = steps(pow(2.0 * error / cut.tolerance, 1.0 / 3.0));
+    let deep = |level: u32| part.a_p * f64::from(level) / f64::from(levels);
+    let way = |face, level| FlankWay::new(part, face, tool, [deep(level), deep(level + 1)], cut.d_s);
+    Face::ALL.map(|face| (0..levels).map(|level| way(face, level)).collect())
+}
+
+/// v_s from which on the finishing tool has room round a splitter, on its contour and along its flanks.
+fn splitter_start(job: &Job, cut: &Cut, rest: &Contacts, ways: &[Vec<FlankWay>; 2]) -> Option<f64> {
+    let first = contour::start(&job.part, rest, cut.s)?;
+    let (obverse, reverse) = (ways[0].last()?, ways[1].last()?);
+    let pitch = TAU / f64::from(job.N);
+    (0..STARTS).map(|start| first + START * f64::from(start)).filter(|&v_s| v_s < RIM).find(|&v_s| {
+        contour::room(&job.part, rest, cut.s, v_s) >= 0.0
+            && Round::new(&job.part, cut.finish, [obverse, reverse], v_s).is_clear(pitch, -pitch / 2.0)
+    })
+}
+
+/// A count of steps no longer than one, of a length that may be none.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held from 1 to 10⁶")]
+fn steps(length: f64) -> u32 {
+    length.ceil().clamp(1.0, 1e6) as u32
+}
+
+/// The farthest that a flank's axis passes K, mm.
+fn widest(ways: &[Vec<FlankWay>; 2]) -> f64 {
+    let places = |way: &FlankWay| {
+        (0..=LOOKS)
+            .map(|look| HUB + (RIM - HUB) * f64::from(look) / f64::from(LOOKS))
+            .map(|v| way.passing_at(v).m)
+            .fold(0.0, f64::max)
+    };
+    ways.iter().flatten().map(places).fold(0.0, f64::max)
+}
+
+/// What the ways along a face leave of it.
+fn face_error(ways: &[FlankWay]) -> FaceError {
+    let face = ways.first().map_or(Face::Obverse, FlankWay::face);
+    let levels = u32::try_from(ways.len()).unwrap_or(u32::MAX);
+    let mut error = FaceError { face, rest: 0.0, v: HUB, fit: 0.0, levels };
+    for way in ways {
+        // The straight ends, too, are in the blank for a bit.
+        let [begin, end] = way.in_blank();
+        for look in 0..=LOOKS {
+            let v = begin + (end - begin) * f64::from(look) / f64::from(LOOKS);
+            error.fit = error.fit.max(way.flank().full(v.clamp(HUB, RIM)).E.abs());
+            let rest = way.rest(v);
+            if rest > error.rest {
+                error = FaceError { rest, v, ..error };
+            }
+        }
+    }
+    error
+}
+
+/// A plan in the making.
+struct Draft<'a> {
+    job: &'a Job,
+    cut: &'a Cut,
+    pitch: f64,
+    v_s: Option<f64>,
+    Z_r: f64,
+    passes: Vec<Pass>,
+    /// Where the last pass has ended.
+    last: Option<End>,
+    /// That was at the rim.
+    at_rim: bool,
+    dropped: Vec<Dropped>,
+    feed_error: [f64; 2],
+}
+
+/// Lanes that are run one after the other.
+#[derive(Clone, Copy)]
+struct Lanes {
+    tool: Which,
+    /// The steps between them.
+    K: u32,
+    /// What they leave on the walls.
+    s: f64,
+    roughing: bool,
+    /// The station from which on they are run.
+    from: f64,
+}
+
+/// A way that passes are placed on.
+struct Way<F> {
+    stand: F,
+    /// Where its pieces end, from the hub to the rim.
+    breaks: Vec<f64>,
+    /// From where to where it is in the part.
+    inside: [f64; 2],
+    /// How deep it cuts.
+    depth: f64,
+    /// v of a place.
+    to_v: fn(f64) -> f64,
+}
+
+/// A pass to be placed.
+struct Wanted {
+    cutting: Cutting,
+    tool: Which,
+    direction: Direction,
+    mode: Mode,
+    feed: f64,
+    points: Vec<Stand>,
+    /// It ends inside the part and goes back out along itself.
+    dead_end: bool,
+    /// It begins and ends with run-outs of lanes.
+    on_lane: bool,
+    /// A piece that comes from the rim alone goes into the full.
+    rim_slot: bool,
+    /// Nothing of it is run before this station.
+    from: f64,
+}
+
+impl Draft<'_> {
+    fn tolerance(&self, tool: Which, depth: f64) -> Tolerance {
+        Tolerance {
+            machine: self.job.machine,
+            epsilon: self.cut.tolerance,
+            delta: self.cut.feed,
+            height: depth + OVER,
+            a: self.cut.tool(tool).a(),
+        }
+    }
+
+    /// The way on which a tool climbs along the walls of one side.
+    const fn climbing(&self, face: Face) -> Direction {
+        match (face, self.cut.spindle) {
+            (Face::Obverse, Spindle::Clockwise) | (Face::Reverse, Spindle::Counterclockwise) => Direction::Inwards,
+            (Face::Reverse, Spindle::Clockwise) | (Face::Obverse, Spindle::Counterclockwise) => Direction::Outwards,
+        }
+    }
+
+    fn mode(&self, face: Face, direction: Direction) -> Mode {
+        if direction == self.climbing(face) { Mode::Climb } else { Mode::Conventional }
+    }
+
+    fn add(&mut self, wanted: Wanted) {
+        let Wanted { cutting, tool, direction, mode, feed, points, dead_end, on_lane, .. } = wanted;
+        let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return };
+        let begin = End { at: first, run_out: on_lane };
+        let approach = link(self.last, begin, self.Z_r);
+        let mut leave = Vec::new();
+        if dead_end {
+            leave.extend(points.iter().rev().skip(1).map(|&to| Move { rapid: false, to }));
+        }
+        let end = if dead_end { begin } else { End { at: last, run_out: on_lane } };
+        let of_tool = usize::from(tool == Which::Finish);
+        let tolerance = self.tolerance(tool, self.job.part.a_p);
+        let worst = points.windows(2).map(|pair| tolerance.feed_error([&pair[0], &pair[1]])).fold(0.0, f64::max);
+        self.feed_error[of_tool] = self.feed_error[of_tool].max(worst);
+        self.at_rim = match direction {
+            Direction::Round => true,
+            Direction::Inwards => dead_end,
+            Direction::Outwards => !dead_end,
+        };
+        self.last = Some(end);
+        self.passes.push(Pass { cutting, tool, direction, mode, feed, approach, points, leave });
+    }
+
+    /// The tool leaves the part.
+    fn done(&mut self) {
+        if let (Some(end), Some(pass)) = (self.last.take(), self.passes.last_mut()) {
+            pass.leave.push(up(end, self.Z_r));
+        }
+        self.at_rim = false;
+    }
+
+    /// Runs what is clear of a way; true where a piece of it begins at the rim and ends inside.
+    fn run(&mut self, wanted: &Wanted, way: &Way<impl Fn(f64) -> Stand>, kept: &[[f64; 2]], by: By) -> bool {
+        let Way { stand: way, breaks, inside, depth, to_v } = way;
+        let (inside, depth) = (*inside, *depth);
+        let (Some(&begin), Some(&end)) = (breaks.first(), breaks.last()) else { return false };
+        let tolerance = self.tolerance(wanted.tool, depth);
+        let mut from_rim = false;
+        let mut run = Vec::new();
+        for &[from, to] in kept {
+            let (at_hub, at_rim) = (from <= begin, to >= end);
+            let direction = match (at_hub, at_rim) {
+                (true, true) => wanted.direction,
+                (true, false) if to > inside[0] => Direction::Outwards,
+                (false, true) if from < inside[1] => Direction::Inwards,
+                _ => continue,
+            };
+            run.push([from, to]);
+            let mut pieces = vec![from];
+            pieces.extend(breaks.iter().copied().filter(|&x| x > from && x < to));
+            pieces.push(to);
+            if direction == Direction::Inwards {
+                pieces.reverse();
+            }
+            let slot = wanted.rim_slot && !at_hub;
+            from_rim |= !at_hub;
+            let (mode, feed) = match wanted.mode {
+                _ if slot => (Mode::Slot, SLOT_FEED),
+                Mode::Climb if direction != wanted.direction => (Mode::Conventional, wanted.feed),
+                Mode::Conventional if direction != wanted.direction => (Mode::Climb, wanted.feed),
+                mode => (mode, wanted.feed),
+            };
+            let points = tolerance.place(way, &pieces).into_iter().map(|(_, stand)| stand).collect();
+            self.add(Wanted { direction, mode, feed, points, dead_end: !(at_hub && at_rim), ..*wanted });
+        }
+        // What lies between, as far as it is in the part.
+        let mut open = begin;
+        for [from, to] in run.into_iter().chain([[end, end]]) {
+            let gap = [open.max(inside[0]), from.min(inside[1])];
+            if gap[1] > gap[0] {
+                self.dropped.push(Dropped { cutting: wanted.cutting, tool: wanted.tool, v: gap.map(*to_v), by });
+            }
+            open = to;
+        }
+        from_rim
+    }
+
+    /// A lane at the part λ of the way from obverse to reverse.
+    fn lane(&mut self, contacts: &Contacts, lambda: f64, s: f64, wanted: &Wanted) -> bool {
+        let lane = contacts.lane;
+        let (m, a) = (self.cut.run_out(wanted.tool), lane.tool.a());
+        let flat = lane.tool.flat_radius();
+        let mut breaks = vec![-m, -a, -flat, 0.0, 1.0, 1.0 + flat, 1.0 + a, 1.0 + m];
+        breaks.dedup();
+        let machine = self.job.machine;
+        let way = |q: f64| lane.stand(machine, q, contacts.psi(lambda, q));
+        let room = a + s;
+        let whole = [(-m).max(wanted.from), 1.0 + m];
+        let kept = match self.v_s {
+            None => vec![whole],
+            Some(_) => {
+                let obstacles = Obstacles::new(&self.job.part, self.pitch, room, self.v_s);
+                let inside: Vec<f64> =
+                    [0.0, 0.5, 1.0].into_iter().filter(|q| (whole[0]..whole[1]).contains(q)).collect();
+                let ends: Vec<f64> = [whole[0]].into_iter().chain(inside).chain([whole[1]]).collect();
+                parts(&ends, |q| {
+                    let psi = contacts.psi(lambda, q);
+                    let [reverse, obverse] = contacts.beside_splitter(q);
+                    // Clear of a splitter as long as the blade, or of the one that is there.
+                    psi >= reverse || psi <= obverse || obstacles.from_splitter(&lane.axis(q, psi, ABOVE)) >= room
+                })
+            }
+        };
+        let depth = lane.r_f - lane.torus.r;
+        let way = Way { stand: way, breaks, inside: [wanted.from.max(0.0), 1.0], depth, to_v: v_at };
+        self.run(wanted, &way, &kept, By::Splitter)
+    }
+
+    /// All lanes of a channel, from the middle outwards, with s left on the walls; `from` a station on. Roughing goes into
+    /// the full first.
+    fn lanes(&mut self, contacts: &Contacts, lanes: &Lanes, cutting: impl Fn(u32) -> Cutting) {
+        let Lanes { tool, K, s, roughing, from } = *lanes;
+        let side = |j: u32| if 2 * j < K { Face::Obverse } else { Face::Reverse };
+        let mut first = roughing;
+        let mut open = [roughing; 2];
+        for off in (K % 2..=K).step_by(2) {
+            let pair = [(K - off) / 2, K.midpoint(off)];
+            let mut pair: Vec<u32> = if pair[0] == pair[1] { vec![pair[0]] } else { pair.to_vec() };
+            // Where the tool is decides which one of a pair comes first.
+            if pair.len() == 2 && (self.climbing(side(pair[0])) == Direction::Inwards) != self.at_rim {
+                pair.reverse();
+            }
+            for j in pair {
+                let direction = if 2 * j == K {
+                    if self.at_rim { Direction::Inwards } else { Direction::Outwards }
+                } else {
+                    self.climbing(side(j))
+                };
+                let mode = if first || 2 * j == K { Mode::Slot } else { self.mode(side(j), direction) };
+                let half = usize::from(side(j) == Face::Reverse);
+                let wanted = Wanted {
+                    cutting: cutting(j),
+                    tool,
+                    direction,
+                    mode,
+                    feed: if first { SLOT_FEED } else { 1.0 },
+                    points: Vec::new(),
+                    dead_end: false,
+                    on_lane: true,
+                    rim_slot: open[half],
+                    from,
+                };
+                if self.lane(contacts, f64::from(j) / f64::from(K), s, &wanted) {
+                    open[half] = false;
+                }
+                first = false;
+            }
+        }
+    }
+
+    /// Roughs a channel with one of the tools, from a station on; the steps between its lanes, and its levels.
+    fn rough(&mut self, contacts: &Contacts, tool: Which, from: f64) -> (u32, u32) {
+        let (torus, mill, s) = (self.job.part.circle.torus, self.cut.tool(tool), self.cut.s);
+        let sin_alpha = torus.r / torus.R;
+        let across = contacts
+            .greatest(|q| contacts.room(q) * (torus.R + contacts.lane.below(q) * sin_cos(v_at(q)).1) * sin_alpha);
+        let K = steps(across / (self.cut.step * mill.d));
+        let depth = contacts.lane.r_f - torus.r;
+        if depth <= 0.0 {
+            return (K, 0);
+        }
+        let levels = steps(depth / self.cut.level.unwrap_or(f64::INFINITY).min(mill.d / 2.0) - 1e-9);
+        for level in 0..levels {
+            let deep = depth * f64::from(level + 1) / f64::from(levels);
+            // Higher up the same lanes only touch less.
+            let Some(lane) = OwnNormal::new(torus, mill, torus.r + deep) else { continue };
+            let contacts = contacts.at_depth(lane);
+            let lanes = Lanes { tool, K, s, roughing: true, from };
+            self.lanes(&contacts, &lanes, |lane| match tool {
+                Which::Rough => Cutting::Rough { level, lane },
+                Which::Finish => Cutting::Rest { level, lane },
+            });
+            let contour = match tool {
+                Which::Rough => Cutting::RoughContour { level },
+                Which::Finish => Cutting::RestContour { level },
+            };
+            self.contour(&contacts, tool, s, contour);
+        }
+        (K, levels)
+    }
+
+    /// Cuts the floor; the steps between its lanes.
+    fn floor(&mut self, contacts: &Contacts) -> u32 {
+        let c = self.cut.scallop;
+        let K = steps(contacts.greatest(|q| contacts.room(q) / ridge(contacts, q).turn(c)) - 1e-9);
+        let lanes = Lanes { tool: Which::Finish, K, s: 0.0, roughing: false, from: f64::NEG_INFINITY };
+        self.lanes(contacts, &lanes, |lane| Cutting::Floor { lane });
+        K
+    }
+
+    /// The station from which on a roughing tool that has no room round the splitter may have left metal.
+    fn left_from(&self, v_s: f64) -> f64 {
+        let reach = 2.0 * self.cut.rough.a() + self.cut.s + self.job.part.e / 2.0;
+        (v_s - HUB - reach / self.job.part.circle.torus.r) / FRAC_PI_2
+    }
+
+    /// Goes round the splitter, where there is room for that.
+    fn contour(&mut self, contacts: &Contacts, tool: Which, s: f64, cutting: Cutting) {
+        let Some(v_s) = self.v_s else { return };
+        let (part, m) = (&self.job.part, self.cut.run_out(tool));
+        if contour::room(part, contacts, s, v_s) < 0.0 {
+            self.dropped.push(Dropped { cutting, tool, v: [v_s, RIM], by: By::Blade });
+            return;
+        }
+        let contour = Contour::new(part, contacts, s, v_s);
+        let (machine, depth) = (self.job.machine, contacts.lane.r_f - contacts.lane.torus.r);
+        self.go_round(cutting, tool, true, contour.pieces(m), depth, |x| contour.stand(machine, x, m));
+    }
+
+    /// Runs the flanks of a blade along one face: the obverse of this channel's, the reverse of the next.
+    fn flanks(&mut self, ways: &[FlankWay]) {
+        let a = self.cut.finish.a();
+        let obstacles = Obstacles::new(&self.job.part, self.pitch, a, self.v_s);
+        for (level, way) in (0..).zip(ways) {
+            let face = way.face();
+            let turn = if face == Face::Obverse { 0.0 } else { -self.pitch };
+            let clear = |v: f64| {
+                let axis = turned(&way.axis(v), turn);
+                let opposite =
+                    if face == Face::Obverse { obstacles.from_reverse(&axis) } else { obstacles.from_obverse(&axis) };
+                [opposite, obstacles.from_splitter(&axis)]
+            };
+            let kept = parts(&way.v, |v| clear(v).into_iter().all(|apart| apart >= a));
+            let by = if parts(&way.v, |v| clear(v)[0] >= a).len() == 1 { By::Splitter } else { By::Blade };
+            self.flank(way, Cutting::Flank { face, level }, turn, way.v[0], &kept, by);
+        }
+    }
+
+    /// Runs the flanks of the splitter and its nose.
+    fn splitter_flanks(&mut self, ways: &[Vec<FlankWay>; 2]) {
+        let Some(v_s) = self.v_s else { return };
+        let (machine, turn) = (self.job.machine, -self.pitch / 2.0);
+        for (level, (obverse, reverse)) in (0..).zip(ways[0].iter().zip(&ways[1])) {
+            let round = Round::new(&self.job.part, self.cut.finish, [obverse, reverse], v_s);
+            let (cutting, tool) = (Cutting::SplitterFlanks { level }, Which::Finish);
+            if !round.is_clear(self.pitch, turn) {
+                self.dropped.push(Dropped { cutting, tool, v: [v_s, RIM], by: By::Blade });
+                continue;
+            }
+            self.go_round(cutting, tool, false, round.pieces(), self.job.part.a_p, |x| round.stand(machine, x, turn));
+        }
+    }
+
+    /// A pass in along the obverse of the splitter and out along its reverse, or the other way with the other spindle.
+    fn go_round(
+        &mut self,
+        cutting: Cutting,
+        tool: Which,
+        on_lane: bool,
+        mut pieces: Vec<f64>,
+        depth: f64,
+        way: impl Fn(f64) -> Stand,
+    ) {
+        if self.cut.spindle == Spindle::Counterclockwise {
+            pieces.reverse();
+        }
+        let points = self.tolerance(tool, depth).place(&way, &pieces).into_iter().map(|(_, stand)| stand).collect();
+        self.add(Wanted {
+            cutting,
+            tool,
+            direction: Direction::Round,
+            mode: Mode::Climb,
+            feed: 1.0,
+            points,
+            dead_end: false,
+            on_lane,
+            rim_slot: false,
+            from: f64::NEG_INFINITY,
+        });
+    }
+
+    fn flank(&mut self, way: &FlankWay, cutting: Cutting, turn: f64, from: f64, kept: &[[f64; 2]], by: By) {
+        let machine = self.job.machine;
+        let direction = self.climbing(way.face());
+        let wanted = Wanted {
+            cutting,
+            tool: Which::Finish,
+            direction,
+            mode: Mode::Climb,
+            feed: 1.0,
+            points: Vec::new(),
+            dead_end: false,
+            on_lane: false,
+            rim_slot: false,
+            from: f64::NEG_INFINITY,
+        };
+        // A splitter's way has no open end at the hub.
+        let begin = if from > HUB { f64::NEG_INFINITY } else { from };
+        let mut breaks = vec![begin];
+        breaks.extend([HUB, RIM - FADES[0], RIM - FADES[1], RIM].into_iter().filter(|&v| v > from));
+        breaks.push(way.v[1]);
+        let way = Way {
+            stand: |v| way.stand(machine, v, turn),
+            breaks,
+            inside: [from.max(HUB), RIM],
+            depth: self.job.part.a_p,
+            to_v: |v| v,
+        };
+        self.run(&wanted, &way, kept, by);
+    }
+
+    /// What the finishing tool leaves of the floor.
+    fn floor_rest(&self, lanes: u32) -> FloorRest {
+        let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
+        let across = (LOOKS_A_LANE * lanes).clamp(ACROSS[0], ACROSS[1]);
+        let set = (self.cut.finish, self.job.machine);
+        floor_rest(&self.job.part, [self.pitch, BESIDE], self.v_s, set, passes, across)
+    }
+
+    /// What is left in the corners: by the law, or by where the flanks' tool ends, where that is more.
+    fn root(&self, ways: &[Vec<FlankWay>; 2]) -> Root {
+        let law = root(&self.job.part, self.cut.finish);
+        let torus = self.job.part.circle.torus;
+        // What the tool touches lies ahead of its v by its tilt.
+        let tilt = self.cut.finish.a() * ((torus.R + torus.r) / (torus.R - torus.r)).sqrt() / torus.R / 2.0;
+        let ahead = tilt * self.job.part.a_p / torus.R;
+        let ends = ways.iter().filter_map(|ways| ways.last()).flat_map(|way| {
+            let [begin, end] = way.in_blank();
+            let (begin, whole) = (begin - ahead, end - begin + 2.0 * ahead);
+            (0..=LOOKS).map(move |look| way.above_floor(begin + whole * f64::from(look) / f64::from(LOOKS)))
+        });
+        Root { height: ends.fold(law.height, f64::max), ..law }
+    }
+
+    fn tool(&self, which: Which, lane: &OwnNormal, lanes: u32, levels: u32, m: f64) -> ToolTold {
+        let (r, r_t) = (lane.torus.r, lane.below(0.0));
+        let holder = self.cut.stages.iter().map(|&stage| clearance(stage, r, r_t, m)).min_by(f64::total_cmp);
+        ToolTold {
+            t: r_t - r,
+            lanes,
+            levels,
+            holder,
+            stick_out: stick_out(r_t, m, self.cut.d_s),
+            feed_error: self.feed_error[usize::from(which == Which::Finish)],
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! What a plan says of the part that it cuts.
+//!
+//! # Units
+//! Millimetres and radians.
+
+use crate::kinds::impeller::clear::cut::Which;
+use crate::kinds::impeller::clear::floor_rest::FloorRest;
+use crate::kinds::impeller::clear::pass::Cutting;
+use crate::kinds::impeller::clear::root::Root;
+use crate::kinds::impeller::part::Face;
+
+/// A stretch of a pass that is not run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dropped {
+    /// Of which pass.
+    pub cutting: Cutting,
+    /// Its tool.
+    pub tool: Which,
+    /// From where to where, v.
+    pub v: [f64; 2],
+    /// What stands in the way.
+    pub by: By,
+}
+
+/// What stands in the way of a pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// The splitter, or its neighbour where the splitter's own pass is meant.
+    Splitter,
+    /// The blade on the other side of the channel.
+    Blade,
+}
+
+/// What the flank passes leave of a face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FaceError {
+    /// Which face.
+    pub face: Face,
+    /// How much is left of it at most; nothing is cut into it by the poses themselves.
+    pub rest: f64,
+    /// v where that is.
+    pub v: f64,
+    /// |E| of the fit at most, before it is lifted and faded.
+    pub fit: f64,
+    /// In how many depths it is cut.
+    pub levels: u32,
+}
+
+/// A tool of the plan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToolTold {
+    /// t*, how deep below the tops the tip stands on a lane at full depth.
+    pub t: f64,
+    /// How many lanes there are.
+    pub lanes: u32,
+    /// In how many levels.
+    pub levels: u32,
+    /// The least clearance of shank and holder from the blank; `None` without stages.
+    pub holder: Option<f64>,
+    /// The stick-out that is enough for any holder, with d_s.
+    pub stick_out: f64,
+    /// The largest part by which the tip's feed changes within a block.
+    pub feed_error: f64,
+}
+
+/// What a plan says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Told {
+    /// The true gap at full depth: the largest tool that passes.
+    pub gap: f64,
+    /// The roughing tool.
+    pub rough: ToolTold,
+    /// The finishing tool.
+    pub finish: ToolTold,
+    /// The ridges between floor lanes at most.
+    pub scallop: f64,
+    /// What the floor lanes leave, farther from the walls than 0.4 mm.
+    pub floor: FloorRest,
+    /// What is left in the corner of face and floor.
+    pub root: Root,
+    /// What the flank passes leave of obverse and reverse.
+    pub faces: [FaceError; 2],
+    /// v from which on splitters stand; `None` without them.
+    pub splitter_from: Option<f64>,
+    /// Splitters are wanted, but nowhere is there room for them.
+    pub no_splitter: bool,
+    /// What is not run of the passes.
+    pub dropped: Vec<Dropped>,
+}

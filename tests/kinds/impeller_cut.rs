@@ -1,0 +1,620 @@
+//! The plan of an impeller's cut, judged by a simulator of its own: poses along linear blocks, exact lines through exact
+//! cylinders, signed distances of face points from the swept tool. Nothing of it uses the geometry that the plan is made of.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use rodete::geometry::torus::Torus;
+use rodete::kinds::impeller::clear::contact::Contacts;
+use rodete::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
+use rodete::kinds::impeller::clear::flank::FlankWay;
+use rodete::kinds::impeller::clear::lane::OwnNormal;
+use rodete::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
+use rodete::kinds::impeller::clear::placement::Tolerance;
+use rodete::kinds::impeller::clear::plan::Plan;
+use rodete::kinds::impeller::clear::tool::Tool;
+use rodete::kinds::impeller::clearance::Stand;
+use rodete::kinds::impeller::part::{Face, Part};
+use rodete::machine::rotary::Rotary;
+use rodete::number::trig::{atan2, cos, sin};
+
+type Point = [f64; 3];
+
+fn add(a: Point, b: Point, by: f64) -> Point {
+    [a[0] + b[0] * by, a[1] + b[1] * by, a[2] + b[2] * by]
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn norm(a: Point) -> f64 {
+    dot(a, a).sqrt()
+}
+
+fn turned(a: Point, by: f64) -> Point {
+    [a[0] * cos(by) - a[1] * sin(by), a[0] * sin(by) + a[1] * cos(by), a[2]]
+}
+
+const L: f64 = 242.9;
+/// Steps between poses, mm.
+const STEP: f64 = 0.2;
+
+#[derive(Clone, Copy, Debug)]
+struct Design {
+    R: f64,
+    r: f64,
+    N: u32,
+    e: f64,
+    a_p: f64,
+}
+
+impl Design {
+    fn job(&self) -> Job {
+        let part = Part::with(Torus { R: self.R, r: self.r }, self.e, self.a_p);
+        Job { part, N: self.N, machine: Rotary { L } }
+    }
+
+    fn pitch(&self) -> f64 {
+        TAU / f64::from(self.N)
+    }
+
+    /// P, t, b and N at v; straight on beyond the ends.
+    fn frame(&self, v: f64) -> [Point; 4] {
+        let Self { R, r, .. } = *self;
+        let P = |v: f64| {
+            let rho = R + r * cos(v);
+            let u = atan2(-(r + R * cos(v)), (R * R - r * r).sqrt() * sin(v));
+            (u, [rho * cos(u), rho * sin(u), r * sin(v)])
+        };
+        let end = v.clamp(PI, 1.5 * PI);
+        let (u, at) = P(end);
+        let step = 1e-5;
+        let way = add(P(end + step).1, P(end - step).1, -1.0);
+        let t = way.map(|x| x / norm(way));
+        let N = [-cos(end) * cos(u), -cos(end) * sin(u), -sin(end)];
+        let b = [t[1] * N[2] - t[2] * N[1], t[2] * N[0] - t[0] * N[2], t[0] * N[1] - t[1] * N[0]];
+        [add(at, t, R * (v - end)), t, b, N]
+    }
+
+    /// T − r.
+    fn depth(&self, x: Point) -> f64 {
+        let beside = (x[0] * x[0] + x[1] * x[1]).sqrt() - self.R;
+        (beside * beside + x[2] * x[2]).sqrt() - self.r
+    }
+
+    fn in_blank(&self, x: Point) -> bool {
+        x[2] <= 0.0 && x[0] * x[0] + x[1] * x[1] <= self.R * self.R
+    }
+
+    /// Points of the face on one side of a blade, in the blank, with v and their depth below the tops.
+    fn face(&self, side: f64, turn: f64, from: f64, grid: [u32; 2]) -> Vec<(Point, f64, f64)> {
+        let beyond = self.e / 2.0 / (self.r / self.R) / self.R;
+        let mut points = Vec::new();
+        for i in 0..=grid[0] {
+            let v = PI - beyond + (FRAC_PI_2 + 2.0 * beyond) * f64::from(i) / f64::from(grid[0]);
+            if v < from {
+                continue;
+            }
+            let [P, _, b, N] = self.frame(v);
+            let foot = add(P, b, side * self.e / 2.0);
+            for j in 0..=4 * grid[1] {
+                let h = -0.1 * self.e + (self.a_p + 0.5 * self.e) * f64::from(j) / f64::from(4 * grid[1]);
+                let x = add(foot, N, -h);
+                let depth = self.depth(x);
+                if depth >= 0.0 && depth <= self.a_p && self.in_blank(x) {
+                    points.push((turned(x, turn), v, depth));
+                }
+            }
+        }
+        points
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Pose {
+    tip: Point,
+    axis: Point,
+    a: f64,
+    r_c: f64,
+}
+
+fn pose(stand: &Stand, tool: Tool) -> Pose {
+    let (x, y, z) = (stand.at.x, stand.at.y, stand.at.z + L);
+    let (sb, cb) = (sin(stand.B), cos(stand.B));
+    let tip = turned([x * cb + z * sb, y, z * cb - x * sb - L], stand.C);
+    Pose { tip, axis: turned([sb, 0.0, cb], stand.C), a: tool.d / 2.0, r_c: tool.r_c }
+}
+
+/// The poses along a block, as a control runs it.
+fn along(from: &Stand, to: &Stand, tool: Tool, step: f64) -> Vec<Pose> {
+    let ends = [pose(from, tool), pose(to, tool)];
+    // A turn moves what is far out the most.
+    let far = norm(add(add(ends[1].tip, ends[1].axis, 8.0), add(ends[0].tip, ends[0].axis, 8.0), -1.0));
+    let length = norm(add(ends[1].tip, ends[0].tip, -1.0)).max(far);
+    let steps = (length / step).ceil().clamp(1.0, 4000.0);
+    (0..=4000_u32)
+        .take_while(|&k| f64::from(k) <= steps)
+        .map(|k| pose(&from.towards(to, f64::from(k) / steps), tool))
+        .collect()
+}
+
+fn cutting(pass: &Pass, tool: Tool) -> Vec<Pose> {
+    pass.points.windows(2).flat_map(|pair| along(&pair[0], &pair[1], tool, STEP)).collect()
+}
+
+/// Poses that follow each other, in a ball that holds their tips.
+struct Run {
+    centre: Point,
+    radius: f64,
+    poses: Vec<Pose>,
+}
+
+/// All poses that cut, in runs.
+fn poses(plan: &Plan, cut: &Cut) -> Vec<Run> {
+    let all: Vec<Pose> = plan.passes.iter().flat_map(|pass| cutting(pass, cut.tool(pass.tool))).collect();
+    let run = |poses: &[Pose]| {
+        let centre = poses[poses.len() / 2].tip;
+        let radius = poses.iter().map(|pose| norm(add(pose.tip, centre, -1.0))).fold(0.0, f64::max);
+        Run { centre, radius, poses: poses.to_vec() }
+    };
+    all.chunks(12).map(run).collect()
+}
+
+/// The poses whose tips are within a distance of a point, and some more.
+fn near(x: Point, runs: &[Run], reach: f64) -> impl Iterator<Item = &Pose> {
+    runs.iter().filter(move |run| norm(add(x, run.centre, -1.0)) <= run.radius + reach).flat_map(|run| &run.poses)
+}
+
+/// How far a point is from a tool, a cylinder with a flat or rounded end: negative by how deep it lies in it.
+fn apart(x: Point, pose: &Pose) -> f64 {
+    let from = add(x, pose.tip, -1.0);
+    let up = dot(from, pose.axis);
+    let out = (dot(from, from) - up * up).max(0.0).sqrt() - (pose.a - pose.r_c);
+    let down = pose.r_c - up;
+    let (far, deep) = (out.max(0.0), down.max(0.0));
+    out.max(down).min(0.0) + (far * far + deep * deep).sqrt() - pose.r_c
+}
+
+/// How far a point of the blank is from the swept tools, where it is near to them.
+fn distance(x: Point, runs: &[Run]) -> f64 {
+    near(x, runs, 14.0).map(|pose| apart(x, pose)).fold(f64::INFINITY, f64::min)
+}
+
+/// How deep along the line from the middle of the tube through the surface point at (v, ψ) metal has gone, at most `to`.
+fn removed(design: &Design, v: f64, psi: f64, runs: &[Run], to: f64) -> f64 {
+    let out = [cos(v) * cos(psi), cos(v) * sin(psi), sin(v)];
+    let c = [design.R * cos(psi), design.R * sin(psi), 0.0];
+    let surface = add(c, out, design.r);
+    let mut spans = Vec::new();
+    for pose in near(surface, runs, 10.0 + design.a_p) {
+        let from = add(c, pose.tip, -1.0);
+        let (along, up) = (dot(out, pose.axis), dot(from, pose.axis));
+        let (d, f) = (add(out, pose.axis, -along), add(from, pose.axis, -up));
+        let (aa, bb, cc) = (dot(d, d), dot(d, f), dot(f, f) - pose.a * pose.a);
+        let (mut low, mut high) = (0.0_f64, design.r + to);
+        if aa > 1e-14 {
+            let disc = bb * bb - aa * cc;
+            if disc < 0.0 {
+                continue;
+            }
+            low = low.max((-bb - disc.sqrt()) / aa);
+            high = high.min((-bb + disc.sqrt()) / aa);
+        } else if cc > 0.0 {
+            continue;
+        }
+        // Above the tip: up + along·T ≥ 0.
+        if along > 1e-14 {
+            low = low.max(-up / along);
+        } else if along < -1e-14 {
+            high = high.min(-up / along);
+        } else if up < 0.0 {
+            continue;
+        }
+        if high > low {
+            spans.push((low, high));
+        }
+    }
+    spans.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let mut reached = design.r;
+    for (low, high) in spans {
+        if low > reached + 1e-9 {
+            break;
+        }
+        reached = reached.max(high);
+    }
+    reached - design.r
+}
+
+#[derive(Debug, Default)]
+struct Found {
+    /// How deep the tool goes into faces of the blades.
+    undercut: f64,
+    /// What is left of the faces farther above the floor than the root's height.
+    face_rest: f64,
+    /// How far up the faces more than 0.02 mm is left.
+    root_height: f64,
+    /// How far from the faces on the floor more than 0.03 mm is left.
+    root_width: f64,
+    /// How deep the tool goes below the floor.
+    too_deep: f64,
+    /// What is left of the floor farther than 0.4 mm from the walls.
+    floor_rest: f64,
+    /// The share of the floor's metal that is left.
+    left: f64,
+    /// How deep the tops are cut.
+    tops: f64,
+}
+
+/// Face points of the channel's two blades, and of the splitter.
+fn faces(design: &Design, grid: [u32; 2]) -> Vec<(Point, f64, f64)> {
+    let mut points = design.face(1.0, 0.0, 0.0, grid);
+    points.extend(design.face(-1.0, -design.pitch(), 0.0, grid));
+    points
+}
+
+/// How far a point of the floor is from the feet of walls.
+fn from_walls(walls: &[Point], x: Point) -> f64 {
+    walls.iter().map(|wall| norm(add(x, *wall, -1.0))).fold(f64::INFINITY, f64::min)
+}
+
+fn simulate(design: &Design, plan: &Plan, cut: &Cut, grid: [u32; 2], floor: [u32; 2]) -> Found {
+    let all = poses(plan, cut);
+    let mut found = Found::default();
+    let v_s = plan.told.splitter_from;
+    let mut points = faces(design, grid);
+    if let Some(v_s) = v_s {
+        points.extend(design.face(1.0, -design.pitch() / 2.0, v_s, grid));
+        points.extend(design.face(-1.0, -design.pitch() / 2.0, v_s, grid));
+    }
+    for (x, _, depth) in &points {
+        let apart = distance(*x, &all);
+        found.undercut = found.undercut.max(-apart);
+        if design.a_p - depth > plan.told.root.height {
+            found.face_rest = found.face_rest.max(apart);
+        }
+        if apart > 0.02 {
+            found.root_height = found.root_height.max(design.a_p - depth);
+        }
+    }
+    // Feet of the walls on the floor.
+    let feet = |side: f64, turn: f64, from: f64| -> Vec<Point> {
+        design
+            .face(side, turn, from, [160, 12])
+            .into_iter()
+            .filter(|one| one.2 > 0.9 * design.a_p)
+            .map(|one| one.0)
+            .collect()
+    };
+    let mut walls = feet(1.0, 0.0, 0.0);
+    walls.extend(feet(-1.0, -design.pitch(), 0.0));
+    if let Some(v_s) = v_s {
+        walls.extend(feet(1.0, -design.pitch() / 2.0, v_s));
+        walls.extend(feet(-1.0, -design.pitch() / 2.0, v_s));
+        walls.extend(nose(design, v_s, 0.0).into_iter().filter(|x| design.depth(*x) > 0.9 * design.a_p));
+    }
+    let sheet = Sheet::new(design);
+    let (mut whole, mut left) = (0.0, 0.0);
+    for i in 0..floor[0] {
+        let v = PI + FRAC_PI_2 * (f64::from(i) + 0.5) / f64::from(floor[0]);
+        let k = (design.R * design.R - design.r * design.r).sqrt();
+        let u = atan2(-(design.r + design.R * cos(v)), k * sin(v));
+        let u = if u < 0.0 { u + TAU } else { u };
+        let rho = design.R + design.r * cos(v);
+        for j in 0..floor[1] {
+            let psi = u - design.pitch() * (f64::from(j) + 0.5) / f64::from(floor[1]);
+            let bottom = design.r + design.a_p;
+            let x = [(design.R + bottom * cos(v)) * cos(psi), (design.R + bottom * cos(v)) * sin(psi), bottom * sin(v)];
+            if !design.in_blank(x) {
+                continue;
+            }
+            let depth = removed(design, v, psi, &all, design.a_p + 3.0);
+            let inside = |x: Point| {
+                sheet.holds(design, x, 0.0, 0.0)
+                    || sheet.holds(design, x, -design.pitch(), 0.0)
+                    || v_s.is_some_and(|v_s| {
+                        sheet.holds(design, x, -design.pitch() / 2.0, v_s) || in_nose(design, x, v_s, design.e / 2.0)
+                    })
+            };
+            let top = [rho * cos(psi), rho * sin(psi), design.r * sin(v)];
+            let wall = from_walls(&walls, x);
+            if inside(top) && inside(x) {
+                // Deep inside a blade; near its faces they are asked themselves.
+                let centre = (0..=4).all(|k| inside(add(top, add(x, top, -1.0), f64::from(k) / 4.0)));
+                if centre && wall > 0.3 {
+                    found.tops = found.tops.max(depth);
+                }
+                continue;
+            }
+            found.too_deep = found.too_deep.max(-distance(x, &all));
+            if inside(top) || inside(x) {
+                continue;
+            }
+            if design.a_p - depth > 0.03 {
+                found.root_width = found.root_width.max(wall);
+            }
+            if wall < 0.4 {
+                continue;
+            }
+            whole += rho * design.a_p;
+            left += rho * (design.a_p - depth).max(0.0);
+            found.floor_rest = found.floor_rest.max(design.a_p - depth);
+        }
+    }
+    found.left = left / whole;
+    found
+}
+
+/// Frames along a blade, and straight on beyond its ends.
+struct Sheet(Vec<(f64, [Point; 4])>);
+
+impl Sheet {
+    fn new(design: &Design) -> Self {
+        let beyond = 0.15;
+        let place = |k: u32| PI - beyond + (FRAC_PI_2 + 2.0 * beyond) * f64::from(k) / 60.0;
+        Self((0..=60).map(|k| (place(k), design.frame(place(k)))).collect())
+    }
+
+    /// True for a point inside the blade from some v on: nearer to the mean surface than e/2, along b.
+    fn holds(&self, design: &Design, x: Point, turn: f64, from: f64) -> bool {
+        let x = turned(x, -turn);
+        // The v whose plane of b and N holds the point: t·(x − P) = 0.
+        let ahead = |frame: &[Point; 4]| dot(add(x, frame[0], -1.0), frame[1]);
+        for pair in self.0.windows(2) {
+            let near = norm(add(x, pair[0].1[0], -1.0)) <= 3.0 * (design.a_p + design.e);
+            if !near || ahead(&pair[0].1) < 0.0 || ahead(&pair[1].1) >= 0.0 {
+                continue;
+            }
+            let (mut low, mut high) = (pair[0].0, pair[1].0);
+            for _ in 0..20 {
+                let middle = f64::midpoint(low, high);
+                if ahead(&design.frame(middle)) >= 0.0 { low = middle } else { high = middle }
+            }
+            let [P, _, b, _] = design.frame(low);
+            return dot(add(x, P, -1.0), b).abs() < design.e / 2.0 && low >= from;
+        }
+        false
+    }
+}
+
+/// True for a point nearer than this to the ruling of a splitter's nose.
+fn in_nose(design: &Design, x: Point, v_s: f64, out: f64) -> bool {
+    let [P, _, _, N] = design.frame(v_s);
+    let from = add(turned(x, design.pitch() / 2.0), P, -1.0);
+    norm(add(from, N, -dot(from, N))) < out
+}
+
+/// Points of a splitter's half-round nose.
+fn nose(design: &Design, v_s: f64, out: f64) -> Vec<Point> {
+    let [P, t, b, N] = design.frame(v_s);
+    let mut points = Vec::new();
+    for i in 0..=24 {
+        let f = -FRAC_PI_2 + PI * f64::from(i) / 24.0;
+        for j in 0..=20 {
+            let h = -0.05 + (design.a_p + 0.2) * f64::from(j) / 20.0;
+            let side = add(add([0.0; 3], t, -cos(f)), b, sin(f));
+            let x = add(add(P, side, design.e / 2.0 + out), N, -h);
+            if (0.0..=design.a_p).contains(&design.depth(x)) {
+                points.push(turned(x, -design.pitch() / 2.0));
+            }
+        }
+    }
+    points
+}
+
+const SHIPPED: Design = Design { R: 25.0, r: 15.0, N: 4, e: 2.0, a_p: 2.0 };
+const DEEP: Design = Design { R: 25.0, r: 17.0, N: 2, e: 1.0, a_p: 4.0 };
+const LARGE: Design = Design { R: 50.0, r: 30.0, N: 5, e: 2.0, a_p: 3.0 };
+
+fn plan(design: &Design, cut: &Cut) -> Plan {
+    Plan::new(&design.job(), cut).unwrap_or_else(|refused| panic!("{refused:?}"))
+}
+
+/// Blocks may leave the way by ε; sampling and tables add no more than this.
+const MOST: f64 = 0.011;
+
+/// Nothing is cut that should stay, and nothing is left but what is told.
+fn judge(design: &Design, cut: &Cut, grid: [u32; 2], floor: [u32; 2]) -> (Plan, Found) {
+    let plan = plan(design, cut);
+    let (found, told) = (simulate(design, &plan, cut, grid, floor), &plan.told);
+    assert!(found.undercut <= MOST && found.too_deep <= MOST && found.tops < 1e-9, "{design:?} {found:?}");
+    let rest = told.faces.iter().map(|face| face.rest).fold(0.0, f64::max);
+    // The cusps between the simulator's poses are left too, and where a face ends in the blank a little more.
+    assert!(found.face_rest <= rest + MOST + STEP * STEP / (4.0 * cut.finish.d), "{design:?} {found:?} {told:?}");
+    assert!(found.floor_rest <= 1.1 * told.floor.most + 0.005, "{design:?} {found:?} {told:?}");
+    if let Some(v_s) = told.splitter_from {
+        let all = poses(&plan, cut);
+        for (x, depth) in nose(design, v_s, 0.0).into_iter().map(|x| (x, design.depth(x))) {
+            let apart = distance(x, &all);
+            assert!(apart >= -MOST, "{design:?} the nose is cut into: {apart}");
+            assert!(
+                apart < 0.02 || design.a_p - depth <= told.root.height,
+                "{design:?} {apart} of the nose at {depth}"
+            );
+        }
+    }
+    (plan, found)
+}
+
+#[test]
+fn the_usual_cut_of_the_shipped_design_keeps_its_rests() {
+    let (plan, found) = judge(&SHIPPED, &Cut::usual(6.0, 3.0), [30, 6], [24, 90]);
+    assert!(found.root_height <= 0.40 && found.root_width <= 0.35, "{found:?}");
+    assert!(found.floor_rest <= 0.03 && plan.told.floor.most <= 0.03, "{found:?} {:?}", plan.told.floor);
+    assert!(plan.told.dropped.is_empty());
+    assert!(plan.all_blocks(Which::Rough) < 5_000 && plan.all_blocks(Which::Finish) < 12_000);
+}
+
+#[test]
+fn one_tool_cuts_the_check_designs_and_tells_what_it_leaves() {
+    for (design, root) in [(SHIPPED, 1.46), (DEEP, 1.7), (LARGE, 0.71)] {
+        let (_, found) = judge(&design, &Cut::usual(6.0, 6.0), [16, 4], [12, 30]);
+        assert!(found.root_height <= root, "{design:?} {found:?}");
+    }
+}
+
+#[test]
+fn splitters_are_cut_round_and_neither_they_nor_their_neighbours_are_touched() {
+    for (design, rough, finish) in [(SHIPPED, 6.0, 3.0), (LARGE, 6.0, 6.0)] {
+        let cut = Cut { splitters: true, scallop: 0.05, ..Cut::usual(rough, finish) };
+        let (plan, found) = judge(&design, &cut, [16, 4], [12, 30]);
+        assert!(plan.told.splitter_from.is_some() && found.left < 0.01, "{found:?}");
+        assert!(plan.passes.iter().any(|pass| pass.cutting == Cutting::Contour));
+        // Where the roughing tool has no room beside a splitter, the finishing tool roughs.
+        let rest = plan.passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. }));
+        assert_eq!(rest, design.R < 30.0);
+    }
+}
+
+#[test]
+fn designs_by_chance_are_cut_as_told() {
+    let mut state = 20_u32;
+    let mut drawn = |low: f64, high: f64| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        low + (high - low) * f64::from(state >> 8) / f64::from(1_u32 << 24)
+    };
+    let mut judged = 0;
+    while judged < 2 {
+        let R = drawn(20.0, 80.0);
+        let r = R * drawn(0.4, 0.7);
+        let design = Design { R, r, N: [3, 5][judged], e: drawn(0.8, 3.0), a_p: (R - r) * drawn(0.1, 0.25) };
+        let cut = Cut::usual(drawn(2.0, 8.0), drawn(2.0, 6.0));
+        if let Err(refused) = Plan::new(&design.job(), &cut) {
+            assert!(refused.largest.is_none_or(|largest| largest < refused.d), "{refused:?}");
+            continue;
+        }
+        judge(&design, &cut, [12, 4], [10, 20]);
+        judged += 1;
+    }
+}
+
+#[test]
+fn a_ball_end_mill_cuts_no_deeper_than_a_flat_one() {
+    let cut = Cut { finish: Tool::ball(4.0), scallop: 0.1, ..Cut::usual(6.0, 4.0) };
+    let plan = plan(&SHIPPED, &cut);
+    let all = poses(&plan, &cut);
+    let undercut = faces(&SHIPPED, [24, 6]).into_iter().map(|(x, ..)| -distance(x, &all)).fold(0.0, f64::max);
+    assert!(undercut <= MOST, "{undercut}");
+    let below = all.iter().flat_map(|run| &run.poses).filter(|pose| pose.r_c > 0.0).map(|pose| {
+        let centre = add(pose.tip, pose.axis, pose.r_c);
+        if SHIPPED.in_blank(centre) { SHIPPED.depth(centre) + pose.r_c - SHIPPED.a_p } else { f64::MIN }
+    });
+    let below = below.fold(f64::MIN, f64::max);
+    assert!((-0.001..=MOST).contains(&below), "{below}");
+}
+
+#[test]
+fn links_keep_clear_of_the_blank() {
+    let cut = Cut { splitters: true, scallop: 0.2, ..Cut::usual(4.0, 4.0) };
+    let plan = plan(&SHIPPED, &cut);
+    let mut blank = Vec::new();
+    for i in 0..=12 {
+        let part = f64::from(i) / 12.0;
+        let v = PI + FRAC_PI_2 * part;
+        for [rho, z] in [
+            [SHIPPED.R + SHIPPED.r * cos(v), SHIPPED.r * sin(v)],
+            [(SHIPPED.R - SHIPPED.r) * part, 0.0],
+            [SHIPPED.R, -SHIPPED.r - 30.0 * part],
+        ] {
+            blank.extend((0..24).map(|k| turned([rho, 0.0, z], TAU * f64::from(k) / 24.0)));
+        }
+    }
+    let mut links = 0;
+    let mut last: Option<Stand> = None;
+    for pass in &plan.passes {
+        let tool = cut.tool(pass.tool);
+        let rapids = |moves: &[Move], mut at: Option<Stand>, links: &mut u32| {
+            for Move { rapid, to } in moves {
+                if *rapid && let Some(from) = at {
+                    let high = from.at.z.min(to.at.z) >= plan.Z_r - 1e-9;
+                    *links += 1;
+                    for pose in if high { Vec::new() } else { along(&from, to, tool, 4.0) } {
+                        let least = blank.iter().map(|x| apart(*x, &pose)).fold(f64::INFINITY, f64::min);
+                        assert!(least >= cut.d_s - 0.01, "{:?} {least}", pass.cutting);
+                    }
+                }
+                at = Some(*to);
+            }
+        };
+        rapids(&pass.approach, last, &mut links);
+        assert_eq!(pass.approach.last().map(|one| one.to), pass.points.first().copied());
+        rapids(&pass.leave, pass.points.last().copied(), &mut links);
+        last = pass.stands().last();
+    }
+    assert!(links > 30, "{links}");
+    // No point of the blank, however it turns, comes as high as the links do.
+    assert!(plan.Z_r >= (L * L + SHIPPED.R * SHIPPED.R).sqrt() - L + cut.d_s - 1e-9);
+}
+
+#[test]
+fn blocks_stay_within_the_tolerance_when_looked_at_densely() {
+    let (job, tool) = (SHIPPED.job(), Tool::flat(6.0));
+    let lane = OwnNormal::new(job.part.circle.torus, tool, SHIPPED.r + SHIPPED.a_p).unwrap();
+    let contacts = Contacts::new(&job.part, SHIPPED.N, lane, 0.0);
+    let way = FlankWay::new(&job.part, Face::Reverse, tool, [0.0, SHIPPED.a_p], 5.0);
+    let tolerance =
+        |delta| Tolerance { machine: job.machine, epsilon: 0.01, delta, height: SHIPPED.a_p + 0.3, a: tool.a() };
+    let obverse = |q: f64| lane.stand(job.machine, q, contacts.psi(0.0, q));
+    let middle = |q: f64| lane.stand(job.machine, q, contacts.psi(0.5, q));
+    let flank = |v: f64| way.stand(job.machine, v, 0.0);
+    let dense = |of: &dyn Fn(f64) -> Stand, ends: &[f64], blocks: [usize; 2]| {
+        let points = tolerance(None).place(&of, ends);
+        assert!((blocks[0]..=blocks[1]).contains(&(points.len() - 1)), "{}", points.len() - 1);
+        for pair in points.windows(2) {
+            let off = tolerance(None).deviation(&of, [pair[0].0, pair[1].0], [&pair[0].1, &pair[1].1], 60);
+            assert!(off <= 0.0101, "{off} {:?}", pair[0].0);
+        }
+    };
+    // Check values: 83, 82, and 89 or 76 for the flanks, without the share of ε that is kept back.
+    dense(&obverse, &[0.0, 1.0], [81, 90]);
+    dense(&middle, &[0.0, 1.0], [80, 90]);
+    dense(&flank, &[PI, 1.5 * PI], [74, 100]);
+    // With a limit of the feed they are closer: check values for 2 %: 169 and 141.
+    for (of, least, most) in [(&middle as &dyn Fn(f64) -> Stand, 150, 180), (&obverse, 125, 150)] {
+        let points = tolerance(Some(0.02)).place(&of, &[0.0, 1.0]);
+        assert!((least..=most).contains(&(points.len() - 1)), "{}", points.len() - 1);
+        for pair in points.windows(2) {
+            assert!(tolerance(None).feed_error([&pair[0].1, &pair[1].1]) <= 0.02 + 1e-9);
+        }
+    }
+}
+
+#[test]
+fn passes_climb_with_either_spindle_and_the_first_of_a_level_goes_into_the_full() {
+    for (spindle, obverse) in
+        [(Spindle::Clockwise, Direction::Inwards), (Spindle::Counterclockwise, Direction::Outwards)]
+    {
+        let cut = Cut { spindle, level: Some(0.9), scallop: 0.1, ..Cut::usual(6.0, 6.0) };
+        let plan = plan(&SHIPPED, &cut);
+        assert_eq!((plan.told.rough.levels, plan.told.rough.lanes), (2, 5));
+        let first = &plan.passes[0];
+        assert_eq!((first.cutting, first.mode, first.feed), (Cutting::Rough { level: 0, lane: 2 }, Mode::Slot, 0.5));
+        for pass in &plan.passes {
+            let (obverse_side, reverse_side) = match pass.cutting {
+                Cutting::Rough { lane, .. } => (lane < 2, lane > 2),
+                Cutting::Flank { face, .. } => (face == Face::Obverse, face == Face::Reverse),
+                _ => continue,
+            };
+            if obverse_side {
+                assert_eq!((pass.direction, pass.mode), (obverse, Mode::Climb));
+            }
+            if reverse_side {
+                assert_eq!((pass.direction, pass.mode), (obverse.back(), Mode::Climb));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_tool_that_does_not_fit_is_refused_with_the_largest_that_does() {
+    let refused = Plan::new(&SHIPPED.job(), &Cut::usual(8.0, 3.0)).unwrap_err();
+    let largest = refused.largest.unwrap();
+    assert_eq!((refused.tool, refused.d), (Which::Rough, 8.0));
+    // The gap is 6.90 mm at its own depth, 0.6 mm of it stays on the walls.
+    assert!((6.2..6.45).contains(&largest), "{largest}");
+    assert!((0.1..0.5).contains(&refused.from.unwrap()) && (0.05..0.3).contains(&refused.uncut), "{refused:?}");
+    let coarse = |d: f64| Cut { scallop: 0.5, tolerance: 0.05, ..Cut::usual(d, 3.0) };
+    assert!(Plan::new(&SHIPPED.job(), &coarse(largest)).is_ok());
+    assert!(Plan::new(&SHIPPED.job(), &coarse(largest + 0.05)).is_err());
+    let wide = Plan::new(&SHIPPED.job(), &Cut::usual(40.0, 3.0)).unwrap_err();
+    assert_eq!((wide.from, wide.uncut), (None, 1.0));
+}
