@@ -64,7 +64,8 @@ impl Browser {
             "--hide-scrollbars",
             "--force-color-profile=srgb",
             "--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1",
-            "--window-size=1280,800",
+            // Small: every frame is drawn by software.
+            "--window-size=840,560",
         ]
         .map(str::to_owned)
         .into();

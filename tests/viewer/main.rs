@@ -15,7 +15,7 @@ use tempfile::TempDir;
 
 use self::browser::{Browser, chromium};
 
-/// The stage in a picture of 1280 by 800: x, y, width, height as shares.
+/// The stage in a picture: x, y, width, height as shares.
 const STAGE: [f64; 4] = [0.0, 0.15, 0.6, 0.7];
 
 fn folder() -> TempDir {
@@ -476,7 +476,7 @@ fn the_page_fits_a_phone_and_the_dark() {
     assert!((zoomed * 2.0 / half - 1.0).abs() < 0.2, "{half} {zoomed}");
     let media = json!({ "features": [{ "name": "prefers-color-scheme", "value": "dark" }] });
     browser.developer("Emulation.setEmulatedMedia", &media);
-    browser.resize(1280, 800);
+    browser.resize(840, 560);
     browser.open(&turned, "time=60&view=iso");
     let shape = browser.run("const view = document.getElementById('view'); return view.width * view.clientHeight - view.height * view.clientWidth");
     assert_eq!(shape, json!(0), "a round part stays round when the window changes");

@@ -10,17 +10,21 @@ use rodete::figure::{Axes, Figure, Ink, Stroke};
 use rodete::finding::{Grade, Place, Raise};
 use rodete::gcode::control::Control;
 use rodete::gcode::program::Style;
+#[cfg(feature = "embedded-typst")]
+use rodete::kind::Kind;
 use rodete::kind::{End, Outcome, Provenance};
 use rodete::kinds::KINDS;
 use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::kinds::impeller::rules::NoRetract;
+#[cfg(feature = "embedded-typst")]
+use rodete::parameter::Case;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
 use rodete::report::stationery::Stationery;
 use rodete::report::typeset;
 #[cfg(feature = "embedded-typst")]
-use rodete::report::{Attachment, Content, Role};
+use rodete::report::{Attachment, Content, Report, Role};
 use rodete::table::{Column, Index, Law, Print, Quantity, Table, Unit};
 use rodete::text::{Language, t};
 use rodete::typeset::compiler::Typst;
@@ -236,14 +240,38 @@ mod embedded {
         assert!(once.starts_with(b"%PDF-1.7"));
     }
 
-    /// Every kind, case and language: each has words, method and set-up sheet of its own.
-    #[test]
-    fn every_kind_of_workbook_has_its_report() {
-        for (kind, case, language) in common::cases() {
+    /// A report and what it was made of.
+    struct Made {
+        name: String,
+        outcome: Outcome,
+        language: Language,
+        report: Report,
+    }
+
+    /// The reports of every kind, case and language, typeset once for all tests that read them.
+    static EVERY: LazyLock<Vec<Made>> = LazyLock::new(|| {
+        let made = |(kind, case, language): (&'static dyn Kind, &'static Case, Language)| {
             let outcome = common::outcome_of(kind, case, language, &[]);
             let report =
                 typeset(&outcome, &[workbook()], &Stationery::default(), language, &typst()).expect("a report");
-            assert!(report.findings.is_empty(), "{kind:?} {}: {:?}", case.name, report.findings);
+            Made { name: format!("{kind:?} {}", case.name), outcome, language, report }
+        };
+        // Typst takes one core most of its time.
+        let cases: Vec<_> = common::cases().collect();
+        std::thread::scope(|scope| {
+            let (one, other) = cases.split_at(cases.len() / 2);
+            let one = scope.spawn(move || one.iter().copied().map(made).collect::<Vec<_>>());
+            let mut all: Vec<Made> = other.iter().copied().map(made).collect();
+            all.extend(one.join().expect("reports"));
+            all
+        })
+    });
+
+    /// Each has words, method and set-up sheet of its own.
+    #[test]
+    fn every_kind_of_workbook_has_its_report() {
+        for Made { name, outcome, language, report } in EVERY.iter() {
+            assert!(report.findings.is_empty(), "{name}: {:?}", report.findings);
             let Some(text) = text(&report.pdf) else { continue };
             let first = text.split('\u{C}').next().unwrap_or_default();
             let first = first.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -253,7 +281,7 @@ mod embedded {
             };
             assert!(first.contains(red), "{kind:?} {}: page 1 says what a red banner means", case.name);
             for table in outcome.tables.iter().filter(|table| table.print != Print::No && table.rows() > 0) {
-                assert!(text.contains(table.name.get(language)), "{kind:?} {}", table.key);
+                assert!(text.contains(table.name.get(*language)), "{name} {}", table.key);
             }
         }
     }
@@ -307,16 +335,15 @@ mod embedded {
     fn the_set_up_sheet_is_one_page_a_file_of_its_own_and_behind_the_cover() {
         let long = "Rodete de ensayo ".repeat(11);
         let many = [("N", Value::Whole(3)), ("part", Value::Line(long.trim().to_owned()))];
-        let mut outcomes: Vec<_> = common::cases()
-            .map(|(kind, case, language)| (common::outcome_of(kind, case, language, &[]), language, case.name))
-            .collect();
-        outcomes.push((common::outcome("full", &many), Language::Es, "a long name"));
-        for (outcome, language, case) in outcomes {
+        let outcome = common::outcome("full", &many);
+        let report = typeset(&outcome, &[workbook()], &Stationery::default(), Language::Es, &typst()).unwrap();
+        let long = Made { name: "a long name".to_owned(), outcome, language: Language::Es, report };
+        for Made { name: case, outcome, language, report } in EVERY.iter().chain([&long]) {
+            let language = *language;
             let (head, foot) = match language {
                 Language::Es => ("Hoja de preparación", "Operario"),
                 Language::En => ("Set-up sheet", "Machinist"),
             };
-            let report = typeset(&outcome, &[workbook()], &Stationery::default(), language, &typst()).unwrap();
             let (Some(sheet), Some(whole)) = (text(&report.setup), text(&report.pdf)) else { return };
             let setups = outcome.figures.iter().filter(|figure| ["setup", "setup-2"].contains(&figure.key)).count();
             let sheet = pages(&sheet);
