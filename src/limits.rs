@@ -68,6 +68,8 @@ pub const FEED_WORD: f64 = LIMIT as f64 / 1000.0;
 pub const INVERSE_TIME_WORD: f64 = 4e9;
 /// Motion blocks of one program. A workbook that asks for more is refused before anything is computed.
 pub const PROGRAM_BLOCKS: u64 = 4_000_000;
+/// Blocks in a program of a clear cut: more do not fit the memory of many controls.
+pub const CLEAR_BLOCKS: u64 = 100_000;
 /// Blocks of a program on a sheet. A sheet stays one that a person can look through; what is longer is read from a
 /// file.
 pub const SHEET_BLOCKS: usize = 9_900;

@@ -9,14 +9,14 @@ use crate::finding::{Raise, Size};
 use crate::gcode::control::FeedLaw;
 use crate::gcode::feed_word::step;
 use crate::gcode::motion::{Motion, MotionKind};
-use crate::gcode::program::Program;
+use crate::gcode::program::{Program, Role};
 use crate::machine::axis::Axis;
 use crate::machine::rotary::Rotary;
 use crate::machine::tip_way::longest;
 use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question};
 use crate::proof::rules::{AxisTooFast, CutWithoutFeed, DecimalsAssumed, FeedWordSlows, TipTooFast};
-use crate::proof::step::{Judge, Step};
+use crate::proof::step::{Judge, Stage, Step};
 use crate::text::{Text, t};
 
 /// By what part rounding the F word may slow a motion before a person must judge it.
@@ -75,6 +75,8 @@ pub struct Feeds {
     tip: Extreme,
     rounded: Extreme,
     without: Option<At>,
+    /// Passes whose name ends so are run at this part of F.
+    slower: Option<(&'static str, f64)>,
 }
 
 impl Feeds {
@@ -82,7 +84,34 @@ impl Feeds {
     #[must_use]
     pub const fn new(machine: Rotary, F: Option<f64>, F_max: Option<f64>) -> Self {
         let nothing = Extreme::nothing();
-        Self { machine, F, F_max, axis: nothing, fastest: Axis::X, tip: nothing, rounded: nothing, without: None }
+        Self {
+            machine,
+            F,
+            F_max,
+            axis: nothing,
+            fastest: Axis::X,
+            tip: nothing,
+            rounded: nothing,
+            without: None,
+            slower: None,
+        }
+    }
+}
+
+impl Feeds {
+    /// The same, where passes whose name ends so are run at a part of F.
+    #[must_use]
+    pub const fn slower(self, slower: (&'static str, f64)) -> Self {
+        Self { slower: Some(slower), ..self }
+    }
+
+    /// F of a motion.
+    fn of(&self, step: &Step<'_>) -> Option<f64> {
+        let part = self.slower.filter(|(ending, _)| {
+            let Stage::Planned(planned) = &step.stage else { return false };
+            matches!(planned.path, Some((path, _)) if matches!(path.role, Role::Cut(name) if name.ends_with(ending)))
+        });
+        self.F.map(|F| F * part.map_or(1.0, |(_, part)| part))
     }
 }
 
@@ -106,7 +135,7 @@ impl Judge for Feeds {
             }
         }
         let way = longest(self.machine, &motion.from, &motion.to);
-        if let Some(F) = self.F {
+        if let Some(F) = self.of(step) {
             let greatest = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
             let wanted = (way * 60.0 / F).max(self.F_max.map_or(0.0, |F_max| greatest * 60.0 / F_max));
             if wanted > 0.0 {

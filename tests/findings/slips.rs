@@ -8,6 +8,7 @@ use rodete::cli::rows;
 use rodete::finding::{Example, Finding, Rule};
 use rodete::gcode::header::Origin;
 use rodete::gcode::program::{Part, Program};
+use rodete::kinds::impeller::clear::{self, cut::Job};
 use rodete::kinds::impeller::proof::cutting::Known;
 use rodete::kinds::impeller::proof::{Geometry, due, judges, setting};
 use rodete::kinds::impeller::splitter::Splitter;
@@ -26,7 +27,10 @@ use rodete::text::Language;
 /// The values of a kind's usual case, some cells changed.
 fn values(cases: &'static [Case], cells: &[(&'static str, &'static str)]) -> Values {
     let mut values = Values { language: Language::En, ..Values::default() };
-    values.values.extend(cases[0].values(Language::En));
+    // A method has a case of its own.
+    let method = cells.iter().find(|(symbol, _)| *symbol == "method").map(|(_, method)| *method);
+    let case = cases.iter().find(|case| Some(case.name) == method).unwrap_or(&cases[0]);
+    values.values.extend(case.values(Language::En));
     for (symbol, text) in cells {
         let value = match values.values.get(symbol) {
             _ if text.is_empty() => None,
@@ -64,12 +68,18 @@ fn told(kind: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to
                 Err(refused) => return refused,
             };
             let blade = crate::common::blade(&design);
-            let splitter = design.splitters.then(|| Splitter::new(&design, &blade).unwrap());
+            let plan =
+                design.clear.as_ref().map(|asked| clear::plan::Plan::new(&Job::of(&design), &asked.cut).unwrap());
+            let splitter = (design.splitters && plan.is_none()).then(|| Splitter::new(&design, &blade).unwrap());
             let tracks =
                 impeller::programs::Tracks::new(&blade, &ToolPaths::new(&design, &blade), splitter.as_ref()).unwrap();
-            let made = impeller::programs::programs(&design, &tracks, &origin).unwrap();
+            let made = match &plan {
+                Some(plan) => clear::programs::programs(&design, plan, &origin).unwrap(),
+                None => impeller::programs::programs(&design, &tracks, &origin).unwrap(),
+            };
             let program = made.programs.iter().find(|program| program.key == key).unwrap();
-            let geometry = Geometry { design: &design, blade: &blade, splitter: splitter.as_ref() };
+            let geometry =
+                Geometry { design: &design, blade: &blade, splitter: splitter.as_ref(), clear: plan.as_ref() };
             let mut known = Known::new(geometry);
             let text = slipped(program, from, to);
             let judges = judges(geometry, &mut known, program);

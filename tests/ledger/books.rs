@@ -37,6 +37,8 @@ const LINUXCNC: &str = "linuxcnc";
 const NEEDS: [([&str; 3], Edits); 4] = [
     (["impeller", "full", FAGOR_8070], &[("retract", "")]),
     (["impeller", "full", LINUXCNC], &[("start_codes", "M3")]),
+    (["impeller", "clear", FAGOR_8070], &[("retract", "")]),
+    (["impeller", "clear", LINUXCNC], &[("start_codes", "M3")]),
     (
         ["impeller", "tfg-2021", LINUXCNC],
         &[("start_codes", "M3"), ("style", "full"), ("feed_F", "300"), ("speed_S", "6000")],

@@ -280,7 +280,8 @@ impl Prepared {
 
     /// The worst verdict of each check on a program's text after a change.
     fn verdicts(&self, key: &str, change: impl Fn(&str) -> String) -> BTreeMap<&'static str, Option<Grade>> {
-        let geometry = Geometry { design: &self.design, blade: &self.blade, splitter: Some(&self.splitter) };
+        let geometry =
+            Geometry { design: &self.design, blade: &self.blade, splitter: Some(&self.splitter), clear: None };
         let program = self.programs.iter().find(|program| program.key == key).unwrap();
         let text = change(&program.text());
         let mut read = Interpreter::over(text.as_bytes(), program.setting());
@@ -502,7 +503,7 @@ proptest! {
         let origin = Origin { workbook: "", sha256: "", version: "", language: Language::En };
         let made = programs(&design, &tracks, &origin).unwrap();
         let program = made.programs.iter().find(|program| program.key == "splitter").unwrap();
-        let geometry = Geometry { design: &design, blade: &blade, splitter: Some(&splitter) };
+        let geometry = Geometry { design: &design, blade: &blade, splitter: Some(&splitter), clear: None };
         let checks = judge(geometry, program, &mut program.read_back(), &mut Known::new(geometry));
         let blades = checks.iter().find(|check| check.key() == "blades").unwrap();
         let on_the_way = blades.at().unwrap().along.is_none();

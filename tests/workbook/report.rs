@@ -279,7 +279,7 @@ mod embedded {
                 Language::Es => "está en rojo",
                 Language::En => "is red",
             };
-            assert!(first.contains(red), "{kind:?} {}: page 1 says what a red banner means", case.name);
+            assert!(first.contains(red), "{name}: page 1 says what a red banner means");
             for table in outcome.tables.iter().filter(|table| table.print != Print::No && table.rows() > 0) {
                 assert!(text.contains(table.name.get(*language)), "{name} {}", table.key);
             }

@@ -6,6 +6,8 @@ use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::{Feed, Part, Path, Program, Role};
 use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::gcode::writer::Writer;
+use crate::kinds::impeller::clear::asked::Mill;
+use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Pose, Position};
@@ -21,6 +23,9 @@ pub struct Limited {
     /// Moves whose F word reached an end of its format.
     pub by_format: usize,
 }
+
+/// A whole turn, thousandths of a degree.
+const WHOLE: i32 = 360_000;
 
 const ALL: &[Axis] = &[Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
 
@@ -53,17 +58,26 @@ impl BladePass {
         let mut limited = Limited::default();
         let ordered: Vec<Position> = if backwards { points.iter().rev().copied().collect() } else { points.to_vec() };
         let last = ordered.last().copied().unwrap_or(from);
-        let through = feeds(design, from, &ordered, &mut limited)?;
-        let out = feeds(design, last, &[to], &mut limited)?;
+        let through = feeds(design, design.F, from, &ordered, &mut limited)?;
+        let out = feeds(design, design.F, last, &[to], &mut limited)?;
         Ok(Self { track, points: Arc::clone(points), backwards, through, end: Arc::new([to]), out, limited })
     }
 }
 
-/// The F word and the time of each move. The time is what the tip needs over the part at the feed F, by an upper
+/// The F word and the time of each move. The time is what the tip needs over the part at a feed F, by an upper
 /// bound of its way, or longer where an
 /// axis would exceed F_max: the axes run many times the tip's way.
-fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Limited) -> Result<Feed, OutOfFormat> {
-    let (Style::Full, Some(F)) = (design.style, design.F) else {
+///
+/// # Errors
+/// For a feed that no program may carry.
+pub fn feeds(
+    design: &Design,
+    F: Option<f64>,
+    from: Position,
+    points: &[Position],
+    limited: &mut Limited,
+) -> Result<Feed, OutOfFormat> {
+    let (Style::Full, Some(F)) = (design.style, F) else {
         return Ok(Feed::None);
     };
     let law = design.control.feed.law;
@@ -93,6 +107,7 @@ fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Lim
 #[derive(Debug)]
 pub struct Assembly<'a> {
     design: &'a Design,
+    mill: Mill,
     writer: Writer,
     start: Position,
     /// Where the passes begin: the published programs start here.
@@ -116,13 +131,21 @@ impl<'a> Assembly<'a> {
     /// # Errors
     /// For a position that no program may carry.
     pub fn new(design: &'a Design, first: Position) -> Result<Self, OutOfFormat> {
+        Self::with(design, design.mill(Which::Rough), first)
+    }
+
+    /// The same with a tool.
+    ///
+    /// # Errors
+    /// For a position that no program may carry.
+    pub fn with(design: &'a Design, mill: Mill, first: Position) -> Result<Self, OutOfFormat> {
         let turned = first.get(Axis::C).thousandths();
         let whole = if design.turns_by_increments() { turned.rem_euclid(360_000) - turned } else { 0 };
         let turns = Milli::new(whole);
         let first = first.moved(Axis::C, turns);
         let mut assembly = {
             let writer = Writer::new(design.written, Vec::new());
-            Self { design, writer, start: first, first, at: first, turns }
+            Self { design, mill, writer, start: first, first, at: first, turns }
         };
         match design.style {
             Style::Annex => {
@@ -150,8 +173,8 @@ impl<'a> Assembly<'a> {
         if !design.retract.is_empty() {
             self.writer.part(Part::Away(design.retract.clone()));
         }
-        self.writer.tool(design.T, design.D);
-        let speed = design.S.map(|S| Word::whole('S', S));
+        self.writer.tool(self.mill.T, self.mill.D);
+        let speed = self.mill.S.map(|S| Word::whole('S', S));
         self.writer.block(speed.into_iter().chain(design.start_codes.iter().copied()).collect::<Vec<_>>());
         if !design.coolant.is_empty() {
             self.writer.block(design.coolant.clone());
@@ -242,6 +265,43 @@ impl<'a> Assembly<'a> {
         }
         self.writer.part(Part::Path(through));
         self.writer.part(Part::Path(out));
+    }
+
+    /// A turn with so many whole ones that C comes to a position by half a turn at most.
+    #[must_use]
+    pub fn nearest(&self, to: Position, turn: Milli) -> Milli {
+        let by = (to.get(Axis::C) + self.turns - self.at.get(Axis::C)).thousandths();
+        let whole = (by + WHOLE / 2).div_euclid(WHOLE);
+        turn - Milli::new(whole * WHOLE)
+    }
+
+    /// A rapid move outside the part, C turned on, of the axes that move.
+    pub fn over(&mut self, to: Position, turn: Milli) {
+        let to = to.moved(Axis::C, turn + self.turns);
+        let moves = |axes: &[Axis]| axes.iter().any(|&axis| to.get(axis) != self.at.get(axis));
+        let axes: &'static [Axis] = match (moves(&[Axis::X, Axis::Y, Axis::B]), moves(&[Axis::Z]), moves(&[Axis::C])) {
+            (false, true, false) => &[Axis::Z],
+            (false, false, true) => &[Axis::C],
+            (false, true, true) => &[Axis::Z, Axis::C],
+            (true, false, _) => &[Axis::X, Axis::Y, Axis::B, Axis::C],
+            _ => ALL,
+        };
+        self.go(to, axes);
+    }
+
+    /// A rapid move straight up.
+    pub fn up(&mut self, z: Milli) {
+        self.go(self.at.with(Axis::Z, z), &[Axis::Z]);
+    }
+
+    /// Cuts through points under a name, C turned on.
+    pub fn through(&mut self, key: &'static str, points: &Arc<[Position]>, feed: &Feed, turn: Milli) {
+        let turn = turn + self.turns;
+        let path = Path { role: Role::Cut(key), turn, feed: feed.clone(), ..self.path(Arc::clone(points), ALL, false) };
+        if let Some(end) = points.len().checked_sub(1).and_then(|last| path.position(last)) {
+            self.at = end;
+        }
+        self.writer.part(Part::Path(path));
     }
 
     /// Turns C alone, at a safe point.

@@ -1,11 +1,12 @@
 //! The cases that a new impeller workbook can start from.
 
+use crate::kinds::impeller::clear::fields::{self as cut, Method};
 use crate::kinds::impeller::parameters::SCHEMA;
 use crate::parameter::{Case, Value};
 use crate::text::{Language, t};
 
 /// The cases that a new workbook can start from, the usual one first.
-pub static CASES: [Case; 2] = [
+pub static CASES: [Case; 3] = [
     Case::new(
         "full",
         t(
@@ -21,6 +22,14 @@ pub static CASES: [Case; 2] = [
             "The published case (UPCT, 2021). Its tables fix e + d_t = 8 and d_s + d_t/2 = 8; here d_t = 6, e = 2, d_s = 5. L = R_B + H = 147.5 + 95.4 = 242.9.",
         ),
         published,
+    ),
+    Case::new(
+        "clear",
+        t(
+            "La pieza publicada, cortada como se diseñó: desbaste con una fresa de 6 mm y acabado con una de 3 mm, con todo el canal, fondo, caras y álabes intermedios. F, S, F_max y los rápidos G_lin y G_rot están elegidos para aluminio: compruébelos para su máquina.",
+            "The published part, cut as designed: roughing with a 6 mm and finishing with a 3 mm end mill, the whole channel, floor, faces and splitters. F, S, F_max and the rapid rates G_lin and G_rot are chosen for aluminium: check them for your machine.",
+        ),
+        clear,
     ),
 ];
 
@@ -71,6 +80,7 @@ fn published(language: Language) -> Vec<(&'static str, Value)> {
         ("c_c", Value::Real(5.0)),
         ("X_e", Value::Real(80.0)),
         ("Z_e", Value::Real(80.0)),
+        cut::METHOD.is(Method::Published),
     ]
 }
 
@@ -94,6 +104,23 @@ fn full(language: Language) -> Vec<(&'static str, Value)> {
         ("rotary", Value::Choice("rollover")),
         ("retract", Value::Line("G0 G53 Z0".to_owned())),
         ("S_m", Value::Whole(3000)),
+    ]);
+    values
+}
+
+fn clear(language: Language) -> Vec<(&'static str, Value)> {
+    let mut values = full(language);
+    values.retain(|entry| !["splitter_fade", cut::METHOD.key()].contains(&entry.0));
+    values.extend([
+        cut::METHOD.is(Method::Clear),
+        ("d_f", Value::Real(3.0)),
+        ("T_f", Value::Whole(2)),
+        ("D_f", Value::Whole(2)),
+        ("F_f", Value::Real(300.0)),
+        ("S_f", Value::Whole(12_000)),
+        cut::ALLOWANCE.is(0.3),
+        cut::STEP.is(0.7),
+        cut::SCALLOP.is(0.02),
     ]);
     values
 }

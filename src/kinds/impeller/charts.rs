@@ -1,6 +1,7 @@
 //! The charts of the results workbook, where people would rather look than read.
 
 use crate::kind::{Chart, Series};
+use crate::kinds::impeller::PUBLISHED;
 use crate::text::{Text, t};
 
 fn series(name: Text, x: (&'static str, &'static str), y: (&'static str, &'static str)) -> Series {
@@ -9,7 +10,7 @@ fn series(name: Text, x: (&'static str, &'static str), y: (&'static str, &'stati
 
 /// The charts of an impeller.
 #[must_use]
-pub fn charts(splitters: bool) -> Vec<Chart> {
+pub fn charts(splitters: bool, clear: bool) -> Vec<Chart> {
     let (obverse, reverse) = (t("anverso", "obverse"), t("reverso", "reverse"));
     let mut charts = vec![
         Chart {
@@ -54,6 +55,8 @@ pub fn charts(splitters: bool) -> Vec<Chart> {
             series: vec![series(t("puntos de seguridad", "safe points"), ("annex-8", "x"), ("annex-8", "y"))],
         },
     ];
+    // Those of the published passes: a clear cut has none of their tables.
+    charts.retain(|chart| !clear || !PUBLISHED.contains(&chart.table));
     if splitters {
         charts.push(Chart {
             table: "intersection",

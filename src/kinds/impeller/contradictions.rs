@@ -7,6 +7,7 @@ use crate::gcode::word::Distance;
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::kinds::impeller::blank::BlankTurning;
+use crate::kinds::impeller::clear::remarks;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::rules::{
@@ -25,6 +26,10 @@ impl Design {
     pub(super) fn contradictions(&self) -> Vec<Finding> {
         let mut findings = Vec::new();
         self.check_geometry(&mut findings);
+        match &self.clear {
+            None => self.check_published(&mut findings),
+            Some(asked) => findings.extend(remarks::contradictions(self, asked)),
+        }
         self.check_machine(&mut findings);
         self.check_program(&mut findings);
         self.blank.check(self.torus, &mut findings);
@@ -33,7 +38,7 @@ impl Design {
 
     fn check_geometry(&self, findings: &mut Vec<Finding>) {
         let Torus { R, r } = self.torus;
-        let (N, e, tool) = (self.N, Size::mm(self.e), Size::mm(self.d_t));
+        let tool = Size::mm(self.d_t);
         // Relative tolerance: below it the blade's angle α is 90° within the printed digits and the hub vanishes.
         if r >= R * (1.0 - 1e-6) {
             let told = TorusCloses { r: Size::mm(r), R: Size::mm(R) };
@@ -50,6 +55,16 @@ impl Design {
             let told = ToolBeyondHollow { tool, r: Size::mm(r) };
             findings.push(told.at(at([form::D_T.key(), form::MERIDIAN_R.key()])).with(mm(self.d_t), mm(2.0 * r)));
         }
+    }
+
+    /// What the published method asks for beside: its own limits of blades and thickness, and safe points outside its passes.
+    fn check_published(&self, findings: &mut Vec<Finding>) {
+        let Torus { R, r } = self.torus;
+        // Told already, and the limits would mean nothing.
+        if r >= R * (1.0 - 1e-6) || self.a_p >= R - r {
+            return;
+        }
+        let (N, e, tool) = (self.N, Size::mm(self.e), Size::mm(self.d_t));
         let (most, thickest) =
             (N_max(self.torus, self.a_p, self.e, self.d_t), e_max(self.torus, self.a_p, self.N, self.d_t));
         let around = hub_circumference(self.torus, self.a_p);
@@ -133,6 +148,9 @@ impl Design {
         findings.extend(refused_codes(self.control, form::COOLANT.key(), &self.coolant, false));
         findings.extend(refused_codes(self.control, form::START_CODES.key(), &self.start_codes, false));
         findings.extend(refused_codes(self.control, form::END_CODES.key(), &self.end_codes, true));
+        if self.clear.is_some() {
+            return;
+        }
         let passes = 2 * u64::from(self.N) * if self.splitters { 2 } else { 1 };
         let blocks = passes.saturating_mul(self.n as u64 + 1);
         if blocks > PROGRAM_BLOCKS {

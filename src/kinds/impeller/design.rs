@@ -7,6 +7,9 @@ pub use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Word};
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::blank::BlankTurning;
+use crate::kinds::impeller::clear::asked::{Asked, Mill};
+use crate::kinds::impeller::clear::cut::Which;
+use crate::kinds::impeller::clear::fields as cut;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::tool_path::half_width;
@@ -89,6 +92,10 @@ pub struct Design {
     pub block_step: u32,
     /// The turning of the blank.
     pub blank: BlankTurning,
+    /// The workbook says by which method it is cut.
+    pub method_given: bool,
+    /// What the clear cut is asked for; `None` where the part is cut as published.
+    pub clear: Option<Asked>,
     /// The calibration, if asked for.
     pub calibration: Option<Slots>,
 }
@@ -98,6 +105,13 @@ impl Design {
     #[must_use]
     pub fn w(&self) -> f64 {
         half_width(self.e, self.d_t)
+    }
+
+    /// A tool with its feed and speed: the finishing one is the roughing one where there is no other.
+    #[must_use]
+    pub fn mill(&self, which: Which) -> Mill {
+        let own = Mill { T: self.T, D: self.D, d: self.d_t, F: self.F, S: self.S };
+        self.clear.as_ref().filter(|_| which == Which::Finish).map_or(own, |asked| asked.finish)
     }
 
     /// How much of the tool over its tip is looked at, mm: from a tip within d_s of the stock no longer tool reaches more
@@ -129,7 +143,7 @@ impl Design {
         let (R_B, H) = (fields.get(&form::R_B), fields.get(&form::H));
         let written = fields.get(&form::DIALECT);
         let control = written.control;
-        Self {
+        let plain = Self {
             torus: Torus { R: fields.get(&form::R), r: fields.get(&form::MERIDIAN_R) },
             n: fields.get(&form::INTERVALS_N) as usize,
             eps_v: fields.get(&form::EPS_V),
@@ -170,8 +184,11 @@ impl Design {
             end_codes: fields.get(&form::END_CODES).0,
             block_step: fields.get(&form::BLOCK_STEP),
             blank: BlankTurning::of(fields),
+            method_given: fields.values().values.contains_key(cut::METHOD.key()),
+            clear: None,
             calibration: Self::slots(fields),
-        }
+        };
+        Self { clear: Asked::of(fields, &plain), ..plain }
     }
 
     fn slots(fields: &Fields) -> Option<Slots> {

@@ -20,24 +20,24 @@
 use std::f64::consts::TAU;
 
 use crate::geometry::torus::Torus;
-use crate::kinds::impeller::sweep::{Pace, Sweep};
+use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
 use crate::limits::FLOOR_BOXES;
 use crate::number::bisection::{Bounds, Cell, greatest};
 use crate::number::trig::{hypot, sin_cos};
 
-/// How close the bound is to what is found, mm.
-const CLOSE: f64 = 0.0002;
+/// How close the bound of the plan's depth is to what is found, mm.
+pub const CLOSE: f64 = 0.0002;
 
 /// How much too deep the passes are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Deepest {
+pub struct Deepest<T = Track> {
     /// It is not more, mm below the floor.
     pub most: f64,
     /// It is this at least.
     pub found: f64,
     /// The pass.
-    pub track: Track,
+    pub track: T,
     /// The point index along it.
     pub x: f64,
 }
@@ -49,15 +49,21 @@ pub fn law(Torus { R, r }: Torus, a_p: f64, e: f64, d_t: f64) -> f64 {
     hypot(r_f, d_t / 2.0 + (e + d_t) / 2.0 * cos_alpha) - r_f
 }
 
-/// The deepest point of the passes below the floor.
+/// The deepest point of the passes below the floor, its bound as close to what is found as it is asked for.
 #[must_use]
-pub fn deepest(Torus { R, r }: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep]) -> Option<Deepest> {
+pub fn deepest<T: Copy>(
+    Torus { R, r }: Torus,
+    a_p: f64,
+    d_t: f64,
+    sweeps: &[Sweep<T>],
+    close: f64,
+) -> Option<Deepest<T>> {
     let (a, r_f) = (d_t / 2.0, r + a_p);
     let stretches: Vec<_> =
         sweeps.iter().flat_map(|sweep| sweep.stretches.iter().map(|stretch| (sweep.track, stretch))).collect();
     let paces: Vec<Pace> = stretches.iter().map(|(_, stretch)| stretch.pace(0.0)).collect();
     let cells = (0..stretches.len()).map(|sheet| Cell { sheet, s: [0.0, 1.0], t: [0.0, TAU] });
-    let found = greatest(cells, CLOSE, FLOOR_BOXES, |cell| {
+    let found = greatest(cells, close, FLOOR_BOXES, |cell| {
         let (_, stretch) = stretches[cell.sheet];
         let pace = paces[cell.sheet];
         let (speed, acceleration) = (pace.speed + pace.turn * a, pace.acceleration + pace.turn * pace.turn * a);
@@ -98,6 +104,92 @@ pub fn deepest(Torus { R, r }: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep]) -> O
     let [low, high] = found.at.s;
     let x = stretch.index((low + high) / 2.0);
     Some(Deepest { most: found.upper.max(0.0), found: found.lower.max(0.0), track, x })
+}
+
+/// How far a stretch of time may be from the straight line between its ends, mm.
+const SAG: f64 = 0.0002;
+/// How often it is halved at most for that.
+const HALVINGS: u8 = 12;
+
+/// The deepest point of passes that are made not to go below the floor: [`deepest`] looks at the stretches alone for which
+/// a coarser bound does not show that they are not deeper than a limit.
+///
+/// # Derivation
+/// At one time the disc at the tool's end lies in the ball about the point c of the tube's middle circle that is nearest to
+/// the axis: with c at the distance m from the axis and the end D below c, T ≤ √(D² + (a + m)²) all round, for T is no more than
+/// the distance from any point of the circle. Over time T exceeds the greater of both ends by no more than
+/// (V²/ρ + W)/8, as above, whatever the place on the rim.
+#[must_use]
+pub fn within<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], limit: f64) -> Option<Deepest<T>> {
+    let mut most: Option<Deepest<T>> = None;
+    let mut take = |found: Deepest<T>| {
+        if most.is_none_or(|known| found.most > known.most) {
+            most = Some(found);
+        }
+    };
+    for sweep in sweeps {
+        let mut left = Vec::new();
+        for stretch in &sweep.stretches {
+            let pace = stretch.pace(0.0);
+            match ball(torus, a_p, d_t / 2.0, stretch, pace, limit) {
+                Some(upper) => {
+                    let x = stretch.index(0.5);
+                    take(Deepest { most: upper.max(0.0), found: 0.0, track: sweep.track, x });
+                }
+                None => left.push(*stretch),
+            }
+        }
+        let left = Sweep { track: sweep.track, stretches: left, height: sweep.height };
+        if let Some(found) = deepest(torus, a_p, d_t, &[left], SAG) {
+            take(found);
+        }
+    }
+    most
+}
+
+/// The coarser bound of one stretch; `None` where it does not show that the stretch keeps to the limit.
+fn ball(Torus { R, r }: Torus, a_p: f64, a: f64, stretch: &Stretch, pace: Pace, limit: f64) -> Option<f64> {
+    let r_f = r + a_p;
+    // Depth below the floor, at most, and the least distance of the disc from the axis of the part.
+    let at = |s: f64| {
+        let (tip, axis) = stretch.tool(s);
+        // The nearest point of the circle to the line of the axis, from the place of the axis at its height, by steps.
+        let mut along = 0.0;
+        let mut centre = tip;
+        for _ in 0..6 {
+            let point = tip + axis * along;
+            let rho = (point.x * point.x + point.y * point.y).sqrt();
+            centre = nalgebra::Vector3::new(point.x / rho * R, point.y / rho * R, 0.0);
+            along = (centre - tip).dot(&axis);
+        }
+        let m = (tip + axis * along - centre).norm();
+        let rho = (tip.x * tip.x + tip.y * tip.y).sqrt() - a;
+        (hypot(along, a + m) - r_f, rho)
+    };
+    let (speed, acceleration) = (pace.speed + pace.turn * a, pace.acceleration + pace.turn * pace.turn * a);
+    let mut pieces = vec![([0.0, 1.0], [at(0.0), at(1.0)], HALVINGS)];
+    let mut most = f64::NEG_INFINITY;
+    while let Some(([s_0, s_1], ends, halvings)) = pieces.pop() {
+        let span = s_1 - s_0;
+        let least = ends[0].1.min(ends[1].1) - speed * span / 2.0;
+        if least <= 0.0 || ends.iter().any(|end| end.0.is_nan()) {
+            return None;
+        }
+        let sag = (speed * speed / least + acceleration) * span * span / 8.0;
+        let upper = ends[0].0.max(ends[1].0) + sag;
+        if ends[0].0.max(ends[1].0) + stretch.slack > limit {
+            return None;
+        }
+        if sag > SAG && upper > most && halvings > 0 {
+            let middle = f64::midpoint(s_0, s_1);
+            let found = at(middle);
+            pieces.push(([s_0, middle], [ends[0], found], halvings - 1));
+            pieces.push(([middle, s_1], [found, ends[1]], halvings - 1));
+        } else {
+            most = most.max(upper);
+        }
+    }
+    Some(most + stretch.slack).filter(|most| *most <= limit)
 }
 
 #[cfg(test)]

@@ -7,6 +7,8 @@ use crate::gcode::control::FeedLaw;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::Distance;
+use crate::kinds::impeller::clear::asked::Mill;
+use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::number::grid::Milli;
 use crate::number::shown;
@@ -31,10 +33,16 @@ fn extents(header: &mut Header, program: &Program) {
 /// The header of a milling program, its opening line included. `full_from` are the points from which the ways out and
 /// back along the splitters that it cuts have their full offset, where these differ.
 #[must_use]
-pub fn header(design: &Design, program: &Program, full_from: Option<[usize; 2]>, origin: &Origin<'_>) -> Vec<Part> {
+pub fn header(
+    design: &Design,
+    program: &Program,
+    which: Which,
+    full_from: Option<[usize; 2]>,
+    origin: &Origin<'_>,
+) -> Vec<Part> {
     let mut comments = identity(design, program, origin);
-    let (T, D) = (design.T, design.D);
-    let diameter = fixed(design.d_t);
+    let Mill { T, D, d, F, S } = design.mill(which);
+    let diameter = fixed(d);
     comments.line(
         &format!("HERRAMIENTA T{T} D{D} FRESA FRONTAL DIAM. {diameter}"),
         &format!("TOOL T{T} D{D} FLAT END MILL DIAM. {diameter}"),
@@ -88,7 +96,7 @@ pub fn header(design: &Design, program: &Program, full_from: Option<[usize; 2]>,
         comments.line("COORDENADAS INCREMENTALES G91 TRAS EL INICIO", "INCREMENTAL G91 AFTER THE START");
     }
     extents(&mut comments, program);
-    if let (Some(F), Some(S)) = (design.F, design.S) {
+    if let (Some(F), Some(S)) = (F, S) {
         let F = shown(F, 3);
         comments.line(
             &format!("AVANCE DE LA PUNTA {F} MM-MIN - HUSILLO {S} RPM"),

@@ -47,7 +47,7 @@ pub mod track;
 pub mod undercut;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Rule};
+use crate::finding::{Finding, Place, Raise, Rule};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
@@ -59,6 +59,10 @@ use crate::kind::{Chapters, Chart, Proved, out_of_format};
 use crate::kinds;
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
+use crate::kinds::impeller::clear::cut::Job;
+use crate::kinds::impeller::clear::plan::Plan;
+use crate::kinds::impeller::clear::remarks as remarks_of;
+use crate::kinds::impeller::clear::rules::PublishedLeavesMetal;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::figures::figures;
@@ -82,6 +86,9 @@ use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
 use crate::text::{Text, t};
 
+/// The tables of the published passes: a clear cut has others.
+const PUBLISHED: [&str; 3] = ["annex-6", "annex-7", "annex-8"];
+
 /// The kind.
 #[derive(Debug)]
 pub enum Impeller {}
@@ -97,12 +104,14 @@ pub struct Model {
     limits: Limits,
     /// Passes on the output grid, where they fit it.
     tracks: Result<Tracks, OutOfFormat>,
+    /// The plan of a clear cut.
+    clear: Option<Plan>,
 }
 
 impl Model {
     /// What programs are compared with.
     const fn geometry<'a>(&'a self, design: &'a Design) -> Geometry<'a> {
-        Geometry { design, blade: &self.blade, splitter: self.splitter.as_ref() }
+        Geometry { design, blade: &self.blade, splitter: self.splitter.as_ref(), clear: self.clear.as_ref() }
     }
 }
 
@@ -113,7 +122,8 @@ impl Method for Impeller {
 
     const FORM: &'static Form = &FORM;
     const CASES: &'static [Case] = &cases::CASES;
-    const RULES: &'static [&'static [&'static Rule]] = &[kinds::rules::RULES, rules::RULES, proof::rules::RULES];
+    const RULES: &'static [&'static [&'static Rule]] =
+        &[kinds::rules::RULES, rules::RULES, clear::rules::RULES, proof::rules::RULES];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../report-templates/impeller/labels.typ"),
         method: [
@@ -149,7 +159,16 @@ impl Method for Impeller {
         let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
         let passes = ToolPaths::new(design, &blade);
         let mut stops = Vec::new();
-        let splitter = if design.splitters {
+        let clear = match &design.clear {
+            Some(asked) => {
+                let plan =
+                    Plan::new(&Job::of(design), &asked.cut).map_err(|why| vec![remarks_of::does_not_fit(&why)])?;
+                stops.extend(remarks_of::stops(design, asked, &plan));
+                Some(plan)
+            }
+            None => None,
+        };
+        let splitter = if design.splitters && clear.is_none() {
             Splitter::new(design, &blade).map_err(|why| stops.push(no_splitter(why))).ok()
         } else {
             None
@@ -165,12 +184,17 @@ impl Method for Impeller {
             return Err(stops);
         }
         let tracks = Tracks::new(&blade, &passes, splitter.as_ref());
-        Ok(Model { blade, passes, splitter, calibration, limits: Limits::new(design), tracks })
+        Ok(Model { blade, passes, splitter, calibration, limits: Limits::new(design), tracks, clear })
     }
 
     fn tables(design: &Design, model: &Model) -> Vec<Table> {
-        let Model { blade, passes, splitter, calibration, .. } = model;
+        let Model { blade, passes, splitter, calibration, clear, .. } = model;
         let mut tables = tables::annexes(blade, passes);
+        if let Some(plan) = clear {
+            // Paths and safe points of the published passes.
+            tables.retain(|table| !PUBLISHED.contains(&table.key));
+            tables.extend(clear::tables::tables(design, plan));
+        }
         if let Some(splitter) = splitter {
             tables.extend(tables::splitter(design, blade, splitter));
         }
@@ -185,6 +209,14 @@ impl Method for Impeller {
     }
 
     fn programs(design: &Design, model: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+        if let (Some(plan), Some(asked)) = (&model.clear, &design.clear) {
+            let made = clear::programs::programs(design, plan, origin)
+                .map_err(|error| vec![out_of_format(error, vec!["R", "R_B", "H"])])?;
+            let mut findings = remarks(design, &made, model.calibration.as_ref().map(|(_, axis)| *axis));
+            findings.extend(too_narrow(design, &model.limits));
+            findings.extend(remarks_of::remarks(asked, plan));
+            return Ok(Written { programs: made.programs, findings });
+        }
         let made = match &model.tracks {
             Ok(tracks) => programs(design, tracks, origin).map(|made| (tracks, made)),
             Err(error) => Err(*error),
@@ -193,6 +225,9 @@ impl Method for Impeller {
         let mut findings = remarks(design, &made, model.calibration.as_ref().map(|(_, axis)| *axis));
         findings.extend(too_narrow(design, &model.limits));
         findings.extend(shortfalls(design, tracks));
+        if !design.method_given {
+            findings.push(PublishedLeavesMetal {}.at(Place::Parameters(vec!["method"])));
+        }
         Ok(Written { programs: made.programs, findings })
     }
 
@@ -223,7 +258,7 @@ impl Method for Impeller {
     }
 
     fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quantity> {
-        quantities(design, &model.limits, &model.passes, model.splitter.as_ref(), programs)
+        quantities(design, model, programs)
     }
 
     fn part(design: &Design, model: &Model) -> Option<Part> {
@@ -231,7 +266,7 @@ impl Method for Impeller {
     }
 
     fn charts(_: &Design, model: &Model) -> Vec<Chart> {
-        charts::charts(model.splitter.is_some())
+        charts::charts(model.splitter.is_some(), model.clear.is_some())
     }
 
     fn figures(design: &Design, model: &Model, known: &Known) -> Vec<Figure> {
@@ -240,13 +275,8 @@ impl Method for Impeller {
 }
 
 /// Derived limits, angles and lengths.
-fn quantities(
-    design: &Design,
-    limits: &Limits,
-    passes: &ToolPaths,
-    splitter: Option<&Splitter>,
-    programs: &[Proved],
-) -> Vec<Quantity> {
+fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quantity> {
+    let Model { limits, passes, splitter, .. } = model;
     let (torus, a_p, e, d_t) = (design.torus, design.a_p, design.e, design.d_t);
     let mm = Unit::Millimetre;
     let circle = crate::geometry::villarceau::Villarceau::new(torus);
@@ -383,9 +413,15 @@ fn quantities(
             ["separación real ≥ 4/3·d_t", "true gap ≥ 4/3·d_t"],
         )
     }));
-    list.extend(splitter.map(crossings).into_iter().flatten());
-    if let Some(program) =
-        programs.iter().find(|program| program.format == NumberFormat::Fixed && program.key == "blade")
+    if let Some(plan) = &model.clear {
+        // Those of the published passes.
+        list.retain(|one| !["w", "beta"].contains(&one.symbol));
+        list.extend(clear::tables::quantities(plan));
+    }
+    list.extend(splitter.as_ref().map(crossings).into_iter().flatten());
+    if let Some(program) = programs
+        .iter()
+        .find(|program| program.format == NumberFormat::Fixed && ["blade", "rough"].contains(&program.key))
     {
         list.push(
             quantity(
@@ -402,7 +438,7 @@ fn quantities(
     list
 }
 
-fn quantity(
+pub(in crate::kinds::impeller) fn quantity(
     symbol: &'static str,
     es: &'static str,
     en: &'static str,

@@ -128,10 +128,16 @@ impl Outside {
     /// That of a design.
     #[must_use]
     pub const fn new(design: &Design) -> Self {
+        Self::of(design, design.d_t)
+    }
+
+    /// That of a design with a tool of a diameter.
+    #[must_use]
+    pub const fn of(design: &Design, d: f64) -> Self {
         Self {
             stock: Stock { torus: design.torus, length: design.blank.L_b },
             L: design.machine.L,
-            radius: design.d_t / 2.0,
+            radius: d / 2.0,
             reach: design.tool_reach(),
         }
     }

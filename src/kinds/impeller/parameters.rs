@@ -11,6 +11,7 @@ use crate::gcode::fields;
 pub(super) use crate::gcode::fields::{DIALECT, MATERIAL, PART};
 use crate::gcode::program::Style;
 use crate::gcode::word::Distance;
+use crate::kinds::impeller::clear::fields as cut;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::rules::HeightCalledLength;
 use crate::parameter::field::{Field, Optional, Required, Usual, WithSheet};
@@ -253,7 +254,10 @@ pub(super) static TOL: Field<f64, Optional> = Field::real(
     MM,
     [0.0005, 10.0],
     t("Tolerancia de la trayectoria de la punta entre bloques", "Tolerance of the tip path between blocks"),
-    t("Vacío: el informe da la desviación sin límite", "Empty: the report gives the deviation without a limit"),
+    t(
+        "Vacía: con method = clear, 0.01; con published el informe da la desviación sin límite",
+        "Empty: 0.01 with method = clear; with published the report gives the deviation without a limit",
+    ),
 );
 
 const CUTTING: &[&Parameter] = &[&D_S.row, &F.row, &S.row, &TOL.row];
@@ -520,7 +524,7 @@ pub static FORM: Form = Form {
     }],
     part: &PART,
     material: Some(&MATERIAL),
-    programs: &["blade", "splitter", "impeller", "blank"],
+    programs: &["blade", "splitter", "impeller", "rough", "finish", "blank"],
     sheets: &[
         Sheet {
             name: t("DATOS", "DATA"),
@@ -534,6 +538,7 @@ pub static FORM: Form = Form {
                 Section { title: t("Corte", "Cutting"), parameters: CUTTING, optional: false },
                 Section { title: t("Programa", "Program"), parameters: PROGRAM, optional: false },
                 Section { title: t("Torneado del bruto", "Turning of the blank"), parameters: BLANK, optional: false },
+                Section { title: t("Método de corte", "Method of cutting"), parameters: cut::CELLS, optional: false },
                 title_block::SECTION,
             ],
         },

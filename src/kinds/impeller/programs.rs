@@ -9,6 +9,7 @@ use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::kinds::impeller::assembly::{Assembly, BladePass, Limited};
 use crate::kinds::impeller::blade::Blade;
+use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::discretisation;
 use crate::kinds::impeller::fade::Fade;
@@ -147,7 +148,10 @@ impl Cuts {
 }
 
 /// The angle of the `k`th of `count` equal parts of a turn, rounded; the parts sum up to exactly one turn.
-fn part_of_turn(k: u32, count: u32) -> Result<Milli, OutOfFormat> {
+///
+/// # Errors
+/// For more turns than a program may carry.
+pub fn part_of_turn(k: u32, count: u32) -> Result<Milli, OutOfFormat> {
     Milli::round(360.0 * f64::from(k) / f64::from(count))
 }
 
@@ -194,7 +198,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
         }
         if design.style == Style::Full {
             let full_from = tracks.full_from.filter(|_| program.key != "blade");
-            let mut parts = header(design, program, full_from, origin);
+            let mut parts = header(design, program, Which::Rough, full_from, origin);
             parts.append(&mut program.parts);
             program.parts = parts;
         }
@@ -230,7 +234,11 @@ fn impeller(design: &Design, tracks: &Tracks, cuts: &Cuts) -> Result<Program, Ou
     Ok(assembly.finish("impeller", t("El rodete completo", "The whole impeller")))
 }
 
-fn blank(design: &Design, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
+/// The program that turns the blank.
+///
+/// # Errors
+/// For a position that no program may carry.
+pub fn blank(design: &Design, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
     let format = if design.style == Style::Full { NumberFormat::Fixed } else { NumberFormat::Trimmed };
     let mut program = design.blank.program(design.torus, format, design.block_step)?;
     if design.style == Style::Full {

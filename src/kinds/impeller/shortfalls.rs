@@ -45,7 +45,7 @@ fn left_standing(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Findi
 }
 
 fn too_deep(design: &Design, sweeps: &[Sweep]) -> Option<Finding> {
-    let deepest = deepest(design.torus, design.a_p, design.d_t, sweeps)?;
+    let deepest = deepest(design.torus, design.a_p, design.d_t, sweeps, floor_depth::CLOSE)?;
     if deepest.most <= UNSAID {
         return None;
     }

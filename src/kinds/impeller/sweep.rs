@@ -38,11 +38,11 @@ pub struct Stretch {
     pub slack: f64,
 }
 
-/// The way along one track.
+/// The way along one track, or another pass.
 #[derive(Clone, Debug)]
-pub struct Sweep {
+pub struct Sweep<T = Track> {
     /// Which.
-    pub track: Track,
+    pub track: T,
     /// Its stretches, from the hub to the rim.
     pub stretches: Vec<Stretch>,
     /// The height above the tip up to which its bounds hold.
@@ -121,7 +121,7 @@ impl Stretch {
     }
 }
 
-impl Sweep {
+impl Sweep<Track> {
     /// The way along a track of a design; `None` for a splitter's where there is none. The bounds hold up to a height above
     /// the tip.
     #[must_use]
@@ -136,6 +136,19 @@ impl Sweep {
         sweep.take(design.machine, &at, 1, last - 1);
         sweep.take(design.machine, &at, last - 1, last);
         Some(sweep)
+    }
+}
+
+impl<T> Sweep<T> {
+    /// The way through some positions, block by block. The bounds hold up to a height above the tip.
+    #[must_use]
+    pub fn through(track: T, machine: Rotary, positions: &[Position], height: f64) -> Self {
+        let at: Vec<Stand> = positions.iter().map(stand).collect();
+        let mut sweep = Self { track, stretches: Vec::new(), height };
+        if let Some(last) = at.len().checked_sub(1).filter(|last| *last > 0) {
+            sweep.take(machine, &at, 0, last);
+        }
+        sweep
     }
 
     /// Takes the blocks from one point to another as one stretch, or as the two halves of them.

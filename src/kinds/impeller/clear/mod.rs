@@ -7,10 +7,12 @@
 //! from a tolerance ([`placement`]). What is left all the same is told ([`told`]); where a tool does not pass there is no
 //! plan ([`cut::DoesNotFit`]).
 
+pub mod asked;
 pub mod body;
 pub mod contact;
 pub mod contour;
 pub mod cut;
+pub mod fields;
 pub mod fit;
 pub mod flank;
 pub mod floor_rest;
@@ -21,10 +23,14 @@ pub mod pass;
 pub mod pieces;
 pub mod placement;
 pub mod plan;
+pub mod programs;
+pub(in crate::kinds::impeller) mod remarks;
 pub mod root;
 pub mod round;
+pub mod rules;
 pub mod scallop;
 pub mod table;
+pub mod tables;
 pub mod told;
 pub mod tool;
 pub mod uncut;

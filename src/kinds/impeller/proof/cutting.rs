@@ -73,6 +73,8 @@ pub struct Known {
     pub(super) tracks: KnownTracks,
     /// Of the moves outside the part.
     pub(super) clear_moves: Vec<stock::Known>,
+    /// Of those of the finishing tool.
+    pub(super) finish_moves: Vec<stock::Known>,
 }
 
 impl Known {
@@ -80,13 +82,14 @@ impl Known {
     #[must_use]
     pub fn new(geometry: Geometry<'_>) -> Self {
         let Geometry { design, splitter, .. } = geometry;
-        let tracks = Track::ALL.into_iter().filter_map(|track| {
+        // A clear cut runs along none of them.
+        let tracks = Track::ALL.into_iter().filter(|_| design.clear.is_none()).filter_map(|track| {
             let along = Along::new(Ideal::new(design, splitter, track)?, design.n, limits(design));
             let (way, clearances) = (Way::default(), Clearances::default());
             Some(Measured { along, way, clearances, done: false, turn: None })
         });
         let tracks = KnownTracks { neighbours: Neighbours::new(design, splitter), tracks: tracks.collect() };
-        Self { tracks, clear_moves: Vec::new() }
+        Self { tracks, clear_moves: Vec::new(), finish_moves: Vec::new() }
     }
 
     /// How far the tip goes into the metal along each track.

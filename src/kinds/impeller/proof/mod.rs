@@ -6,10 +6,12 @@
 //! | [`tip_path`], by [`cutting`] | how far does the tip leave its path between the blocks, and how fine must the steps be |
 //! | [`floor`], by [`cutting`] | how much deeper than the floor does the tool's rim cut |
 //! | [`flanks`], by [`cutting`] | does the tool keep clear of the other blades |
+//! | [`clear`] | of a clear cut: does the tool keep out of faces, splitters and floor |
 //! | [`stock`] | does it keep clear of the stock where it does not cut |
 //! | [`blank`] | does the turning program leave the torus, cut at the speeds and feeds asked for, and nowhere at rapid |
 
 pub mod blank;
+pub mod clear;
 pub mod cutting;
 pub mod flanks;
 pub mod floor;
@@ -23,7 +25,11 @@ pub mod track_step;
 use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::blade::Blade;
+use crate::kinds::impeller::clear::cut::Which;
+use crate::kinds::impeller::clear::plan::Plan;
+use crate::kinds::impeller::clear::programs::SLOT;
 use crate::kinds::impeller::design::{Design, Style};
+use crate::kinds::impeller::proof::clear::ClearCutting;
 use crate::kinds::impeller::proof::cutting::{Cutting, Known};
 use crate::kinds::impeller::proof::passes::{PassCount, Passes};
 use crate::kinds::impeller::proof::stock::Clear;
@@ -37,7 +43,7 @@ use crate::proof::check::Check;
 use crate::proof::closure::{Closure, Turn};
 use crate::proof::feed::Feeds;
 use crate::proof::rollover::Rollover;
-use crate::proof::step::{Judge, Plan};
+use crate::proof::step::{self, Judge};
 use crate::proof::travel::Axes;
 use crate::proof::turning::RotarySteps;
 use crate::text::{Text, t};
@@ -49,8 +55,10 @@ pub struct Geometry<'a> {
     pub design: &'a Design,
     /// The blade.
     pub blade: &'a Blade,
-    /// The splitter, where there is one.
+    /// The published splitter, where there is one.
     pub splitter: Option<&'a Splitter>,
+    /// The plan of a clear cut.
+    pub clear: Option<&'a Plan>,
 }
 
 /// What stands under the title of the table.
@@ -87,11 +95,32 @@ const FIRST: &[&str] = &[
     "rotary",
 ];
 
+/// What is asked of the program of one tool of a clear cut.
+const CLEAR: &[&str] =
+    &["agreement", "passes", "closure", "travel", "turning", "feed", "faces", "floor", "clear-moves", "arcs", "rotary"];
+/// The same where there are splitters.
+const CLEAR_SPLITTERS: &[&str] = &[
+    "agreement",
+    "passes",
+    "closure",
+    "travel",
+    "turning",
+    "feed",
+    "faces",
+    "splitters",
+    "floor",
+    "clear-moves",
+    "arcs",
+    "rotary",
+];
+
 /// The checks that must be answered for a program.
 #[must_use]
 pub fn due(design: &Design, program: &Program) -> &'static [&'static str] {
     match program.key {
         "blank" => blank::due(design),
+        "rough" | "finish" if design.splitters => CLEAR_SPLITTERS,
+        "rough" | "finish" => CLEAR,
         "blade" | "splitter" => FIRST,
         // Its tracks were measured in theirs.
         _ => MILLING,
@@ -105,7 +134,25 @@ pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Pro
     if program.key == "blank" {
         return blank::judges(design);
     }
-    let Known { tracks, clear_moves } = known;
+    let Known { tracks, clear_moves, finish_moves } = known;
+    if let (Some(plan), Some(asked)) = (geometry.clear, &design.clear) {
+        let (which, moves) = match program.key {
+            "rough" => (Which::Rough, clear_moves),
+            _ => (Which::Finish, finish_moves),
+        };
+        let mill = design.mill(which);
+        return vec![
+            Box::new(Agreement::of_the_tip(design.machine, program)),
+            Box::new(ClearCutting::new(design, asked, plan, which)),
+            Box::new(Closure::new(turn(design, program))),
+            Box::new(Axes::new(&design.travel)),
+            Box::new(RotarySteps::default()),
+            Box::new(Feeds::new(design.machine, mill.F, design.F_max).slower(SLOT)),
+            Box::new(Clear::new(design, mill.d, moves)),
+            Box::new(Arcs::default()),
+            Box::new(Rollover(design.counting)),
+        ];
+    }
     vec![
         Box::new(Agreement::of_the_tip(design.machine, program)),
         Box::new(Passes::new(expected(design, program))),
@@ -114,7 +161,7 @@ pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Pro
         Box::new(RotarySteps::default()),
         Box::new(Feeds::new(design.machine, design.F, design.F_max)),
         Box::new(Cutting::new(geometry, tracks)),
-        Box::new(Clear::new(design, clear_moves)),
+        Box::new(Clear::new(design, design.d_t, clear_moves)),
         Box::new(Arcs::default()),
         Box::new(Rollover(design.counting)),
     ]
@@ -123,7 +170,7 @@ pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Pro
 /// Judges a text in the place of a program's own.
 pub fn judge(geometry: Geometry<'_>, program: &Program, text: &mut Interpreter<'_>, known: &mut Known) -> Vec<Check> {
     let due = due(geometry.design, program);
-    proof::over(program, text, Plan::of(program), judges(geometry, known, program), due, Rapids::default()).checks
+    proof::over(program, text, step::Plan::of(program), judges(geometry, known, program), due, Rapids::default()).checks
 }
 
 /// How many passes of each track a program should make.

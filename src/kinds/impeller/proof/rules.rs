@@ -3,6 +3,9 @@
 use crate::finding::{Example, Size};
 use crate::text::{Text, t};
 
+/// The cells of a clear cut without splitters.
+const CLEAR: &[(&str, &str)] = &[("method", "clear"), ("splitters", "no")];
+
 crate::finding::rule::rules! {
     /// The rows of this room.
     RULES;
@@ -132,6 +135,37 @@ crate::finding::rule::rules! {
         why "Si los dos límites no llegan a converger, rodete cuenta con el menor.",
             "If the bounds do not converge, rodete counts the lower one.";
         example Example::Never(t("los límites convergen antes de agotar el cálculo permitido", "the bounds converge before the limit of the computation"));
+    "V0125" ClearPassesDiffer Stop { program: Text, made: usize, due: usize }
+        es "«{program}» hace {made} pasadas en lugar de {due}"
+        en "\"{program}\" makes {made} passes instead of {due}"
+        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        why "Si falta una pasada queda metal en el canal.", "A missing pass leaves metal in the channel.";
+        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N120 G0 Z-241.183", to: "N120 M30" };
+    "V0126" ClearCutsBlade Stop { depth: Size, limit: Size, line: usize, program: Text }
+        es "la herramienta entra {depth} en la cara de un álabe, en la línea {line} de «{program}»; la tolerancia admite {limit}"
+        en "the tool enters the face of a blade by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
+        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
+        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N23350 G1 X-2.805", to: "N23350 G1 X-3.105" };
+    "V0127" ClearCutsSplitter Stop { depth: Size, limit: Size, line: usize, program: Text }
+        es "la herramienta entra {depth} en un álabe intermedio, en la línea {line} de «{program}»; la tolerancia admite {limit}"
+        en "the tool enters a splitter by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
+        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
+        example Example::Slip { kind: "impeller", cells: &[("method", "clear")], program: "finish", from: "N51470 G1 X-3.496", to: "N51470 G1 X-3.796" };
+    "V0128" ClearMayCut Stop { limit: Size, line: usize, program: Text }
+        es "no está demostrado que la herramienta libre las caras en {limit}: pasa lo más cerca en la línea {line} de «{program}»"
+        en "it is not proved that the tool keeps within {limit} of the faces: it comes nearest in line {line} of \"{program}\""
+        remedy "elija una tol mayor", "choose a larger tol";
+        why "rodete solo cuenta con la distancia que queda demostrada.",
+            "rodete counts only on the clearance that is proved.";
+        example Example::Never(t("los límites convergen: ningún ejemplo queda entre ellos", "the bounds converge: no example lies between them"));
+    "V0129" FloorUnder Stop { depth: Size, limit: Size, program: Text }
+        es "la herramienta baja {depth} del fondo en «{program}»; la tolerancia admite {limit}"
+        en "the tool goes {depth} below the floor in \"{program}\"; the tolerance allows {limit}"
+        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        why "El cubo queda más delgado de lo diseñado.", "The hub comes out thinner than designed.";
+        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N160 G1 X0.445 Z3.999", to: "N160 G1 X0.445 Z3.899" };
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} {found} is in force, but the form asks for {wanted}"

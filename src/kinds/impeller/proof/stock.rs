@@ -42,10 +42,10 @@ pub struct Clear<'a> {
 }
 
 impl<'a> Clear<'a> {
-    /// The judge of a design's programs, with what is known from other programs.
+    /// The judge of a design's programs with a tool of a diameter, with what is known from other programs.
     #[must_use]
-    pub const fn new(design: &Design, known: &'a mut Vec<Known>) -> Self {
-        Self { outside: Outside::new(design), d_s: design.d_s, known, safe: None, moves: None }
+    pub const fn new(design: &Design, d: f64, known: &'a mut Vec<Known>) -> Self {
+        Self { outside: Outside::of(design, d), d_s: design.d_s, known, safe: None, moves: None }
     }
 
     /// By how much axes that are all off by at most some mm or degrees bring the tool nearer to the stock.

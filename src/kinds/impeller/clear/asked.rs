@@ -1,0 +1,111 @@
+//! What a workbook asks of a clear cut.
+//!
+//! # Units
+//! Millimetres.
+
+use crate::gcode::word::Word;
+use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
+use crate::kinds::impeller::clear::fields::{self, Method};
+use crate::kinds::impeller::clear::holder::Stage;
+use crate::kinds::impeller::clear::tool::Tool;
+use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::part::Part;
+use crate::parameter::field::Fields;
+
+/// ε where the workbook states none.
+pub const TOLERANCE: f64 = 0.01;
+
+/// A tool with its feed and speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mill {
+    /// T, its number.
+    pub T: u32,
+    /// D, its offset.
+    pub D: u32,
+    /// Its diameter.
+    pub d: f64,
+    /// F, feed of the tip over the part, mm/min.
+    pub F: Option<f64>,
+    /// S, spindle speed, rpm.
+    pub S: Option<u32>,
+}
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    /// The cut. Its tolerance is what is left of ε beside what rounding to the output grid takes.
+    pub cut: Cut,
+    /// ε.
+    pub tolerance: f64,
+    /// The finishing tool.
+    pub finish: Mill,
+    /// d_f, T_f and D_f as they stand in the form.
+    pub given: (Option<f64>, Option<u32>, Option<u32>),
+    /// The stick-outs of both tools.
+    pub stick_out: [Option<f64>; 2],
+    /// d_h.
+    pub holder: Option<f64>,
+}
+
+/// How far rounding to the output grid may move a point of the tool: 0.0005 mm in each of X, Y and Z, and 0.0005° of B
+/// and C at the distance of any point of the part from the pivot, L + R at most, and from the axis, R at most.
+#[must_use]
+pub fn rounding(L: f64, R: f64) -> f64 {
+    0.0005 * 3.0_f64.sqrt() + 0.0005_f64.to_radians() * (L + 2.0 * R)
+}
+
+impl Asked {
+    /// What a workbook asks; `None` where the part is cut as published. `plain` is the rest of the design.
+    #[must_use]
+    pub(in crate::kinds::impeller) fn of(fields: &Fields, plain: &Design) -> Option<Self> {
+        match fields.get(&fields::METHOD) {
+            Method::Published => return None,
+            Method::Clear => {}
+        }
+        let given = (fields.get(&fields::D_F), fields.get(&fields::T_F), fields.get(&fields::OFFSET_F));
+        let finish = Mill {
+            T: given.1.filter(|_| given.0.is_some()).unwrap_or(plain.T),
+            D: given.2.filter(|_| given.0.is_some()).unwrap_or(plain.D),
+            d: given.0.unwrap_or(plain.d_t),
+            F: fields.get(&fields::F_F).or(plain.F),
+            S: fields.get(&fields::S_F).or(plain.S),
+        };
+        let tolerance = plain.tol.unwrap_or(TOLERANCE);
+        let counterclockwise = plain.start_codes.contains(&Word::whole('M', 4));
+        let cut = Cut {
+            rough: Tool::flat(plain.d_t),
+            finish: Tool::flat(finish.d),
+            s: fields.get(&fields::ALLOWANCE),
+            level: fields.get(&fields::LEVEL),
+            step: fields.get(&fields::STEP),
+            scallop: fields.get(&fields::SCALLOP),
+            tolerance: tolerance - rounding(plain.machine.L, plain.torus.R),
+            feed: fields.get(&fields::FEED_CHANGE),
+            d_s: plain.d_s,
+            spindle: if counterclockwise { Spindle::Counterclockwise } else { Spindle::Clockwise },
+            splitters: plain.splitters,
+            splitter_from: None,
+            stages: Vec::new(),
+        };
+        let stick_out = [fields.get(&fields::STICK_OUT), fields.get(&fields::STICK_OUT_F)];
+        Some(Self { cut, tolerance, finish, given, stick_out, holder: fields.get(&fields::HOLDER) })
+    }
+
+    /// The holder behind a tool; of any width where its diameter is not given, `None` where its stick-out is not.
+    #[must_use]
+    pub fn stage(&self, which: Which) -> Option<Stage> {
+        let from = match which {
+            Which::Rough => self.stick_out[0],
+            Which::Finish => self.stick_out[1],
+        }?;
+        Some(Stage { radius: self.holder.map_or(f64::INFINITY, |d_h| d_h / 2.0), from })
+    }
+}
+
+impl Job {
+    /// The job of a design.
+    #[must_use]
+    pub fn of(design: &Design) -> Self {
+        Self { part: Part::new(design), N: design.N, machine: design.machine }
+    }
+}

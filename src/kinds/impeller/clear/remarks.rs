@@ -1,0 +1,152 @@
+//! What there is to say of a clear cut: refusals, and remarks for a person.
+
+use crate::finding::{Finding, Place, Raise, Size};
+use crate::kinds::impeller::clear::asked::{Asked, rounding};
+use crate::kinds::impeller::clear::cut::{DoesNotFit, Which};
+use crate::kinds::impeller::clear::fields;
+use crate::kinds::impeller::clear::holder::clearance;
+use crate::kinds::impeller::clear::plan::{BESIDE, Plan};
+use crate::kinds::impeller::clear::rules::*;
+use crate::kinds::impeller::clear::tables::tool_name;
+use crate::kinds::impeller::clear::told::{By, Dropped, ToolTold};
+use crate::kinds::impeller::design::{Design, Style};
+use crate::kinds::impeller::part::{HUB, RIM};
+use crate::limits::CLEAR_BLOCKS;
+use crate::number::shown;
+use crate::text::{Text, t};
+
+/// The least that must be left of ε beside the rounding, mm.
+const LEFT: f64 = 0.001;
+/// Below this change of the feed nothing is said.
+const UNSAID: f64 = 0.02;
+
+fn at(keys: &[&'static str]) -> Place {
+    Place::Parameters(keys.to_vec())
+}
+
+/// What is valid alone but not together.
+pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    if design.style == Style::Annex {
+        findings.push(ClearNeedsFull {}.at(at(&["method", "style"])));
+    }
+    let (d_f, T_f, D_f) = asked.given;
+    if let Some(d_f) = d_f {
+        for (symbol, missing) in [(fields::T_F.key(), T_f.is_none()), (fields::OFFSET_F.key(), D_f.is_none())] {
+            if missing {
+                findings.push(FinishingToolIncomplete { symbol }.at(at(&[symbol, "d_f"])));
+            }
+        }
+        if T_f == Some(design.T) {
+            findings.push(OneNumberForTwoTools { T: design.T }.at(at(&["T_f", "T"])));
+        }
+        if d_f > design.d_t {
+            let told = FinishingWiderThanRoughing { finish: Size::mm(d_f), rough: Size::mm(design.d_t) };
+            findings.push(told.at(at(&["d_f", "d_t"])));
+        }
+    }
+    let least = rounding(design.machine.L, design.torus.R) + LEFT;
+    if asked.tolerance < least {
+        let least = Size::mm((least * 1000.0).ceil() / 1000.0);
+        let told = ToleranceBelowResolution { tol: Size { decimals: 4, ..Size::mm(asked.tolerance) }, least };
+        findings.push(told.at(at(&["tol"])));
+    }
+    if asked.cut.s >= design.a_p {
+        let told = AllowanceUsesUpDepth { s: Size::mm(asked.cut.s), a_p: Size::mm(design.a_p) };
+        findings.push(told.at(at(&["s_w", "a_p"])));
+    }
+    findings
+}
+
+/// A tool that does not pass.
+pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
+    let largest = why.largest.map_or_else(
+        || t("no cabe ninguna", "none fits"),
+        |d| {
+            Text::new(
+                format!("la mayor que pasa es de {} mm", shown(d, 2)),
+                format!("the largest that passes is {} mm", shown(d, 2)),
+            )
+        },
+    );
+    let uncut = Size::number((why.uncut * 1000.0).ceil() / 10.0, 1);
+    let key = match why.tool {
+        Which::Rough => "d_t",
+        Which::Finish => "d_f",
+    };
+    let told = ToolDoesNotFit { tool: tool_name(why.tool), d: Size::mm(why.d), largest, uncut };
+    told.at(at(&[key, "N", "e"]))
+}
+
+/// What stops a plan that was made.
+pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    if plan.told.no_splitter {
+        findings.push(NoRoomForClearSplitter {}.at(at(&["splitters", "d_f", "N", "e"])));
+    }
+    for (which, key) in [(Which::Rough, "l_t"), (Which::Finish, "l_f")] {
+        let blocks = plan.all_blocks(which);
+        if blocks as u64 > CLEAR_BLOCKS {
+            let told = TooManyClearBlocks { program: tool_name(which), blocks, most: CLEAR_BLOCKS };
+            findings.push(told.at(at(&["tol", "c_s", "delta", "a_k"])));
+        }
+        let Some(stage) = asked.stage(which) else { continue };
+        let tool = of(plan, which);
+        let r_t = tool.t + design.torus.r;
+        let found = clearance(stage, design.torus.r, r_t, tool.stick_out - r_t - design.d_s);
+        if found < 0.0 {
+            let enough = enough(tool);
+            let clearance = Size::mm((-found * 1000.0).ceil() / 1000.0);
+            findings.push(HolderHitsBlank { tool: tool_name(which), clearance, enough }.at(at(&[key, "d_h"])));
+        }
+    }
+    findings
+}
+
+const fn of(plan: &Plan, which: Which) -> &ToolTold {
+    match which {
+        Which::Rough => &plan.told.rough,
+        Which::Finish => &plan.told.finish,
+    }
+}
+
+/// A length that is enough: rounded up to a tenth.
+fn enough(tool: &ToolTold) -> Size {
+    Size { decimals: 1, ..Size::mm((tool.stick_out * 10.0).ceil() / 10.0) }
+}
+
+/// A length that is not more, in mm: rounded up to a hundredth.
+fn at_most(value: f64) -> Size {
+    Size { decimals: 2, ..Size::mm((value * 100.0).ceil() / 100.0) }
+}
+
+/// What a person should know of a plan.
+pub(in crate::kinds::impeller) fn remarks(asked: &Asked, plan: &Plan) -> Vec<Finding> {
+    let told = &plan.told;
+    let mut findings = Vec::new();
+    let both = [(Which::Rough, "l_t"), (Which::Finish, "l_f")];
+    for (which, key) in both.into_iter().filter(|(which, _)| plan.of(*which).next().is_some()) {
+        let tool = of(plan, which);
+        if asked.stage(which).is_none() {
+            findings.push(StickOutThatIsEnough { tool: tool_name(which), enough: enough(tool) }.at(at(&[key])));
+        }
+        if tool.feed_error > UNSAID {
+            let change = Size::number((tool.feed_error * 1000.0).ceil() / 10.0, 1);
+            findings.push(FeedChangesInBlock { tool: tool_name(which), change }.at(at(&["delta"])));
+        }
+    }
+    let (height, width) = (at_most(told.root.height), at_most(told.root.width));
+    findings.push(RestAtTheRoot { height, width }.at(at(&["d_f"])));
+    let told_floor = RidgesOfTheFloor { most: at_most(told.floor.most), beside: at_most(BESIDE) };
+    findings.push(told_floor.at(at(&["c_s", "d_f"])));
+    // What a splitter stands in the way of is cut by the passes round it.
+    let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == By::Blade).collect();
+    let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])));
+    if let Some(longest) = longest {
+        let share = |v: f64| Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), 0);
+        let [from, to] = longest.v.map(share);
+        let left_out = PassesLeftOut { count: left.len(), what: longest.cutting.name(), from, to };
+        findings.push(left_out.at(at(&["d_t", "d_f", "splitters"])));
+    }
+    findings
+}

@@ -1,0 +1,255 @@
+//! The tables of a clear cut: its passes in order, and where the axes stand along each.
+
+use crate::kinds::impeller::clear::cut::Which;
+use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Pass};
+use crate::kinds::impeller::clear::plan::Plan;
+use crate::kinds::impeller::clearance::Stand;
+use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::part::{Face, HUB};
+use crate::kinds::impeller::quantity;
+use crate::table::{Column, Index, Law, Print, Quantity, Table, Unit};
+use crate::text::{Text, t};
+
+impl Cutting {
+    /// What it is called. Lanes and levels count from 1.
+    #[must_use]
+    pub fn name(self) -> Text {
+        let numbered = |es: &str, en: &str, level: Option<u32>, lane: Option<u32>| {
+            let count = |number: Option<u32>, word: &str| {
+                number.map_or_else(String::new, |number| format!(", {word} {}", number + 1))
+            };
+            Text::new(
+                format!("{es}{}{}", count(level, "nivel"), count(lane, "pasada")),
+                format!("{en}{}{}", count(level, "level"), count(lane, "lane")),
+            )
+        };
+        let side = |face: Face| match face {
+            Face::Obverse => ["anverso", "obverse"],
+            Face::Reverse => ["reverso", "reverse"],
+        };
+        match self {
+            Self::Rough { level, lane } => numbered("desbaste", "roughing", Some(level), Some(lane)),
+            Self::RoughContour { level } => {
+                numbered("desbaste en torno al intermedio", "roughing round the splitter", Some(level), None)
+            }
+            Self::Rest { level, lane } => {
+                numbered("desbaste del resto", "roughing of the rest", Some(level), Some(lane))
+            }
+            Self::RestContour { level } => numbered(
+                "desbaste del resto en torno al intermedio",
+                "roughing of the rest round the splitter",
+                Some(level),
+                None,
+            ),
+            Self::Floor { lane } => numbered("fondo", "floor", None, Some(lane)),
+            Self::Flank { face, level } => {
+                let [es, en] = side(face);
+                numbered(&format!("cara, {es}"), &format!("face, {en}"), Some(level), None)
+            }
+            Self::Contour => numbered("contorno del intermedio", "contour of the splitter", None, None),
+            Self::SplitterFlanks { level } => {
+                numbered("caras y comienzo del intermedio", "faces and nose of the splitter", Some(level), None)
+            }
+        }
+    }
+}
+
+const fn direction(direction: Direction) -> Text {
+    match direction {
+        Direction::Outwards => t("del cubo al borde", "hub to rim"),
+        Direction::Inwards => t("del borde al cubo", "rim to hub"),
+        Direction::Round => t("del borde al borde", "rim to rim"),
+    }
+}
+
+const fn mode(mode: Mode) -> Text {
+    match mode {
+        Mode::Climb => t("concordancia", "climb"),
+        Mode::Conventional => t("oposición", "conventional"),
+        Mode::Slot => t("ranura", "slot"),
+    }
+}
+
+/// Counts as numbers of a table.
+#[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+fn counts(values: impl Iterator<Item = usize>) -> Vec<f64> {
+    values.map(|value| value as f64).collect()
+}
+
+/// The tables of a plan.
+#[must_use]
+pub fn tables(design: &Design, plan: &Plan) -> [Table; 2] {
+    [passes(design, plan), poses(plan)]
+}
+
+fn passes(design: &Design, plan: &Plan) -> Table {
+    let of = |pick: fn(&Pass) -> Text| plan.passes.iter().map(pick).collect::<Vec<_>>();
+    let tool = |pass: &Pass| format!("T{}", design.mill(pass.tool).T);
+    let feed: Vec<f64> =
+        plan.passes.iter().map(|pass| design.mill(pass.tool).F.unwrap_or_default() * pass.feed).collect();
+    Table {
+        key: "passes",
+        name: t("Pasadas", "Passes"),
+        title: t(
+            "Pasadas de un canal, en orden; los demás son iguales",
+            "Passes of one channel, in order; all channels are alike",
+        ),
+        source: t("derivado aquí", "derived here"),
+        index: Index::None,
+        print: Print::Short,
+        columns: vec![
+            Column::numbers("k", Unit::Count, Law::None, counts(1..=plan.passes.len())).named(t("n.º", "no.")),
+            Column::texts(
+                t("herramienta", "tool"),
+                Law::None,
+                plan.passes.iter().map(|pass| Text::same(tool(pass))).collect(),
+            ),
+            Column::texts(t("corta", "cuts"), Law::None, of(|pass| pass.cutting.name())),
+            Column::texts(t("sentido", "direction"), Law::None, of(|pass| direction(pass.direction))),
+            Column::texts(t("fresado", "milling"), Law::None, of(|pass| mode(pass.mode))),
+            Column::numbers("F", Unit::MillimetrePerMinute, Law::None, feed).named(t("avance", "feed")),
+            Column::numbers("n", Unit::Count, Law::None, counts(plan.passes.iter().map(Pass::blocks)))
+                .named(t("bloques", "blocks")),
+        ],
+    }
+}
+
+fn poses(plan: &Plan) -> Table {
+    let numbered =
+        || (1_usize..).zip(&plan.passes).flat_map(|(number, pass)| pass.points.iter().map(move |at| (number, at)));
+    let column = |symbol, unit, law, value: fn(&Stand) -> f64| {
+        Column::numbers(symbol, unit, law, numbered().map(|(_, at)| value(at)).collect::<Vec<_>>())
+    };
+    let law = Law::Told("P″ = M2(B)·(M1(−C)·P + L·k) − L·k");
+    Table {
+        key: "poses",
+        name: t("Posiciones", "Poses"),
+        title: t(
+            "Posiciones de los ejes a lo largo de las pasadas de un canal",
+            "Positions of the axes along the passes of one channel",
+        ),
+        source: t("derivado aquí", "derived here"),
+        index: Index::None,
+        print: Print::No,
+        columns: vec![
+            Column::numbers("k", Unit::Count, Law::None, counts(numbered().map(|(number, _)| number)))
+                .named(t("pasada", "pass")),
+            column("X", Unit::Millimetre, law, |at| at.at.x),
+            column("Y", Unit::Millimetre, law, |at| at.at.y),
+            column("Z", Unit::Millimetre, law, |at| at.at.z),
+            column("B", Unit::Degree, Law::None, |at| at.B.to_degrees()),
+            column("C", Unit::Degree, Law::None, |at| at.C.to_degrees()),
+        ],
+    }
+}
+
+/// How a tool is called in a sentence.
+#[must_use]
+pub const fn tool_name(which: Which) -> Text {
+    match which {
+        Which::Rough => t("la fresa de desbaste", "the roughing tool"),
+        Which::Finish => t("la fresa de acabado", "the finishing tool"),
+    }
+}
+
+/// What a plan comes to.
+#[must_use]
+#[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+pub(in crate::kinds::impeller) fn quantities(plan: &Plan) -> Vec<Quantity> {
+    let (mm, count, told) = (Unit::Millimetre, Unit::Count, &plan.told);
+    let lane =
+        ["√((r + a_p)² − (d/2)²) − r, menos s_w en desbaste", "√((r + a_p)² − (d/2)²) − r, less s_w in roughing"];
+    let mut list = vec![
+        quantity(
+            "t_rough",
+            "Profundidad de la punta en las pasadas de desbaste, bajo la cara torneada",
+            "Depth of the tip on roughing lanes, below the turned surface",
+            told.rough.t,
+            mm,
+            lane,
+        ),
+        quantity(
+            "t_floor",
+            "Profundidad de la punta en las pasadas del fondo, bajo la cara torneada",
+            "Depth of the tip on floor lanes, below the turned surface",
+            told.finish.t,
+            mm,
+            lane,
+        ),
+        quantity(
+            "lanes_rough",
+            "Pasadas de desbaste por nivel",
+            "Roughing lanes per level",
+            f64::from(told.rough.lanes),
+            count,
+            ["paso lateral kappa·d_t", "sideways step kappa·d_t"],
+        ),
+        quantity(
+            "lanes_floor",
+            "Pasadas del fondo por canal",
+            "Floor lanes per channel",
+            f64::from(told.finish.lanes),
+            count,
+            ["cresta c_s", "ridge c_s"],
+        ),
+        quantity(
+            "blocks_rough",
+            "Bloques de desbaste, todos los canales",
+            "Roughing blocks, all channels",
+            plan.all_blocks(Which::Rough) as f64,
+            count,
+            ["tolerancia tol", "tolerance tol"],
+        ),
+        quantity(
+            "blocks_finish",
+            "Bloques de acabado, todos los canales",
+            "Finishing blocks, all channels",
+            plan.all_blocks(Which::Finish) as f64,
+            count,
+            ["tolerancia tol", "tolerance tol"],
+        ),
+        quantity(
+            "root_height",
+            "Resto en la esquina de cara y fondo, altura aproximada",
+            "Rest in the corner of face and floor, approximate height",
+            told.root.height,
+            mm,
+            ["disco en la bola de radio r + a_p", "disc within the ball of radius r + a_p"],
+        ),
+        quantity(
+            "root_width",
+            "Resto en la esquina de cara y fondo, ancho aproximado",
+            "Rest in the corner of face and floor, approximate width",
+            told.root.width,
+            mm,
+            ["a_p·(e + d_f)/2·κ_b en el borde", "a_p·(e + d_f)/2·κ_b at the rim"],
+        ),
+        quantity(
+            "floor_rest",
+            "Resto en el fondo, a más de 0.4 mm de las caras, aproximado",
+            "Rest on the floor, farther than 0.4 mm from the faces, approximate",
+            told.floor.most,
+            mm,
+            ["crestas entre pasadas", "ridges between lanes"],
+        ),
+    ];
+    for (error, symbol, es, en) in [
+        (&told.faces[0], "rest_obverse", "Resto en el anverso, como mucho", "Rest on the obverse, at most"),
+        (&told.faces[1], "rest_reverse", "Resto en el reverso, como mucho", "Rest on the reverse, at most"),
+    ] {
+        let source = ["ajuste del eje a la cara", "fit of the axis to the face"];
+        list.push(quantity(symbol, es, en, error.rest, mm, source));
+    }
+    if let Some(v_s) = told.splitter_from {
+        let degrees = (v_s - HUB).to_degrees();
+        list.push(quantity(
+            "v_s",
+            "Comienzo de los álabes intermedios, v desde el cubo",
+            "Beginning of the splitters, v from the hub",
+            degrees,
+            Unit::Degree,
+            ["donde contorno y separación lo permiten", "where contour and gap allow"],
+        ));
+    }
+    list
+}
