@@ -34,7 +34,7 @@ const LINUXCNC: &str = "linuxcnc";
 
 /// What a kind's case needs to be written for a control that is not its own, beside the control's name. LinuxCNC knows neither
 /// M11 nor M13, and moves only with F: the published layout has none.
-const NEEDS: [([&str; 3], Edits); 4] = [
+const NEEDS: [([&str; 3], Edits); 6] = [
     (["impeller", "full", FAGOR_8070], &[("retract", "")]),
     (["impeller", "full", LINUXCNC], &[("start_codes", "M3")]),
     (["impeller", "clear", FAGOR_8070], &[("retract", "")]),

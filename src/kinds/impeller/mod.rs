@@ -414,8 +414,10 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
         )
     }));
     if let Some(plan) = &model.clear {
-        // Those of the published passes.
-        list.retain(|one| !["w", "beta"].contains(&one.symbol));
+        // There is no annex of the published paths that it could be taken from.
+        for beta in list.iter_mut().filter(|one| one.symbol == "beta") {
+            *beta = beta.clone().by("derived_beta", "DEGREES(ASIN(meridian_r/torus_R))");
+        }
         list.extend(clear::tables::quantities(plan));
     }
     list.extend(splitter.as_ref().map(crossings).into_iter().flatten());

@@ -524,7 +524,7 @@ pub static FORM: Form = Form {
     }],
     part: &PART,
     material: Some(&MATERIAL),
-    programs: &["blade", "splitter", "impeller", "rough", "finish", "blank"],
+    programs: &["blade", "splitter", "impeller", "blank", "rough", "finish"],
     sheets: &[
         Sheet {
             name: t("DATOS", "DATA"),

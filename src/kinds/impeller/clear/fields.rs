@@ -46,7 +46,10 @@ pub(in crate::kinds::impeller) static T_F: Field<u32, Optional> = Field::whole(
     Unit::Count,
     [1, 9999],
     t("Número de la fresa de acabado", "Number of the finishing tool"),
-    t("Obligatorio si hay d_f; distinto de T", "Required where d_f is given; other than T"),
+    t(
+        "Distinto de T; obligatorio si hay d_f. Vacía: T",
+        "Other than T; required where d_f is given. Empty: T",
+    ),
 );
 pub(in crate::kinds::impeller) static OFFSET_F: Field<u32, Optional> = Field::whole(
     "D_f",
@@ -54,7 +57,7 @@ pub(in crate::kinds::impeller) static OFFSET_F: Field<u32, Optional> = Field::wh
     Unit::Count,
     [1, 999],
     t("Corrector de la fresa de acabado", "Offset of the finishing tool"),
-    t("Obligatorio si hay d_f", "Required where d_f is given"),
+    t("Obligatorio si hay d_f. Vacía: D", "Required where d_f is given. Empty: D"),
 );
 pub(in crate::kinds::impeller) static F_F: Field<f64, Optional> = Field::real(
     "F_f",
