@@ -196,8 +196,8 @@ fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
     save(&mut book, Additions { long: vec![long], ..Additions::default() }, &mut out).expect("a workbook");
     let range = sheet(&mut opened(out.into_inner()), "Sheet1");
 
-    // Further pairs come after the fourth, in the programs' order.
-    let mut further = 12;
+    // Further pairs come after those of the form, in the programs' order.
+    let mut further = 18;
     for (key, first) in [("blade", 0), ("splitter", 3), ("impeller", 6), ("blank", 9)] {
         let program = outcome.programs.iter().find(|program| program.key == key).expect("the program");
         let (mut lines, mut row, mut column) = (program.lines(), 0, first);

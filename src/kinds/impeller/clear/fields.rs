@@ -46,10 +46,7 @@ pub(in crate::kinds::impeller) static T_F: Field<u32, Optional> = Field::whole(
     Unit::Count,
     [1, 9999],
     t("Número de la fresa de acabado", "Number of the finishing tool"),
-    t(
-        "Distinto de T; obligatorio si hay d_f. Vacía: T",
-        "Other than T; required where d_f is given. Empty: T",
-    ),
+    t("Distinto de T; obligatorio si hay d_f. Vacía: T", "Other than T; required where d_f is given. Empty: T"),
 );
 pub(in crate::kinds::impeller) static OFFSET_F: Field<u32, Optional> = Field::whole(
     "D_f",
