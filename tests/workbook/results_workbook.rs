@@ -210,7 +210,7 @@ fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
             row += 1;
         }
     }
-    assert!(further > 12 + 3);
+    assert!(further > 18 + 3);
 }
 
 #[test]
