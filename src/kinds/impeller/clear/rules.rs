@@ -74,8 +74,8 @@ rules! {
         why "Las pasadas del fondo dejan crestas entre ellas.", "Floor lanes leave ridges between them.";
         example book!("impeller", "method" = "clear", "splitters" = "no");
     "P1212" PassesLeftOut Caution { count: usize, what: Text, from: Size, to: Size }
-        es "{count} tramos no se cortan porque la herramienta no cabe; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
-        en "{count} stretches are not cut because the tool does not fit there; the longest: {what}, from {from} to {to} % of the way from hub to rim"
+        es "tramos que no se cortan porque la herramienta no cabe: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
+        en "stretches not cut because the tool does not fit there: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
         remedy "use una herramienta menor o menos álabes; quite a mano lo que quede", "use a smaller tool or fewer blades; remove by hand what is left";
         why "Una pasada que no cabe cortaría otro álabe: se deja y se dice.", "A pass that does not fit would cut another blade: it is left out and told.";
         example book!("impeller", "method" = "clear", "d_f" = "3", "T_f" = "2", "D_f" = "2");
