@@ -36,6 +36,7 @@ use crate::kinds::impeller::clear::uncut;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::gap::gap;
 use crate::kinds::impeller::part::{Face, HUB, RIM};
+use crate::limits::CLEAR_BLOCKS;
 use crate::number::trig::{pow, sin_cos};
 
 /// Above the tops the tool counts as far as this, mm.
@@ -343,6 +344,12 @@ struct Wanted {
 }
 
 impl Draft<'_> {
+    /// True where no program may have so many blocks: the rest is not planned, the plan is refused.
+    fn full(&self) -> bool {
+        let blocks: usize = self.passes.iter().map(Pass::blocks).sum();
+        blocks as u64 * u64::from(self.job.N) > 2 * CLEAR_BLOCKS
+    }
+
     fn tolerance(&self, tool: Which, depth: f64) -> Tolerance {
         Tolerance {
             machine: self.job.machine,
@@ -398,6 +405,9 @@ impl Draft<'_> {
 
     /// Runs what is clear of a way; true where a piece of it begins at the rim and ends inside.
     fn run(&mut self, wanted: &Wanted, way: &Way<impl Fn(f64) -> Stand>, kept: &[[f64; 2]], by: By) -> bool {
+        if self.full() {
+            return false;
+        }
         let Way { stand: way, breaks, inside, depth, to_v } = way;
         let (inside, depth) = (*inside, *depth);
         let (Some(&begin), Some(&end)) = (breaks.first(), breaks.last()) else { return false };
