@@ -33,6 +33,9 @@ pub const fn step(law: FeedLaw, word: f64) -> f64 {
     }
 }
 
+/// How many millionths a step has, by its decimals.
+const MILLIONTHS: [f64; 7] = [1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0];
+
 /// The number of an F word, in millionths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FeedWord {
@@ -61,12 +64,13 @@ impl FeedWord {
         } else {
             slower.whole(steps)
         };
-        let millionths = whole * step(law, wanted) * 1e6;
+        // A whole number times a power of ten: exact, also where a millionth is the last digit that f64 has.
+        let millionths = whole * MILLIONTHS[usize::from(decimals)];
         if wanted == slower.endless() || whole < 1.0 || millionths > law.greatest() * 1e6 + 0.5 {
             return Err(OutOfFormat(wanted));
         }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 4·10^15")]
-        let millionths = millionths.round() as u64;
+        let millionths = millionths as u64;
         Ok(Self { millionths, decimals })
     }
 
@@ -126,12 +130,21 @@ mod tests {
             (FeedLaw::InverseTime, 60.0, 1.0, "1.000"),
             (FeedLaw::InverseTime, 0.000_207_4, 1.0, "289296.046"),
             (FeedLaw::InverseTime, 0.0, 1.0, "4000000000.000"),
+            (FeedLaw::InverseTime, 60.0 / 3_257_082_692.18, 1.0, "3257082692.180"),
             (FeedLaw::Resultant, 7.0, 1.0, "8.571"),
             (FeedLaw::Resultant, 0.6, 10.0, "1000.000"),
             (FeedLaw::Resultant, 0.0, 0.0, "99999.999"),
         ] {
             assert_eq!(written(law, seconds, resultant), text, "{law:?} {seconds}");
         }
+    }
+
+    #[test]
+    fn a_short_block_has_the_number_that_its_text_says() {
+        let word = FeedWord::lasting(FeedLaw::InverseTime, 60.0 / 3_257_082_692.18, 1.0).unwrap();
+        let mut text = String::new();
+        word.write(&mut text);
+        assert_eq!(text.parse::<f64>().unwrap().to_bits(), word.value().to_bits());
     }
 
     #[test]
