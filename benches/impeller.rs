@@ -8,7 +8,11 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;
 use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::clear::cut::Job;
+use rodete::kinds::impeller::clear::plan::Plan;
+use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::parameters::FORM;
+use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
 use rodete::text::Language;
 
@@ -21,8 +25,12 @@ fn values(n: u32) -> Values {
 }
 
 fn outcome(n: u32) -> Outcome {
+    computed(values(n))
+}
+
+fn computed(values: Values) -> Outcome {
     let source = Provenance { workbook: "impeller.xlsx".to_owned(), sha256: "0".repeat(64), version: "bench" };
-    match kinds::run(&FORM, values(n), source) {
+    match kinds::run(&FORM, values, source) {
         Ok(outcome) => outcome,
         Err(refusal) => panic!("refused: {:?}", refusal.findings),
     }
@@ -53,5 +61,20 @@ fn text(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, computation, text);
+/// The shipped case that is cut as designed: its plan alone, and all that `check` computes of it.
+fn clear(c: &mut Criterion) {
+    let Some(case) = CASES.iter().find(|case| case.name == "clear") else { return };
+    let mut values = Values { language: Language::En, ..Values::default() };
+    values.values.extend(case.values(Language::En));
+    let Ok(fields) = Fields::of(&FORM, values.clone()) else { return };
+    let Ok(design) = Design::new(&fields) else { return };
+    let Some(asked) = &design.clear else { return };
+    let mut group = c.benchmark_group("clear cut");
+    group.sample_size(20);
+    group.bench_function("plan", |b| b.iter(|| black_box(Plan::new(&Job::of(&design), &asked.cut)).is_ok()));
+    group.bench_function("check", |b| b.iter(|| black_box(computed(values.clone()))));
+    group.finish();
+}
+
+criterion_group!(benches, computation, text, clear);
 criterion_main!(benches);

@@ -19,15 +19,37 @@ pub struct Rotary {
     pub L: f64,
 }
 
+/// M2(B)·M1(−C), for many directions at one position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turned {
+    /// sin B and cos B.
+    B: (f64, f64),
+    /// sin C and cos C.
+    C: (f64, f64),
+}
+
+impl Turned {
+    /// The axes at B and C.
+    #[must_use]
+    pub fn to(B: f64, C: f64) -> Self {
+        Self { B: sin_cos(B), C: sin_cos(C) }
+    }
+
+    /// A direction of the part frame in machine axes.
+    #[must_use]
+    pub fn direction(&self, a: &Vector3<f64>) -> Vector3<f64> {
+        let ((sin_B, cos_B), (sin_C, cos_C)) = (self.B, self.C);
+        let x = a.x * cos_C + a.y * sin_C;
+        let y = a.y * cos_C - a.x * sin_C;
+        Vector3::new(x * cos_B - a.z * sin_B, y, x * sin_B + a.z * cos_B)
+    }
+}
+
 impl Rotary {
     /// M2(B)·M1(−C)·a: a direction of the part frame in machine axes.
     #[must_use]
     pub fn direction_to_machine(a: &Vector3<f64>, B: f64, C: f64) -> Vector3<f64> {
-        let (sin_B, cos_B) = sin_cos(B);
-        let (sin_C, cos_C) = sin_cos(C);
-        let x = a.x * cos_C + a.y * sin_C;
-        let y = a.y * cos_C - a.x * sin_C;
-        Vector3::new(x * cos_B - a.z * sin_B, y, x * sin_B + a.z * cos_B)
+        Turned::to(B, C).direction(a)
     }
 
     /// M1(−C)ᵀ·M2(B)ᵀ·a: a direction in machine axes in the part frame.
@@ -52,6 +74,18 @@ impl Rotary {
     pub fn to_part(self, machine: &Vector3<f64>, B: f64, C: f64) -> Vector3<f64> {
         let pivot = Vector3::new(0.0, 0.0, self.L);
         Self::direction_to_part(&(machine + pivot), B, C) - pivot
+    }
+
+    /// The tool in the part: the point at which its tip stands, and the direction of its axis.
+    #[must_use]
+    pub fn tool(self, machine: &Vector3<f64>, B: f64, C: f64) -> [Vector3<f64>; 2] {
+        let (sin_B, cos_B) = sin_cos(B);
+        let (sin_C, cos_C) = sin_cos(C);
+        let z = machine.z + self.L;
+        let x = machine.x * cos_B + z * sin_B;
+        let tip =
+            Vector3::new(x * cos_C - machine.y * sin_C, x * sin_C + machine.y * cos_C, z * cos_B - machine.x * sin_B);
+        [tip - Vector3::new(0.0, 0.0, self.L), Vector3::new(sin_B * cos_C, sin_B * sin_C, cos_B)]
     }
 
     /// The height above the origin that no point of a part within the radius R about the axis and below the origin

@@ -67,6 +67,18 @@ pub fn greatest(
     most: usize,
     bounds: impl Fn(&Cell) -> Bounds,
 ) -> Option<Greatest> {
+    greatest_above(f64::NEG_INFINITY, cells, tolerance, most, bounds)
+}
+
+/// The same where only what is greater than `known` is worth knowing: where nothing is, the upper bound is that.
+#[must_use]
+pub fn greatest_above(
+    known: f64,
+    cells: impl IntoIterator<Item = Cell>,
+    tolerance: f64,
+    most: usize,
+    bounds: impl Fn(&Cell) -> Bounds,
+) -> Option<Greatest> {
     let mut open = BinaryHeap::new();
     let mut best: Option<(f64, Cell)> = None;
     let mut looked = 0;
@@ -76,7 +88,7 @@ pub fn greatest(
         if best.is_none_or(|(value, _)| found.middle > value) {
             *best = Some((found.middle, cell));
         }
-        let least = best.map_or(f64::NEG_INFINITY, |(value, _)| value + tolerance);
+        let least = best.map_or(known, |(value, _)| known.max(value + tolerance));
         // What cannot hold the greatest is forgotten.
         if found.upper > least {
             open.push((Open(found.upper, cell), found.first));
@@ -90,7 +102,7 @@ pub fn greatest(
     while let Some((Open(above, cell), first)) = open.pop() {
         let (value, _) = best?;
         upper = above;
-        if above <= value + tolerance {
+        if above <= known.max(value + tolerance) {
             break;
         }
         upper = f64::NEG_INFINITY;
@@ -111,7 +123,7 @@ pub fn greatest(
     }
     let (lower, at) = best?;
     // Everything forgotten is within the tolerance of what was the best then.
-    Some(Greatest { upper: upper.max(lower + tolerance), lower, at })
+    Some(Greatest { upper: upper.max(lower + tolerance).max(known), lower, at })
 }
 
 #[cfg(test)]
@@ -146,5 +158,19 @@ mod tests {
             "the bound holds when the work is cut short: {hasty:?}"
         );
         assert_eq!(greatest([], 1e-6, 10, hill), None);
+    }
+
+    #[test]
+    fn what_is_known_is_not_sought_again() {
+        let cells = || [0, 1].map(|sheet| Cell { sheet, s: [0.0, 1.0], t: [0.0, 1.0] });
+        let count = std::cell::Cell::new(0);
+        let counted = |cell: &Cell| {
+            count.set(count.get() + 1);
+            hill(cell)
+        };
+        let above = greatest_above(3.5, cells(), 1e-6, 100_000, counted).unwrap();
+        assert!(above.upper == 3.5 && count.get() < 20, "{above:?} {}", count.get());
+        let below = greatest_above(2.5, cells(), 1e-6, 100_000, hill).unwrap();
+        assert!(below.lower <= 3.0 && below.upper >= 3.0 && below.upper < 3.0 + 2.1e-6, "{below:?}");
     }
 }

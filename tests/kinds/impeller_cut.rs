@@ -557,7 +557,7 @@ fn blocks_stay_within_the_tolerance_when_looked_at_densely() {
     let middle = |q: f64| lane.stand(job.machine, q, contacts.psi(0.5, q));
     let flank = |v: f64| way.stand(job.machine, v, 0.0);
     let dense = |of: &dyn Fn(f64) -> Stand, ends: &[f64], blocks: [usize; 2]| {
-        let points = tolerance(None).place(&of, ends);
+        let points = tolerance(None).place(&of, ends, usize::MAX);
         assert!((blocks[0]..=blocks[1]).contains(&(points.len() - 1)), "{}", points.len() - 1);
         for pair in points.windows(2) {
             let off = tolerance(None).deviation(&of, [pair[0].0, pair[1].0], [&pair[0].1, &pair[1].1], 60);
@@ -570,7 +570,7 @@ fn blocks_stay_within_the_tolerance_when_looked_at_densely() {
     dense(&flank, &[PI, 1.5 * PI], [74, 100]);
     // With a limit of the feed they are closer: check values for 2 %: 169 and 141.
     for (of, least, most) in [(&middle as &dyn Fn(f64) -> Stand, 150, 180), (&obverse, 125, 150)] {
-        let points = tolerance(Some(0.02)).place(&of, &[0.0, 1.0]);
+        let points = tolerance(Some(0.02)).place(&of, &[0.0, 1.0], usize::MAX);
         assert!((least..=most).contains(&(points.len() - 1)), "{}", points.len() - 1);
         for pair in points.windows(2) {
             assert!(tolerance(None).feed_error([&pair[0].1, &pair[1].1]) <= 0.02 + 1e-9);

@@ -25,12 +25,13 @@
 //! Millimetres and radians.
 
 use std::collections::{BTreeMap, BinaryHeap};
+use std::rc::Rc;
 
 use nalgebra::{Vector2, Vector3};
 
-use crate::kinds::impeller::part::{Face, HUB, Part, Piece, RIM, Ruling};
+use crate::kinds::impeller::part::{Change, Face, HUB, Part, Piece, RIM, Ruling};
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::{Rotary, Turned};
 use crate::number::trig::hypot;
 
 /// How close the bounds are brought to each other, mm.
@@ -211,12 +212,28 @@ impl Limit {
     }
 }
 
+/// The rulings between two v of a piece.
+struct Span {
+    rulings: [Ruling; 2],
+    tops: [f64; 2],
+    /// From and to which h they may count.
+    top: f64,
+    bottom: f64,
+    /// As far as limits of h may run.
+    beyond: [f64; 2],
+    change: Change,
+    floors: Limit,
+    trim: Option<Trim>,
+}
+
 /// The work on one way.
 struct Search<'a> {
     walls: &'a Walls,
     way: &'a [Stand],
     /// By how much runs of blocks leave the straight motion.
     runs: BTreeMap<(usize, usize), f64>,
+    /// What is known of pieces of the faces, by their v.
+    spans: BTreeMap<(usize, [u64; 2]), Rc<Span>>,
     /// The least distance from the axis that was seen, and where.
     seen: (f64, Option<Place>),
     work: usize,
@@ -249,7 +266,14 @@ impl Walls {
     /// The clearance of the tool along a way.
     #[must_use]
     pub fn clearance(&self, way: &[Stand], until: Until, budget: usize) -> Bounds {
-        let mut search = Search { walls: self, way, runs: BTreeMap::new(), seen: (f64::INFINITY, None), work: 0 };
+        let mut search = Search {
+            walls: self,
+            way,
+            runs: BTreeMap::new(),
+            spans: BTreeMap::new(),
+            seen: (f64::INFINITY, None),
+            work: 0,
+        };
         let lower = search.run(until, budget);
         let (upper, place) = search.seen;
         let lower = lower.min(upper) - self.radius - ARITHMETIC;
@@ -322,6 +346,25 @@ impl Search<'_> {
         strays
     }
 
+    /// What is known of the rulings between two v of a piece, whatever the tool does.
+    fn span(&mut self, piece: usize, v: [f64; 2]) -> Rc<Span> {
+        let walls = self.walls;
+        let new = || {
+            let of = &walls.pieces[piece];
+            let rulings = v.map(|v| walls.part.ruling(of.face, v));
+            let tops = v.map(|v| walls.part.top(v));
+            // h_0 does not grow with v.
+            let (top, bottom) = (tops[1], of.bottom);
+            // Limits of h may run a little beyond the rulings; what follows holds for that too.
+            let beyond = [top - (bottom - top) * BEYOND, bottom + (bottom - top) * BEYOND];
+            let change = walls.part.change(v, beyond[1].max(-beyond[0]));
+            let floors = Limit::through([walls.part.floors(of, v, &rulings, &change); 2]);
+            let trim = Trim::of(walls, of, &rulings, (top + bottom) / 2.0);
+            Rc::new(Span { rulings, tops, top, bottom, beyond, change, floors, trim })
+        };
+        Rc::clone(self.spans.entry((piece, v.map(f64::to_bits))).or_insert_with(new))
+    }
+
     /// The lower bound of a cell, and whether to halve it in time; `None` where nothing of it counts.
     ///
     /// Of a point of the part, seen from the tip, y' = ΔB·J(y + Q) + ΔC·U − Δp and
@@ -339,14 +382,10 @@ impl Search<'_> {
         if B >= 1.0 {
             return Some((0.0, true));
         }
-        let rulings = v.map(|v| walls.part.ruling(walls.pieces[piece].face, v));
-        let tops = v.map(|v| walls.part.top(v));
-        // h_0 does not grow with v.
-        let (top, bottom) = (tops[1], walls.pieces[piece].bottom);
+        let known = self.span(piece, v);
+        let Span { rulings, tops, top, bottom, beyond, change, floors, trim } = &*known;
+        let (rulings, tops, top, bottom, beyond) = (*rulings, *tops, *top, *bottom, *beyond);
         let span = v[1] - v[0];
-        // Limits of h may run a little beyond the rulings; what follows holds for that too.
-        let beyond = [top - (bottom - top) * BEYOND, bottom + (bottom - top) * BEYOND];
-        let change = walls.part.change(v, beyond[1].max(-beyond[0]));
         let (v_speed, v_bend, v_turn) = (change.speed * span, change.acceleration * span * span, change.turn * span);
 
         let pivot = Vector3::new(0.0, 0.0, walls.machine.L);
@@ -354,10 +393,10 @@ impl Search<'_> {
         // Feet and directions seen from the tip, by time and v.
         let seen = [0, 1].map(|time: usize| {
             let end = &ends[time];
-            let C = end.C - walls.turns[turn];
+            let turned = Turned::to(end.B, end.C - walls.turns[turn]);
             rulings.map(|ruling| Ruling {
-                foot: Rotary::direction_to_machine(&(ruling.foot + pivot), end.B, C) - Q[time],
-                N: Rotary::direction_to_machine(&ruling.N, end.B, C),
+                foot: turned.direction(&(ruling.foot + pivot)) - Q[time],
+                N: turned.direction(&ruling.N),
             })
         });
         let corners = || seen.iter().flatten();
@@ -382,15 +421,13 @@ impl Search<'_> {
         if highest + (rise_bend + v_bend) / 8.0 + strays < 0.0 {
             return None;
         }
-        let trim = Trim::of(walls, &walls.pieces[piece], &rulings, (top + bottom) / 2.0);
-        if let Some(trim) = &trim
+        if let Some(trim) = trim
             && trim.greatest([top, bottom]) + v_bend / 8.0 < 0.0
         {
             return None;
         }
 
-        let floors = Limit::through([walls.part.floors(&walls.pieces[piece], v, &rulings, &change); 2]);
-        let (mut low, mut high) = (Limit::level(top), floors);
+        let (mut low, mut high) = (Limit::level(top), *floors);
         let slopes = seen.map(|at| at.map(|ruling| ruling.N.z));
         let least =
             slopes.iter().flatten().copied().map(f64::abs).fold(f64::INFINITY, f64::min) - (v_turn + B + C) / 2.0;

@@ -19,11 +19,13 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::Vector3;
+
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
 use crate::limits::FLOOR_BOXES;
-use crate::number::bisection::{Bounds, Cell, greatest};
+use crate::number::bisection::{Bounds, Cell, greatest_above};
 use crate::number::trig::{hypot, sin_cos};
 
 /// How close the bound of the plan's depth is to what is found, mm.
@@ -51,27 +53,30 @@ pub fn law(Torus { R, r }: Torus, a_p: f64, e: f64, d_t: f64) -> f64 {
 
 /// The deepest point of the passes below the floor, its bound as close to what is found as it is asked for.
 #[must_use]
-pub fn deepest<T: Copy>(
+pub fn deepest<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], close: f64) -> Option<Deepest<T>> {
+    deeper(torus, a_p, d_t, sweeps, close, f64::NEG_INFINITY)
+}
+
+/// The same where only what is deeper than known so far is worth knowing: where nothing is, the answer is not deeper.
+fn deeper<T: Copy>(
     Torus { R, r }: Torus,
     a_p: f64,
     d_t: f64,
     sweeps: &[Sweep<T>],
     close: f64,
+    known: f64,
 ) -> Option<Deepest<T>> {
     let (a, r_f) = (d_t / 2.0, r + a_p);
     let stretches: Vec<_> =
         sweeps.iter().flat_map(|sweep| sweep.stretches.iter().map(|stretch| (sweep.track, stretch))).collect();
     let paces: Vec<Pace> = stretches.iter().map(|(_, stretch)| stretch.pace(0.0)).collect();
     let cells = (0..stretches.len()).map(|sheet| Cell { sheet, s: [0.0, 1.0], t: [0.0, TAU] });
-    let found = greatest(cells, close, FLOOR_BOXES, |cell| {
+    let found = greatest_above(known, cells, close, FLOOR_BOXES, |cell| {
         let (_, stretch) = stretches[cell.sheet];
         let pace = paces[cell.sheet];
         let (speed, acceleration) = (pace.speed + pace.turn * a, pace.acceleration + pace.turn * pace.turn * a);
         // Distance from the axis of the part, height, depth below the floor.
-        let rim = |s: f64, angle: f64| {
-            let (tip, _) = stretch.tool(s);
-            let [first, second] = stretch.across(s);
-            let (sin, cos) = sin_cos(angle);
+        let rim = |(tip, [first, second]): (Vector3<f64>, [Vector3<f64>; 2]), (sin, cos): (f64, f64)| {
             let point = tip + (first * cos + second * sin) * a;
             let rho = (point.x * point.x + point.y * point.y).sqrt();
             (rho, point.z, ((rho - R) * (rho - R) + point.z * point.z).sqrt() - r_f)
@@ -80,15 +85,15 @@ pub fn deepest<T: Copy>(
         let (along, around) = (s_1 - s_0, high - low);
         let ways = [speed * along / 2.0, a * around / 2.0];
         let (way, first) = (ways[0] + ways[1], ways[0] > ways[1]);
-        let (rho, z, depth) = rim((s_0 + s_1) / 2.0, (low + high) / 2.0);
+        let end = |s: f64| (stretch.tool(s).0, stretch.across(s));
+        let (rho, z, depth) = rim(end((s_0 + s_1) / 2.0), sin_cos((low + high) / 2.0));
         // Outside the blank there is nothing to cut.
         if z - way > stretch.slack || rho - way > R + stretch.slack {
             return Bounds { upper: f64::NEG_INFINITY, middle: f64::NEG_INFINITY, first };
         }
-        let corners = [(s_0, low), (s_0, high), (s_1, low), (s_1, high)]
-            .map(|(s, angle)| rim(s, angle).2)
-            .into_iter()
-            .fold(f64::NEG_INFINITY, f64::max);
+        let turned = cell.t.map(sin_cos);
+        let corners = cell.s.into_iter().map(end).flat_map(|end| turned.map(|turned| rim(end, turned).2));
+        let corners = corners.fold(f64::NEG_INFINITY, f64::max);
         let least = rho - way;
         let by_bend = if least > 0.0 {
             let bent =
@@ -122,26 +127,30 @@ const HALVINGS: u8 = 12;
 #[must_use]
 pub fn within<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], limit: f64) -> Option<Deepest<T>> {
     let mut most: Option<Deepest<T>> = None;
-    let mut take = |found: Deepest<T>| {
-        if most.is_none_or(|known| found.most > known.most) {
-            most = Some(found);
-        }
-    };
+    let mut left = Vec::new();
     for sweep in sweeps {
-        let mut left = Vec::new();
+        let mut open = Vec::new();
         for stretch in &sweep.stretches {
             let pace = stretch.pace(0.0);
             match ball(torus, a_p, d_t / 2.0, stretch, pace, limit) {
                 Some(upper) => {
-                    let x = stretch.index(0.5);
-                    take(Deepest { most: upper.max(0.0), found: 0.0, track: sweep.track, x });
+                    let found = upper.max(0.0);
+                    if most.is_none_or(|known| found > known.most) {
+                        most = Some(Deepest { most: found, found: 0.0, track: sweep.track, x: stretch.index(0.5) });
+                    }
                 }
-                None => left.push(*stretch),
+                None => open.push(*stretch),
             }
         }
-        let left = Sweep { track: sweep.track, stretches: left, height: sweep.height };
-        if let Some(found) = deepest(torus, a_p, d_t, &[left], SAG) {
-            take(found);
+        left.push(Sweep { track: sweep.track, stretches: open, height: sweep.height });
+    }
+    // Mostly run-outs: as deep as the floor outside of the blank, and hardly deeper than the rest inside.
+    for sweep in left {
+        let known = most.map_or(f64::NEG_INFINITY, |most| most.most);
+        if let Some(found) = deeper(torus, a_p, d_t, &[sweep], SAG, known)
+            && most.is_none_or(|known| found.most > known.most)
+        {
+            most = Some(found);
         }
     }
     most
@@ -159,7 +168,7 @@ fn ball(Torus { R, r }: Torus, a_p: f64, a: f64, stretch: &Stretch, pace: Pace, 
         for _ in 0..6 {
             let point = tip + axis * along;
             let rho = (point.x * point.x + point.y * point.y).sqrt();
-            centre = nalgebra::Vector3::new(point.x / rho * R, point.y / rho * R, 0.0);
+            centre = Vector3::new(point.x / rho * R, point.y / rho * R, 0.0);
             along = (centre - tip).dot(&axis);
         }
         let m = (tip + axis * along - centre).norm();

@@ -2,7 +2,8 @@
 //!
 //! A face is made of rulings, the tool's axis is a stretch of a line: over each ruling the distance is that of two
 //! stretches, in closed form; over v it is looked for from lines close to each other on, every valley between them to its
-//! bottom.
+//! bottom. Those lines are the same for every axis and are kept; of the face between them they give a bound, which often
+//! answers already.
 //!
 //! # Units
 //! Millimetres and radians, in the part frame.
@@ -12,14 +13,21 @@ use nalgebra::Vector3;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
 use crate::number::root::golden;
 
-/// Lines of a face that are looked at first.
+/// Lines of a face that are looked at first: steps between them, and they themselves.
 const LINES: u8 = 40;
+const ROW: usize = 41;
 
-/// Lines about each of the nearest of them that are looked at next.
+/// The same about each of the nearest of them.
 const FINER: u8 = 12;
+const FINER_ROW: usize = 13;
 
-/// Steps of a golden section about the nearest of those.
-const STEPS: u32 = 12;
+/// Steps of a golden section about the nearest of those, where parabolas do not lead to a bottom.
+const STEPS: u32 = 24;
+/// How far from an end of a face it is asked whether the distance falls, in parts of those lines' spacing.
+const NEXT: f64 = 1e-3;
+
+/// What the arithmetic may lose, mm.
+const ARITHMETIC: f64 = 1e-9;
 
 /// A stretch of a tool's axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,14 +40,44 @@ pub struct Axis {
     pub range: [f64; 2],
 }
 
-/// A face as far as a tool beside it needs it.
+/// A line of the mean surface, with its place in the blade's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
+struct Line {
+    v: f64,
+    /// Where it meets the tangent plane of the mean line.
+    P: Vector3<f64>,
+    b: Vector3<f64>,
+    /// Into the metal.
+    down: Vector3<f64>,
+    /// h_0 there.
+    top: f64,
+}
+
+/// A face as far as a tool beside it needs it.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Wall {
     part: Part,
     /// From and to which v it goes.
     v: [f64; 2],
     /// The depth of its lower edge, mm.
     bottom: f64,
+    /// The lines that are looked at first.
+    lines: Vec<Line>,
+    /// Between two of them no distance is less than at the nearer by more than this, mm.
+    between: f64,
+}
+
+/// What the lines that are looked at first say of an axis.
+#[derive(Clone, Debug)]
+pub struct Scan<'a> {
+    wall: &'a Wall,
+    aside: f64,
+    axis: &'a Axis,
+    apart: [f64; ROW],
+    /// The least distance is not more than this.
+    pub most: f64,
+    /// It is not less than this.
+    pub least: f64,
 }
 
 /// The least of a function about a place that is near to it, by parabolas through three points each; `None` where it is
@@ -67,6 +105,17 @@ fn valley(guess: f64, mut width: f64, value: impl Fn(f64) -> f64) -> Option<(f64
     None
 }
 
+/// The places of a row that are no farther than their neighbours, and within `reach` of the least.
+fn bottoms(row: &[(f64, f64)], reach: f64) -> impl Iterator<Item = (f64, f64)> {
+    let least = row.iter().fold(f64::INFINITY, |least, line| least.min(line.0));
+    (0..row.len()).filter_map(move |line| {
+        let below =
+            |other: Option<usize>| other.and_then(|other| row.get(other)).is_some_and(|one| one.0 < row[line].0);
+        let bottom = row[line].0 <= least + reach && !below(Some(line + 1)) && !below(line.checked_sub(1));
+        bottom.then_some(row[line])
+    })
+}
+
 impl Wall {
     /// The faces of a part's blade beside a tool of the radius a: (e/2 + a)·cot α + a/sin α + 0.5 mm longer than the blade
     /// at both ends, which a tool that runs out beside it needs, and down to h_1.
@@ -75,76 +124,135 @@ impl Wall {
         let torus = part.circle.torus;
         let (sin, cos) = (torus.r / torus.R, part.circle.k / torus.R);
         let beyond = ((part.e / 2.0 + a) * cos / sin + a / sin + 0.5) / torus.R;
-        let bottom = part.a_p + part.e * part.e / 4.0 / (2.0 * (torus.R - torus.r - part.a_p));
-        Self { part: *part, v: [HUB - beyond, RIM + beyond], bottom }
+        Self::over(part, [HUB - beyond, RIM + beyond])
     }
 
     /// The same faces, but beginning at v.
     #[must_use]
-    pub const fn from(self, v: f64) -> Self {
-        Self { v: [v, self.v[1]], ..self }
+    pub fn from(&self, v: f64) -> Self {
+        Self::over(&self.part, [v, self.v[1]])
+    }
+
+    fn over(part: &Part, v: [f64; 2]) -> Self {
+        let torus = part.circle.torus;
+        let bottom = part.a_p + part.e * part.e / 4.0 / (2.0 * (torus.R - torus.r - part.a_p));
+        let mut wall = Self { part: *part, v, bottom, lines: Vec::new(), between: 0.0 };
+        wall.lines = (0..=LINES).map(|line| wall.line(v[0] + wall.step() * f64::from(line))).collect();
+        // A point of a ruling moves no faster with v than the face's points do and its upper end along it, which goes one way.
+        let tops = [HUB, RIM].map(|v| part.top(v));
+        let deep = tops.into_iter().map(f64::abs).fold(bottom.abs(), f64::max);
+        let speed = part.change([HUB, RIM], deep).speed.max(torus.R);
+        wall.between = speed * wall.step() / 2.0 + (tops[0] - tops[1]).abs() + ARITHMETIC;
+        wall
+    }
+
+    /// From one of the lines that are looked at first to the next.
+    fn step(&self) -> f64 {
+        (self.v[1] - self.v[0]) / f64::from(LINES)
+    }
+
+    fn line(&self, v: f64) -> Line {
+        let (P, frame, top) = self.part.frame_and_top(v);
+        Line { v, P, b: frame.b, down: -frame.N, top }
     }
 
     /// The least distance of an axis from a face, and the v where it is; sought about a guess first.
     #[must_use]
     pub fn nearest(&self, face: Face, axis: &Axis, guess: Option<f64>) -> (f64, f64) {
-        self.least(guess, |v| self.apart(face.side() * self.part.e / 2.0, v, axis))
-    }
-
-    /// The least distance of an axis from the blade's mean surface, and the v where it is.
-    #[must_use]
-    pub fn from_middle(&self, axis: &Axis) -> (f64, f64) {
-        self.least(None, |v| self.apart(0.0, v, axis))
-    }
-
-    fn least(&self, guess: Option<f64>, at: impl Fn(f64) -> f64) -> (f64, f64) {
-        let [begin, end] = self.v;
-        let step = (end - begin) / f64::from(LINES);
-        if let Some(found) = guess.and_then(|guess| valley(guess, step / 8.0, &at))
-            && (begin..=end).contains(&found.1)
+        let aside = self.aside(face);
+        if let Some(found) =
+            guess.and_then(|guess| valley(guess, self.step() / 8.0, |v| self.line(v).apart(aside, self.bottom, axis)))
+            && (self.v[0]..=self.v[1]).contains(&found.1)
         {
             return found;
         }
-        // In a valley the least is no farther below a line than the line is from it.
-        let reach = step * self.part.circle.torus.R * 1.5;
-        let nearer = |one: (f64, f64), other: (f64, f64)| if other.0 < one.0 { other } else { one };
-        let valleys = |ends: [f64; 2], lines: u8| {
-            let apart = (ends[1] - ends[0]) / f64::from(lines);
-            let found: Vec<(f64, f64)> =
-                (0..=lines).map(|line| ends[0] + apart * f64::from(line)).map(|v| (at(v), v)).collect();
-            let least = found.iter().fold(f64::INFINITY, |least, line| least.min(line.0));
-            let below = |line: Option<&(f64, f64)>, here: f64| line.is_some_and(|line| line.0 < here);
-            let bottoms = (0..found.len()).filter(|&line| {
-                let (here, before) = (found[line].0, line.checked_sub(1));
-                here <= least + reach
-                    && !below(found.get(line + 1), here)
-                    && !below(before.and_then(|before| found.get(before)), here)
-            });
-            bottoms.map(|line| found[line]).collect::<Vec<_>>()
-        };
-        let within = |v: f64, aside: f64| [(v - aside).max(begin), (v + aside).min(end)];
-        let mut least = (f64::INFINITY, begin);
-        for (_, about) in valleys([begin, end], LINES) {
-            // Two valleys, one of the upper edge and one of the tool's end, may be nearer to each other than two lines.
-            let around = within(about, step * 1.5);
-            let finer = (around[1] - around[0]) / f64::from(FINER);
-            for (apart, about) in valleys(around, FINER) {
-                least = nearer(nearer(least, (apart, about)), golden(within(about, finer), STEPS, &at));
-            }
-        }
-        least
+        self.scan(aside, axis).nearest()
     }
 
-    /// The distance of an axis from the line that stands `aside` of the mean line's ruling at v.
-    fn apart(&self, aside: f64, v: f64, axis: &Axis) -> f64 {
-        let (P, frame) = self.part.frame(v);
-        stretches(P + frame.b * aside, -frame.N, [self.part.top(v), self.bottom], axis)
+    /// On which side of the mean surface a face lies, and how far.
+    fn aside(&self, face: Face) -> f64 {
+        face.side() * self.part.e / 2.0
+    }
+
+    /// What is known of the distance of an axis from a face before it is sought.
+    #[must_use]
+    pub fn seen<'a>(&'a self, face: Face, axis: &'a Axis) -> Scan<'a> {
+        self.scan(self.aside(face), axis)
+    }
+
+    /// The same of the blade's mean surface.
+    #[must_use]
+    pub fn seen_from_middle<'a>(&'a self, axis: &'a Axis) -> Scan<'a> {
+        self.scan(0.0, axis)
+    }
+
+    fn scan<'a>(&'a self, aside: f64, axis: &'a Axis) -> Scan<'a> {
+        let apart = std::array::from_fn(|line| {
+            self.lines.get(line).map_or(f64::INFINITY, |line| line.apart(aside, self.bottom, axis))
+        });
+        let most = apart.iter().fold(f64::INFINITY, |least: f64, one| least.min(*one));
+        Scan { wall: self, aside, axis, apart, most, least: most - self.between }
     }
 
     /// The distance of an axis from the ruling of the mean line at v.
     #[must_use]
     pub fn from_ruling(&self, v: f64, axis: &Axis) -> f64 {
-        self.apart(0.0, v, axis)
+        self.line(v).apart(0.0, self.bottom, axis)
+    }
+}
+
+impl Line {
+    /// The distance of an axis from the line that stands `aside` of this one.
+    fn apart(&self, aside: f64, bottom: f64, axis: &Axis) -> f64 {
+        stretches(self.P + self.b * aside, self.down, [self.top, bottom], axis)
+    }
+}
+
+impl Scan<'_> {
+    /// The least distance, and the v where it is.
+    #[must_use]
+    pub fn nearest(&self) -> (f64, f64) {
+        let (wall, [begin, end]) = (self.wall, self.wall.v);
+        let at = |v: f64| wall.line(v).apart(self.aside, wall.bottom, self.axis);
+        let step = wall.step();
+        // In a valley the least is no farther below a line than the line is from it.
+        let reach = step * wall.part.circle.torus.R * 1.5;
+        let nearer = |one: (f64, f64), other: (f64, f64)| if other.0 < one.0 { other } else { one };
+        let within = |v: f64, aside: f64| [(v - aside).max(begin), (v + aside).min(end)];
+        let mut first = [(f64::INFINITY, begin); ROW];
+        for ((place, apart), line) in first.iter_mut().zip(self.apart).zip(&wall.lines) {
+            *place = (apart, line.v);
+        }
+        let mut least = (f64::INFINITY, begin);
+        for (_, about) in bottoms(&first, reach) {
+            // Two valleys, one of the upper edge and one of the tool's end, may be nearer to each other than two lines.
+            let around = within(about, step * 1.5);
+            let finer = (around[1] - around[0]) / f64::from(FINER);
+            let mut row = [(f64::INFINITY, begin); FINER_ROW];
+            for (line, place) in (0_u8..).zip(&mut row) {
+                let v = around[0] + finer * f64::from(line);
+                *place = (at(v), v);
+            }
+            for (apart, about) in bottoms(&row, reach) {
+                least = nearer(least, (apart, about));
+                let ends = within(about, finer);
+                // At an end of the face the distance may still be falling: then the end is the nearest.
+                let inwards = if about == begin { ends[1] } else { ends[0] };
+                let at_end = about == begin || about == end;
+                if at_end && at(about + (inwards - about) * NEXT) >= apart {
+                    continue;
+                }
+                let bottom = valley(about, finer / 4.0, at).filter(|(_, v)| (ends[0]..=ends[1]).contains(v));
+                least = nearer(least, bottom.unwrap_or_else(|| golden(ends, STEPS, at)));
+            }
+        }
+        least
+    }
+
+    /// True where the least distance is no less than asked.
+    #[must_use]
+    pub fn keeps(&self, asked: f64) -> bool {
+        self.most >= asked && (self.least >= asked || self.nearest().0 >= asked)
     }
 }
 
@@ -175,5 +283,34 @@ mod tests {
         assert_eq!(valley(0.0, 0.05, |x| (x - 1.25) * (x - 1.25)), None);
         assert_eq!(valley(0.0, 0.05, |x| -x * x), None);
         assert_eq!(valley(0.0, 0.05, |_| f64::NAN), None);
+    }
+
+    #[test]
+    fn the_lines_looked_at_first_bound_what_a_dense_search_finds() {
+        use crate::geometry::torus::Torus;
+        for (R, r, e, a_p) in [(25.0, 15.0, 2.0, 2.0), (25.0, 17.0, 1.0, 4.0), (400.0, 300.0, 9.0, 30.0)] {
+            let part = Part::with(Torus { R, r }, e, a_p);
+            let wall = Wall::new(&part, 3.0);
+            for step in 0..24_u8 {
+                let v = HUB - 0.1 + f64::from(step) * 0.08;
+                let (P, frame) = part.frame(v);
+                let tilt = f64::from(step % 5) * 0.15 - 0.3;
+                let along = (frame.N + frame.t * tilt + frame.b * (tilt / 2.0)).normalize();
+                let axis =
+                    Axis { foot: P + frame.b * (e / 2.0 + 2.0 + f64::from(step % 3)), along, range: [-a_p * 0.9, 1.0] };
+                let seen = wall.seen(Face::Obverse, &axis);
+                let found = seen.nearest().0;
+                let dense = (0..=20_000).map(|line| {
+                    let v = wall.v[0] + (wall.v[1] - wall.v[0]) * f64::from(line) / 20_000.0;
+                    wall.line(v).apart(e / 2.0, wall.bottom, &axis)
+                });
+                let dense = dense.fold(f64::INFINITY, f64::min);
+                assert!(seen.least <= dense && found <= seen.most, "{R} {step}");
+                assert!(found <= dense + 1e-9 && found > dense - 1e-5 * R, "{R} {step} {found} {dense}");
+                for off in [-2.0, -1e-3, 1e-3, 2.0] {
+                    assert_eq!(seen.keeps(found + off), off < 0.0, "{R} {step} {off}");
+                }
+            }
+        }
     }
 }

@@ -137,9 +137,20 @@ impl Part {
     /// The frame at v, and the point of the mean line; straight on beyond the ends.
     #[must_use]
     pub fn frame(&self, v: f64) -> (Vector3<f64>, Darboux) {
+        self.frame_at(v, sin_cos(v.clamp(HUB, RIM)))
+    }
+
+    /// The same, and h_0 there: both need one sine and cosine.
+    #[must_use]
+    pub fn frame_and_top(&self, v: f64) -> (Vector3<f64>, Darboux, f64) {
+        let turned = sin_cos(v.clamp(HUB, RIM));
+        let (P, frame) = self.frame_at(v, turned);
+        (P, frame, self.top_at(turned.1))
+    }
+
+    fn frame_at(&self, v: f64, (sin_v, cos_v): (f64, f64)) -> (Vector3<f64>, Darboux) {
         let Torus { R, r } = self.circle.torus;
         let end = v.clamp(HUB, RIM);
-        let (sin_v, cos_v) = sin_cos(end);
         let (rho, k) = (R + r * cos_v, self.circle.k);
         let (cos_u, sin_u) = (k * sin_v / rho, -(r + R * cos_v) / rho);
         let N = -Vector3::new(cos_v * cos_u, cos_v * sin_u, sin_v);
@@ -160,8 +171,11 @@ impl Part {
     /// κ_b at v, the curvature of the torus across the mean line: cos²α/r + sin²α·cos v/ρ. It grows with v.
     #[must_use]
     pub fn across(&self, v: f64) -> f64 {
+        self.across_at(sin_cos(v.clamp(HUB, RIM)).1)
+    }
+
+    fn across_at(&self, cos_v: f64) -> f64 {
         let Torus { R, r } = self.circle.torus;
-        let cos_v = sin_cos(v.clamp(HUB, RIM)).1;
         let (sin2, cos2) = (r * r / (R * R), self.circle.k * self.circle.k / (R * R));
         cos2 / r + sin2 * cos_v / (R + r * cos_v)
     }
@@ -169,7 +183,11 @@ impl Part {
     /// h_0, the depth at which the ruling at v begins. It does not grow with v.
     #[must_use]
     pub fn top(&self, v: f64) -> f64 {
-        -self.e * self.e / 8.0 * self.across(v)
+        self.top_at(sin_cos(v.clamp(HUB, RIM)).1)
+    }
+
+    fn top_at(&self, cos_v: f64) -> f64 {
+        -self.e * self.e / 8.0 * self.across_at(cos_v)
     }
 
     /// h_1, the depth at which a ruling that begins at the depth `top` first comes to the floor.

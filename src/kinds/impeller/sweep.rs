@@ -71,7 +71,8 @@ fn between(from: &Stand, to: &Stand, part: f64) -> Stand {
 
 /// Tip and axis of the tool where all axes stand somewhere.
 fn tool(machine: Rotary, [x, y, z, B, C]: &Stand) -> (Vector3<f64>, Vector3<f64>) {
-    (machine.to_part(&Vector3::new(*x, *y, *z), *B, *C), Rotary::direction_to_part(&Vector3::z(), *B, *C))
+    let [tip, axis] = machine.tool(&Vector3::new(*x, *y, *z), *B, *C);
+    (tip, axis)
 }
 
 impl Stretch {

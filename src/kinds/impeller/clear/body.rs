@@ -23,7 +23,7 @@ pub fn turned(axis: &Axis, by: f64) -> Axis {
 }
 
 /// A splitter, in the channel that begins at blade 0's obverse.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// v_s, where it begins.
     pub v_s: f64,
@@ -43,13 +43,44 @@ impl Body {
     /// How far an axis is from it; negative inside.
     #[must_use]
     pub fn apart(&self, axis: &Axis) -> f64 {
-        let axis = turned(axis, -self.turn);
-        let (middle, _) = self.wall.from_middle(&axis);
-        if middle < self.half {
-            return middle - self.half;
+        self.least(&turned(axis, -self.turn), None)
+    }
+
+    /// True where an axis is no less than `asked` from it, which is more than 0.
+    #[must_use]
+    pub fn keeps(&self, axis: &Axis, asked: f64) -> bool {
+        self.least(&turned(axis, -self.turn), Some(asked)) >= asked
+    }
+
+    /// How far an axis is from it. Where only an answer is asked for, any distance on the right side of what is asked.
+    ///
+    /// A point of the mean surface is half the thickness from both faces: an axis that is e from one of them is not inside.
+    fn least(&self, axis: &Axis, asked: Option<f64>) -> f64 {
+        let mut least = self.wall.from_ruling(self.v_s, axis) - self.half;
+        let less = |least: f64| asked.is_some_and(|asked| least < asked);
+        if less(least) {
+            return least;
         }
-        let nose = self.wall.from_ruling(self.v_s, &axis) - self.half;
-        Face::ALL.into_iter().map(|face| self.wall.nearest(face, &axis, None).0).fold(nose, f64::min)
+        let mut faces = Face::ALL.map(|face| self.wall.seen(face, axis));
+        if faces[1].most < faces[0].most {
+            faces.reverse();
+        }
+        let most = faces[0].most;
+        if less(most) {
+            return most;
+        }
+        if faces[0].least.max(faces[1].least) < 2.0 * self.half {
+            let middle = self.wall.seen_from_middle(axis);
+            if !middle.keeps(self.half) {
+                return middle.nearest().0 - self.half;
+            }
+        }
+        for face in faces {
+            if face.least < asked.map_or(least, |asked| least.min(asked)) {
+                least = least.min(face.nearest().0);
+            }
+        }
+        least
     }
 }
 
@@ -70,21 +101,48 @@ impl Obstacles {
         Self { wall: Wall::new(part, a), pitch, body }
     }
 
-    /// How far an axis is from the obverse of blade 0.
+    /// True where an axis is no less than `asked` from the obverse of blade 0.
     #[must_use]
-    pub fn from_obverse(&self, axis: &Axis) -> f64 {
-        self.wall.nearest(Face::Obverse, axis, None).0
+    pub fn keeps_obverse(&self, axis: &Axis, asked: f64) -> bool {
+        self.wall.seen(Face::Obverse, axis).keeps(asked)
     }
 
-    /// How far it is from the reverse of the next blade.
+    /// True where it is no less from the reverse of the next blade.
     #[must_use]
-    pub fn from_reverse(&self, axis: &Axis) -> f64 {
-        self.wall.nearest(Face::Reverse, &turned(axis, self.pitch), None).0
+    pub fn keeps_reverse(&self, axis: &Axis, asked: f64) -> bool {
+        self.wall.seen(Face::Reverse, &turned(axis, self.pitch)).keeps(asked)
     }
 
-    /// How far it is from the splitter; infinite where there is none.
+    /// True where it is no less from the splitter, or there is none.
     #[must_use]
-    pub fn from_splitter(&self, axis: &Axis) -> f64 {
-        self.body.as_ref().map_or(f64::INFINITY, |body| body.apart(axis))
+    pub fn keeps_splitter(&self, axis: &Axis, asked: f64) -> bool {
+        self.body.as_ref().is_none_or(|body| body.keeps(axis, asked))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::torus::Torus;
+
+    #[test]
+    fn a_quick_answer_is_that_of_the_distance() {
+        let part = Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, 2.0);
+        let body = Body::new(&part, 4.2, -0.4, 1.8);
+        let mut answers = [0_u32; 2];
+        for across in -20..=20_i8 {
+            for along in 0..=12_u8 {
+                let (P, frame) = part.frame(3.9 + f64::from(along) * 0.07);
+                let along = (frame.N + frame.b * (f64::from(across) * 0.01)).normalize();
+                let foot = P + frame.b * (f64::from(across) * 0.25);
+                let axis = turned(&Axis { foot, along, range: [-1.7, 1.0] }, -0.4);
+                let apart = body.apart(&axis);
+                for asked in [0.4, 1.8, 3.3] {
+                    assert_eq!(body.keeps(&axis, asked), apart >= asked, "{across} {apart} {asked}");
+                    answers[usize::from(apart >= asked)] += 1;
+                }
+            }
+        }
+        assert!(answers.iter().all(|count| *count > 100), "{answers:?}");
     }
 }

@@ -12,7 +12,7 @@
 //! # Units
 //! Millimetres and radians.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::f64::consts::TAU;
 
 use crate::kinds::impeller::clear::lane::{OwnNormal, out_at, v_at};
@@ -25,13 +25,15 @@ use crate::number::trig::{atan2, sin_cos};
 pub const ABOVE: f64 = 1.0;
 /// How close contacts are found, radians.
 const CLOSE: f64 = 1e-10;
+/// Farther than this a root is not sought from where it may be, radians.
+const NEAR: f64 = 0.2;
 /// A valley is the lowest where its distance is that of all to this, mm.
 const SAME: f64 = 1e-6;
 /// How close the table is, mm at the rim.
 const TABLE: f64 = 3e-5;
 
 /// A tool beside the faces of a part's blades.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Beside {
     part: Part,
     lane: OwnNormal,
@@ -50,6 +52,11 @@ impl Beside {
     /// ψ at which the tool touches a face of blade 0 at a station.
     #[must_use]
     pub fn psi(&self, face: Face, q: f64) -> f64 {
+        self.touch(face, q, None).0
+    }
+
+    /// The same, sought from where it may be, and how it was found.
+    fn touch(&self, face: Face, q: f64, near: Option<Touch>) -> (f64, Touch) {
         let (v, wanted) = (v_at(q), self.lane.tool.a() + self.s);
         let (torus, k) = (self.part.circle.torus, self.part.circle.k);
         let (rho, sin_alpha) = (torus.rho(v), torus.r / torus.R);
@@ -63,17 +70,78 @@ impl Beside {
         let axis = |x: f64| self.lane.axis(q, middle + away * x, ABOVE);
         let begin = 1.6 * (self.part.e / 2.0 + wanted) / (rho * sin_alpha) + 0.1;
         // A face may have two valleys under the axis. The one that is the lower at first usually is in the end.
-        let guess = Cell::new(None);
+        let guess = Cell::new(near.map(|near| near.at));
         let follow = |x: f64| {
             let (distance, at) = self.wall.nearest(face, &axis(x), guess.get());
             guess.set(Some(at));
             distance - wanted
         };
         let fresh = |x: f64| self.wall.nearest(face, &axis(x), None).0 - wanted;
-        let x = touching(begin, follow);
-        let x = if fresh(x).abs() < SAME { x } else { touching(begin, fresh) };
-        middle + away * x
+        let found =
+            near.and_then(|near| closing(near.x, near.slope, NEAR, follow)).filter(|(x, _)| fresh(*x).abs() < SAME);
+        let (x, slope) = found.unwrap_or_else(|| {
+            guess.set(None);
+            let x = touching(begin, follow);
+            (if fresh(x).abs() < SAME { x } else { touching(begin, fresh) }, rho * sin_alpha)
+        });
+        (middle + away * x, Touch { q, x, slope, at: guess.get().unwrap_or(v) })
     }
+}
+
+/// Where a tool touches a face at a station.
+#[derive(Clone, Copy, Debug)]
+struct Touch {
+    q: f64,
+    /// How far it is turned away from the mean line.
+    x: f64,
+    /// How fast the distance grows with that.
+    slope: f64,
+    /// v of the face where it does.
+    at: f64,
+}
+
+/// What was found at some stations, in their order.
+#[derive(Debug, Default)]
+struct Touches(Vec<Touch>);
+
+impl Touches {
+    /// What may be found between two of them.
+    fn near(&self, q: f64) -> Option<Touch> {
+        let after = self.0.partition_point(|touch| touch.q < q);
+        let (one, other) = (self.0.get(after.checked_sub(1)?)?, self.0.get(after)?);
+        let part = (q - one.q) / (other.q - one.q);
+        let between = |from: f64, to: f64| from + (to - from) * part;
+        let [x, slope, at] =
+            [(one.x, other.x), (one.slope, other.slope), (one.at, other.at)].map(|(a, b)| between(a, b));
+        Some(Touch { q, x, slope, at })
+    }
+
+    fn keep(&mut self, touch: Touch) {
+        let at = self.0.partition_point(|known| known.q < touch.q);
+        self.0.insert(at, touch);
+    }
+}
+
+/// The root of a function that grows, sought from near it, with about how fast it grows there; both, or `None` where it is
+/// farther than a step of `far`.
+#[must_use]
+pub fn closing(mut x: f64, mut slope: f64, far: f64, value: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
+    let mut off = value(x);
+    for _ in 0..8 {
+        if off.abs() < CLOSE {
+            return Some((x, slope));
+        }
+        let step = -off / slope;
+        let next = value(x + step);
+        let grown = (next - off) / step;
+        // NaN counts as far.
+        let near = step.abs() < far && grown > 0.0;
+        if !near {
+            return None;
+        }
+        (x, off, slope) = (x + step, next, grown);
+    }
+    None
 }
 
 /// The root of a function that grows, from 0 to `high` or somewhat beyond.
@@ -124,8 +192,16 @@ impl Contacts {
         let (beside, pitch) = (Beside::new(part, lane, s), TAU / f64::from(N));
         let a = lane.tool.a();
         let close = TABLE / part.circle.torus.R;
+        // Between two stations the tool touches nearly where it does half-way between.
+        let known = [RefCell::new(Touches::default()), RefCell::new(Touches::default())];
+        let psi = |face: Face, known: &RefCell<Touches>, q: f64| {
+            let near = known.borrow().near(q);
+            let (psi, touch) = beside.touch(face, q, near);
+            known.borrow_mut().keep(touch);
+            psi
+        };
         let table = Table::new(&[-a, 0.0, 1.0, 1.0 + a], [close; 2], |q| {
-            [beside.psi(Face::Obverse, q), beside.psi(Face::Reverse, q) - pitch]
+            [psi(Face::Obverse, &known[0], q), psi(Face::Reverse, &known[1], q) - pitch]
         });
         Self { lane, pitch, table }
     }
@@ -236,6 +312,15 @@ mod tests {
                 assert!(nearer.iter().all(|mm| (-4e-3..1.1e-2).contains(mm)), "{at} {q} {nearer:?}");
             }
         }
+    }
+
+    #[test]
+    fn a_root_is_found_from_near_it_only() {
+        let (x, slope) = closing(0.1, 1.5, 0.5, |x| (x - 0.3) * (2.0 + x)).unwrap();
+        assert!((x - 0.3).abs() < 1e-10 && (slope - 2.3).abs() < 0.05, "{x} {slope}");
+        assert_eq!(closing(0.1, 1.0, 0.5, |x| x - 7.0), None);
+        assert_eq!(closing(0.1, 1.0, 0.5, |x| 0.3 - x), None);
+        assert_eq!(closing(0.1, 1.0, 0.5, |_| f64::NAN), None);
     }
 
     #[test]

@@ -17,7 +17,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::kinds::impeller::clear::body::Body;
-use crate::kinds::impeller::clear::contact::{ABOVE, Contacts, touching};
+use crate::kinds::impeller::clear::contact::{ABOVE, Contacts, closing, touching};
 use crate::kinds::impeller::clear::lane::v_at;
 use crate::kinds::impeller::clear::table::Table;
 use crate::kinds::impeller::clearance::Stand;
@@ -36,7 +36,7 @@ const HALVINGS: u8 = 10;
 pub const ROOM: f64 = 0.05;
 
 /// A tool round a splitter.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Nose<'a> {
     part: &'a Part,
     contacts: &'a Contacts,
@@ -64,7 +64,9 @@ impl Nose<'_> {
             self.body.apart(&self.contacts.lane.axis((v - HUB) / FRAC_PI_2, psi, ABOVE)) - wanted
         };
         let least = self.part.e / 2.0;
-        place(least + touching((least + wanted) * 1.2 - least, |D| off(least + D)))
+        // The axis leans but little: from the distance of one that does not it is not far.
+        let found = closing(least + wanted, 1.0, wanted, off).filter(|(D, _)| *D >= least);
+        place(found.map_or_else(|| least + touching(least * 0.2 + wanted * 1.2, |D| off(least + D)), |(D, _)| D))
     }
 
     /// The least room to the blades along the contour, mm.

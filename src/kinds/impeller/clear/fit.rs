@@ -30,8 +30,11 @@ use crate::number::trig::sin_cos;
 
 /// cos(kπ/3): where the fit touches, in half depths.
 const ABSCISSAE: [f64; 4] = [1.0, 0.5, -0.5, -1.0];
-/// Rounds of Newton's method.
+/// Rounds of Newton's method, and after which step there is no next one: its error goes with the square.
 const ROUNDS: usize = 6;
+const LAST: f64 = 1e-9;
+/// The last step towards the nearest ruling, radians: the distance goes with the square of what is left.
+const STEP: f64 = 1e-9;
 /// Over which last B the tilt along the face fades, and that away from it.
 pub const FADES: [f64; 2] = [15.0 * TAU / 360.0, 2.0 * TAU / 360.0];
 /// How far beyond an end the tilt away from the face has gone, mm.
@@ -80,6 +83,63 @@ pub struct Flank {
     a: f64,
     /// From which depth to which.
     span: [f64; 2],
+}
+
+/// Where the slope of the distance is none, from near there on a face of the radius R; `None` where it is not near.
+fn near(mut v: f64, R: f64, slope: impl Fn(f64) -> f64) -> Option<f64> {
+    let (mut here, mut bend) = (slope(v), -R * R);
+    for _ in 0..10 {
+        let step = -here / bend;
+        if step.abs() < STEP {
+            return Some(v + step);
+        }
+        let next = slope(v + step);
+        let bent = (next - here) / step;
+        // NaN counts as far.
+        let closer = step.abs() < 0.1 && bent < 0.0;
+        if !closer {
+            return None;
+        }
+        (v, here, bend) = (v + step, next, bent);
+    }
+    None
+}
+
+/// Where the slope of the distance changes its sign: a ruling at which the face has an edge counts too.
+fn changes(v: f64, seen: impl Fn(f64) -> f64) -> f64 {
+    let slope = seen(v);
+    let towards = slope.signum();
+    let (mut low, mut at_low, mut step) = (v, slope, 0.02);
+    let (mut high, mut at_high) = (v + towards * step, seen(v + towards * step));
+    for _ in 0..8 {
+        if at_high * towards <= 0.0 {
+            break;
+        }
+        (low, at_low) = (high, at_high);
+        step *= 2.0;
+        high += towards * step;
+        at_high = seen(high);
+    }
+    let mut found = if at_low == 0.0 { low } else { high };
+    for _ in 0..80 {
+        if at_low == 0.0 || (high - low).abs() < 1e-14 {
+            break;
+        }
+        let part = at_low / (at_low - at_high);
+        found = low + (high - low) * if part > 0.0 && part < 1.0 { part } else { 0.5 };
+        let here = seen(found);
+        if here * towards > 0.0 {
+            (low, at_low) = (found, here);
+            at_high *= 0.5;
+        } else {
+            (high, at_high) = (found, here);
+            at_low *= 0.5;
+        }
+        if here.abs() < 1e-12 {
+            break;
+        }
+    }
+    found
 }
 
 impl Flank {
@@ -138,39 +198,8 @@ impl Flank {
             let away = point - foot + N * h;
             (away, away.dot(&(foot_v - N_v * h)))
         };
-        // Where the slope of the distance changes its sign: a ruling at which the face has an edge counts too.
-        let (_, slope) = seen(v);
-        let towards = slope.signum();
-        let (mut low, mut at_low, mut step) = (v, slope, 0.02);
-        let (mut high, mut at_high) = (v + towards * step, seen(v + towards * step).1);
-        for _ in 0..8 {
-            if at_high * towards <= 0.0 {
-                break;
-            }
-            (low, at_low) = (high, at_high);
-            step *= 2.0;
-            high += towards * step;
-            at_high = seen(high).1;
-        }
-        let mut found = if at_low == 0.0 { low } else { high };
-        for _ in 0..80 {
-            if at_low == 0.0 || (high - low).abs() < 1e-14 {
-                break;
-            }
-            let part = at_low / (at_low - at_high);
-            found = low + (high - low) * if part > 0.0 && part < 1.0 { part } else { 0.5 };
-            let here = seen(found).1;
-            if here * towards > 0.0 {
-                (low, at_low) = (found, here);
-                at_high *= 0.5;
-            } else {
-                (high, at_high) = (found, here);
-                at_low *= 0.5;
-            }
-            if here.abs() < 1e-12 {
-                break;
-            }
-        }
+        let found = near(v, self.part.circle.torus.R, |v| seen(v).1);
+        let found = found.unwrap_or_else(|| changes(v, |v| seen(v).1));
         let (away, _) = seen(found);
         let distance = away.norm();
         Nearest { distance, out: away / distance, v: found }
@@ -185,17 +214,20 @@ impl Flank {
         [through, N + b * (side * fit.beta) + t * fit.eta]
     }
 
-    /// How far the axis' points at some abscissae are from the face, less a, and the unit vectors from there.
+    /// How far the axis' points at some abscissae are from the face, less a, and the unit vectors from there; sought from
+    /// some v on, which become those where they were found.
     fn errors<const K: usize>(
         &self,
         v: f64,
         fit: &Fit,
         abscissae: [f64; K],
         beyond: Beyond,
+        from: &mut [f64; K],
     ) -> [(f64, Vector3<f64>); K] {
         let [through, along] = self.line(v, fit, beyond);
-        abscissae.map(|lambda| {
-            let nearest = self.nearest(&(through + along * lambda), v, beyond);
+        std::array::from_fn(|k| {
+            let nearest = self.nearest(&(through + along * abscissae[k]), from[k], beyond);
+            from[k] = nearest.v;
             (nearest.distance - self.a, nearest.out)
         })
     }
@@ -214,8 +246,9 @@ impl Flank {
         let mut fit = self.closed_form(v);
         let (side, abscissae) = (self.face.side(), self.abscissae(ABSCISSAE));
         let Darboux { t, b, .. } = self.frame(v, Beyond::Round).1;
+        let mut from = [v; 4];
         for _ in 0..ROUNDS {
-            let errors = self.errors(v, &fit, abscissae, Beyond::Round);
+            let errors = self.errors(v, &fit, abscissae, Beyond::Round, &mut from);
             let (mut matrix, mut right) = (Matrix4::zeros(), Vector4::zeros());
             for (row, ((f, n), lambda)) in errors.iter().zip(abscissae).enumerate() {
                 let sign = if row % 2 == 0 { 1.0 } else { -1.0 };
@@ -225,6 +258,9 @@ impl Flank {
             }
             let Some(step) = matrix.lu().solve(&right) else { break };
             fit = Fit { o: fit.o + step[0], beta: fit.beta + step[1], eta: fit.eta + step[2], E: step[3] };
+            if step.fixed_rows::<3>(0).amax() < LAST {
+                break;
+            }
         }
         fit
     }
@@ -234,8 +270,9 @@ impl Flank {
         let mut fit = Fit { o: 0.0, beta: 0.0, eta, E: 0.0 };
         let (side, abscissae) = (self.face.side(), self.abscissae([1.0, 0.0, -1.0]));
         let Darboux { b, .. } = self.frame(v, Beyond::Round).1;
+        let mut from = [v; 3];
         for _ in 0..ROUNDS {
-            let errors = self.errors(v, &fit, abscissae, Beyond::Round);
+            let errors = self.errors(v, &fit, abscissae, Beyond::Round, &mut from);
             let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
             for (row, ((f, n), lambda)) in errors.iter().zip(abscissae).enumerate() {
                 let sign = if row % 2 == 0 { 1.0 } else { -1.0 };
@@ -245,6 +282,9 @@ impl Flank {
             }
             let Some(step) = matrix.lu().solve(&right) else { break };
             fit = Fit { o: fit.o + step[0], beta: fit.beta + step[1], eta, E: step[2] };
+            if step.fixed_rows::<2>(0).amax() < LAST {
+                break;
+            }
         }
         fit
     }
@@ -264,9 +304,12 @@ impl Flank {
     #[must_use]
     pub fn error(&self, v: f64, fit: &Fit, [top, bottom]: [f64; 2]) -> [f64; 2] {
         let [through, along] = self.line(v, fit, Beyond::Straight);
+        let mut from = v;
         (0..=LOOKS).fold([f64::INFINITY, f64::NEG_INFINITY], |[least, greatest], look| {
             let lambda = self.middle() - top - (bottom - top) * f64::from(look) / f64::from(LOOKS);
-            let f = self.nearest(&(through + along * lambda), v, Beyond::Straight).distance - self.a;
+            let nearest = self.nearest(&(through + along * lambda), from, Beyond::Straight);
+            from = nearest.v;
+            let f = nearest.distance - self.a;
             [least.min(f), greatest.max(f)]
         })
     }

@@ -25,6 +25,8 @@ use crate::number::trig::{asin, atan2, hypot, sin_cos};
 const ALONG: u8 = 48;
 /// Rulings by which a wall's foot is known.
 const FEET: u16 = 200;
+/// What the arithmetic may lose, mm.
+const ARITHMETIC: f64 = 1e-9;
 /// Steps and halvings for the end of a tool that is not flat.
 const STEPS: u8 = 8;
 const HALVINGS: u8 = 12;
@@ -42,8 +44,8 @@ pub struct FloorRest {
 
 /// The floor of a channel, and the feet of what stands on it.
 struct Floor {
-    /// The feet of the two walls as points.
-    walls: [Vec<Vector3<f64>>; 2],
+    /// The feet of the two walls as points, and how far two of them that follow each other are apart at most.
+    walls: [(Vec<Vector3<f64>>, f64); 2],
     /// v and ψ of the two blades' feet.
     sides: [Vec<[f64; 2]>; 2],
     splitter: Option<Body>,
@@ -90,15 +92,35 @@ impl Floor {
         let turns = [0.0, -pitch];
         let walls = [0, 1].map(|side: usize| foot(part, Face::ALL[side], turns[side]));
         let sides = [0, 1].map(|side: usize| chart(part, &walls[side], turns[side]));
+        let walls = walls.map(|feet| {
+            let apart = feet.windows(2).map(|pair| (pair[1] - pair[0]).norm()).fold(ARITHMETIC, f64::max) + ARITHMETIC;
+            (feet, apart)
+        });
         Self { walls, sides, splitter: v_s.map(|v_s| Body::new(part, v_s, -pitch / 2.0, a)) }
     }
 
-    /// How far a point of the floor is from what stands on it; negative inside a splitter.
-    fn free(&self, point: &Vector3<f64>) -> f64 {
-        let feet = self.walls.iter().flatten().map(|foot| (point - foot).norm_squared()).fold(f64::INFINITY, f64::min);
+    /// True where a point of the floor is no nearer than asked to what stands on it.
+    fn is_free(&self, point: &Vector3<f64>, asked: f64) -> bool {
         let here = Axis { foot: *point, along: Vector3::z(), range: [0.0, 0.0] };
-        self.splitter.as_ref().map_or(f64::INFINITY, |body| body.apart(&here)).min(feet.sqrt())
+        self.walls.iter().all(|(feet, apart)| clear_of(feet, *apart, point, asked))
+            && self.splitter.as_ref().is_none_or(|body| body.keeps(&here, asked))
     }
+}
+
+/// True where a point is no nearer than asked to any of a row of points, two of which that follow each other are no farther
+/// apart than told: what is far from one is far from the next ones as well.
+fn clear_of(row: &[Vector3<f64>], apart: f64, point: &Vector3<f64>, asked: f64) -> bool {
+    let mut next = 0;
+    while let Some(one) = row.get(next) {
+        let spare = (point - one).norm() - asked;
+        if spare < 0.0 {
+            return false;
+        }
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count, not negative")]
+        let over = (spare / apart).min(1e6) as usize;
+        next += over.max(1);
+    }
+    true
 }
 
 /// A tool in the part.
@@ -158,10 +180,9 @@ pub fn floor_rest<'p>(
 ) -> FloorRest {
     let torus = part.circle.torus;
     let (r, r_f) = (torus.r, torus.r + part.a_p);
-    let pose = |stand: &Stand| Pose {
-        tip: machine.to_part(&stand.at, stand.B, stand.C),
-        along: Rotary::direction_to_part(&Vector3::z(), stand.B, stand.C),
-        B: stand.B,
+    let pose = |stand: &Stand| {
+        let [tip, along] = machine.tool(&stand.at, stand.B, stand.C);
+        Pose { tip, along, B: stand.B }
     };
     let mut poses: Vec<Pose> = passes
         .flat_map(|points| {
@@ -187,12 +208,24 @@ pub fn floor_rest<'p>(
             let (c, out) =
                 (Vector3::new(torus.R * cos, torus.R * sin, 0.0), Vector3::new(cos_v * cos, cos_v * sin, sin_v));
             let point = c + out * r_f;
-            if floor.free(&point) < beside {
+            if !floor.is_free(&point, beside) {
                 continue;
             }
-            let deepest = near.iter().fold(r, |deepest: f64, pose| {
-                if deepest >= r_f { deepest } else { deepest.max(reach(tool, pose, &c, &out, [r, r_f])) }
-            });
+            // Of tools whose axis passes farther from the middle of the line than this, none holds a place of it.
+            let middle = c + out * f64::midpoint(r, r_f);
+            let wide = tool.a() + (r_f - r) / 2.0;
+            let mut deepest = r;
+            for pose in near {
+                let from = middle - pose.tip;
+                let up = from.dot(&pose.along);
+                if from.norm_squared() - up * up > wide * wide {
+                    continue;
+                }
+                deepest = deepest.max(reach(tool, pose, &c, &out, [r, r_f]));
+                if deepest >= r_f {
+                    break;
+                }
+            }
             if r_f - deepest > rest.most {
                 rest = FloorRest { most: r_f - deepest, v, ..rest };
             }
@@ -221,6 +254,18 @@ mod tests {
         let side = reach(Tool::flat(3.1), &pose, &c, &slant, [15.0, 17.0]);
         assert!((side - 15.5).abs() < 1e-9, "{side}");
         assert_eq!(reach(Tool::flat(2.0), &pose, &c, &slant, [15.0, 17.0]), 15.0);
+    }
+
+    #[test]
+    fn a_row_of_points_is_as_far_as_its_nearest() {
+        let row: Vec<Vector3<f64>> = (0..100_u8).map(|k| Vector3::new(f64::from(k) * 0.1, 0.0, 0.0)).collect();
+        for k in 0..50_u8 {
+            let point = Vector3::new(f64::from(k) * 0.31 - 2.0, 0.4, 0.1);
+            let nearest = row.iter().map(|one| (point - one).norm()).fold(f64::INFINITY, f64::min);
+            for asked in [0.3, 0.45, 1.0, 3.0] {
+                assert_eq!(clear_of(&row, 0.1 + ARITHMETIC, &point, asked), nearest >= asked, "{k} {asked}");
+            }
+        }
     }
 
     #[test]

@@ -44,7 +44,7 @@ pub struct Tolerance {
 
 /// A tool in the part: the tip, and the direction of its axis.
 fn tool(machine: Rotary, stand: &Stand) -> [Vector3<f64>; 2] {
-    [machine.to_part(&stand.at, stand.B, stand.C), Rotary::direction_to_part(&Vector3::z(), stand.B, stand.C)]
+    machine.tool(&stand.at, stand.B, stand.C)
 }
 
 /// The size of what is across a direction of travel.
@@ -61,7 +61,19 @@ impl Tolerance {
 
     /// The same, looked at in more or fewer places.
     #[must_use]
-    pub fn deviation(&self, way: &impl Fn(f64) -> Stand, [x_0, x_1]: [f64; 2], ends: [&Stand; 2], places: u8) -> f64 {
+    pub fn deviation(&self, way: &impl Fn(f64) -> Stand, x: [f64; 2], ends: [&Stand; 2], places: u8) -> f64 {
+        self.looked_at(way, x, ends, places, f64::INFINITY)
+    }
+
+    /// The same, up to where it is more than enough.
+    fn looked_at(
+        &self,
+        way: &impl Fn(f64) -> Stand,
+        [x_0, x_1]: [f64; 2],
+        ends: [&Stand; 2],
+        places: u8,
+        enough: f64,
+    ) -> f64 {
         let exact = |part: f64| tool(self.machine, &way(x_0 + (x_1 - x_0) * part));
         let mut last = tool(self.machine, ends[0]);
         let mut most: f64 = 0.0;
@@ -74,6 +86,9 @@ impl Tolerance {
             let off = across(tip, travel).max(across(tip + turn * self.height, over));
             let rim = tip.dot(&here[1]).abs() + turn.norm() * self.a;
             most = most.max(off).max(rim);
+            if most > enough {
+                break;
+            }
             last = here;
         }
         most
@@ -97,14 +112,15 @@ impl Tolerance {
     }
 
     fn holds(&self, way: &impl Fn(f64) -> Stand, x: [f64; 2], ends: [&Stand; 2]) -> bool {
-        let near = self.deviation(way, x, ends, PLACES) <= self.epsilon * KEPT;
+        let enough = self.epsilon * KEPT;
+        let near = self.looked_at(way, x, ends, PLACES, enough) <= enough;
         near && self.delta.is_none_or(|delta| self.feed_error(ends) <= delta)
     }
 
     /// The points of a way that consists of pieces, given by where they end: every such place, and between as few as hold
-    /// the tolerance. With each the x at which it lies.
+    /// the tolerance, up to so many. With each the x at which it lies.
     #[must_use]
-    pub fn place(&self, way: &impl Fn(f64) -> Stand, pieces: &[f64]) -> Vec<(f64, Stand)> {
+    pub fn place(&self, way: &impl Fn(f64) -> Stand, pieces: &[f64], most: usize) -> Vec<(f64, Stand)> {
         let Some(&first) = pieces.first() else { return Vec::new() };
         let mut points = vec![(first, way(first))];
         let mut length = f64::INFINITY;
@@ -116,7 +132,7 @@ impl Tolerance {
             }
             let mut x = begin;
             let mut here = way(begin);
-            while x != end {
+            while x != end && points.len() < most {
                 let left = (end - x).abs();
                 let towards = whole.signum();
                 let at = |length: f64| if length >= left { end } else { x + towards * length };

@@ -35,6 +35,7 @@ use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clear::uncut;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::gap::gap;
+use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, RIM};
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::trig::{pow, sin_cos};
@@ -100,6 +101,7 @@ impl Plan {
             v_s,
             Z_r: job.machine.swing(part.circle.torus.R) + cut.d_s,
             passes: Vec::new(),
+            blocks: 0,
             last: None,
             at_rim: false,
             dropped: Vec::new(),
@@ -291,6 +293,8 @@ struct Draft<'a> {
     v_s: Option<f64>,
     Z_r: f64,
     passes: Vec<Pass>,
+    /// How many blocks they take.
+    blocks: usize,
     /// Where the last pass has ended.
     last: Option<End>,
     /// That was at the rim.
@@ -346,8 +350,13 @@ struct Wanted {
 impl Draft<'_> {
     /// True where no program may have so many blocks: the rest is not planned, the plan is refused.
     fn full(&self) -> bool {
-        let blocks: usize = self.passes.iter().map(Pass::blocks).sum();
-        blocks as u64 * u64::from(self.job.N) > 2 * CLEAR_BLOCKS
+        self.blocks as u64 * u64::from(self.job.N) > 2 * CLEAR_BLOCKS
+    }
+
+    /// How many points a pass may have before that is so.
+    fn most(&self) -> usize {
+        let most = 2 * CLEAR_BLOCKS / u64::from(self.job.N.max(1)) + 2;
+        usize::try_from(most).unwrap_or(usize::MAX).saturating_sub(self.blocks).max(2)
     }
 
     fn tolerance(&self, tool: Which, depth: f64) -> Tolerance {
@@ -392,7 +401,9 @@ impl Draft<'_> {
             Direction::Outwards => !dead_end,
         };
         self.last = Some(end);
-        self.passes.push(Pass { cutting, tool, direction, mode, feed, approach, points, leave });
+        let pass = Pass { cutting, tool, direction, mode, feed, approach, points, leave };
+        self.blocks += pass.blocks();
+        self.passes.push(pass);
     }
 
     /// The tool leaves the part.
@@ -437,7 +448,8 @@ impl Draft<'_> {
                 Mode::Conventional if direction != wanted.direction => (Mode::Climb, wanted.feed),
                 mode => (mode, wanted.feed),
             };
-            let points = tolerance.place(way, &pieces).into_iter().map(|(_, stand)| stand).collect();
+            let placed = tolerance.place(way, &pieces, self.most());
+            let points = placed.into_iter().map(|(_, stand)| stand).collect();
             self.add(Wanted { direction, mode, feed, points, dead_end: !(at_hub && at_rim), ..*wanted });
         }
         // What lies between, as far as it is in the part.
@@ -474,7 +486,7 @@ impl Draft<'_> {
                     let psi = contacts.psi(lambda, q);
                     let [reverse, obverse] = contacts.beside_splitter(q);
                     // Clear of a splitter as long as the blade, or of the one that is there.
-                    psi >= reverse || psi <= obverse || obstacles.from_splitter(&lane.axis(q, psi, ABOVE)) >= room
+                    psi >= reverse || psi <= obverse || obstacles.keeps_splitter(&lane.axis(q, psi, ABOVE), room)
                 })
             }
         };
@@ -498,6 +510,9 @@ impl Draft<'_> {
                 pair.reverse();
             }
             for j in pair {
+                if self.full() {
+                    return;
+                }
                 let direction = if 2 * j == K {
                     if self.at_rim { Direction::Inwards } else { Direction::Outwards }
                 } else {
@@ -538,6 +553,9 @@ impl Draft<'_> {
         }
         let levels = steps(depth / self.cut.level.unwrap_or(f64::INFINITY).min(mill.d / 2.0) - 1e-9);
         for level in 0..levels {
+            if self.full() {
+                break;
+            }
             let deep = depth * f64::from(level + 1) / f64::from(levels);
             // Higher up the same lanes only touch less.
             let Some(lane) = OwnNormal::new(torus, mill, torus.r + deep) else { continue };
@@ -573,7 +591,7 @@ impl Draft<'_> {
 
     /// Goes round the splitter, where there is room for that.
     fn contour(&mut self, contacts: &Contacts, tool: Which, s: f64, cutting: Cutting) {
-        let Some(v_s) = self.v_s else { return };
+        let Some(v_s) = self.v_s.filter(|_| !self.full()) else { return };
         let (part, m) = (&self.job.part, self.cut.run_out(tool));
         if contour::room(part, contacts, s, v_s) < 0.0 {
             self.dropped.push(Dropped { cutting, tool, v: [v_s, RIM], by: By::Blade });
@@ -589,16 +607,21 @@ impl Draft<'_> {
         let a = self.cut.finish.a();
         let obstacles = Obstacles::new(&self.job.part, self.pitch, a, self.v_s);
         for (level, way) in (0..).zip(ways) {
+            if self.full() {
+                return;
+            }
             let face = way.face();
             let turn = if face == Face::Obverse { 0.0 } else { -self.pitch };
-            let clear = |v: f64| {
-                let axis = turned(&way.axis(v), turn);
-                let opposite =
-                    if face == Face::Obverse { obstacles.from_reverse(&axis) } else { obstacles.from_obverse(&axis) };
-                [opposite, obstacles.from_splitter(&axis)]
+            let from_blade = |axis: &Axis| match face {
+                Face::Obverse => obstacles.keeps_reverse(axis, a),
+                Face::Reverse => obstacles.keeps_obverse(axis, a),
             };
-            let kept = parts(&way.v, |v| clear(v).into_iter().all(|apart| apart >= a));
-            let by = if parts(&way.v, |v| clear(v)[0] >= a).len() == 1 { By::Splitter } else { By::Blade };
+            let axis = |v: f64| turned(&way.axis(v), turn);
+            let kept = parts(&way.v, |v| {
+                let axis = axis(v);
+                from_blade(&axis) && obstacles.keeps_splitter(&axis, a)
+            });
+            let by = if parts(&way.v, |v| from_blade(&axis(v))).len() == 1 { By::Splitter } else { By::Blade };
             self.flank(way, Cutting::Flank { face, level }, turn, way.v[0], &kept, by);
         }
     }
@@ -608,6 +631,9 @@ impl Draft<'_> {
         let Some(v_s) = self.v_s else { return };
         let (machine, turn) = (self.job.machine, -self.pitch / 2.0);
         for (level, (obverse, reverse)) in (0..).zip(ways[0].iter().zip(&ways[1])) {
+            if self.full() {
+                return;
+            }
             let round = Round::new(&self.job.part, self.cut.finish, [obverse, reverse], v_s);
             let (cutting, tool) = (Cutting::SplitterFlanks { level }, Which::Finish);
             if !round.is_clear(self.pitch, turn) {
@@ -631,7 +657,8 @@ impl Draft<'_> {
         if self.cut.spindle == Spindle::Counterclockwise {
             pieces.reverse();
         }
-        let points = self.tolerance(tool, depth).place(&way, &pieces).into_iter().map(|(_, stand)| stand).collect();
+        let placed = self.tolerance(tool, depth).place(&way, &pieces, self.most());
+        let points = placed.into_iter().map(|(_, stand)| stand).collect();
         self.add(Wanted {
             cutting,
             tool,
@@ -676,8 +703,11 @@ impl Draft<'_> {
         self.run(&wanted, &way, kept, by);
     }
 
-    /// What the finishing tool leaves of the floor.
+    /// What the finishing tool leaves of the floor; nothing is known of a plan that is refused.
     fn floor_rest(&self, lanes: u32) -> FloorRest {
+        if self.full() {
+            return FloorRest { beside: BESIDE, most: self.job.part.a_p, v: HUB };
+        }
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
         let across = (LOOKS_A_LANE * lanes).clamp(ACROSS[0], ACROSS[1]);
         let set = (self.cut.finish, self.job.machine);

@@ -13,7 +13,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::kinds::impeller::clear::body::{Body, Obstacles, turned};
-use crate::kinds::impeller::clear::contact::ABOVE;
+use crate::kinds::impeller::clear::contact::{ABOVE, closing};
 use crate::kinds::impeller::clear::fit::FADES;
 use crate::kinds::impeller::clear::flank::{FlankWay, passing, stand};
 use crate::kinds::impeller::clear::table::Table;
@@ -58,6 +58,9 @@ impl<'a> Round<'a> {
         let low = self.part.e / 2.0 + a;
         if off(low) >= 0.0 {
             return low;
+        }
+        if let Some((D, _)) = closing(low, 1.0, a, off).filter(|(D, _)| *D > low) {
+            return D;
         }
         let (mut low, mut high) = (low, low + a);
         for _ in 0..40 {
@@ -146,7 +149,7 @@ impl<'a> Round<'a> {
         let obstacles = Obstacles::new(self.part, pitch, a, None);
         (0..5 * u16::from(LOOKS)).all(|look| {
             let axis = turned(&self.axis(f64::from(look) / f64::from(LOOKS)), turn);
-            obstacles.from_obverse(&axis) >= a && obstacles.from_reverse(&axis) >= a
+            obstacles.keeps_obverse(&axis, a) && obstacles.keeps_reverse(&axis, a)
         })
     }
 }

@@ -86,7 +86,8 @@ impl<'a> ClearCutting<'a> {
     /// The least clearance of all ways to some walls, and where.
     fn least(&self, walls: &Walls) -> Option<(Bounds, At)> {
         let mut least: Option<(Bounds, At)> = None;
-        for way in &self.ways {
+        // The last passes come nearest: of all before them it is then enough to know that they are not nearer still.
+        for way in self.ways.iter().rev() {
             let seen = least.map_or(f64::INFINITY, |(bounds, _)| bounds.upper);
             // What is clear by more than was seen need not be known closer.
             let mut bounds = walls.clearance(&way.stands, Until::Decided(seen.max(self.asked.cut.s / 2.0)), WORK);
