@@ -155,11 +155,9 @@ fn what_does_not_seat_is_said_with_its_place_and_what_to_grind() {
     let envelope = outcome(&[real("theta", 60.0)]);
     assert!(envelope.findings.iter().all(|finding| finding.grade == Grade::Note), "{:?}", envelope.findings);
     let gaps = envelope.findings.iter().find(|finding| finding.is(GapsOfEnvelope::RULE)).expect("a note");
-    assert!(
-        gaps.what.en.contains("inner edge 2.746 mm at φ = 0°, outer edge 4.13 mm at φ = 106.2"),
-        "{}",
-        gaps.what.en
-    );
+    assert!(gaps.what.en.contains("inner edge 2.746 mm at φ = 0°, outer edge 4.13 mm at φ = "), "{}", gaps.what.en);
+    // Both sides of a concentric branch are alike.
+    assert!(["106.2", "106.3", "253.7", "253.8"].iter().any(|phi| gaps.what.en.contains(phi)), "{}", gaps.what.en);
 }
 
 #[test]
