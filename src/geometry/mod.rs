@@ -7,6 +7,7 @@ pub mod darboux;
 pub mod exact;
 mod pipe_jets;
 pub mod pipe_pair;
+pub mod pipe_wall;
 pub mod polyline;
 pub mod revolution;
 pub mod scene;

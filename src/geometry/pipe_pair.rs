@@ -53,6 +53,11 @@ impl PipePair {
         [self.sin, self.cos]
     }
 
+    /// Another line of the same branch, r from its axis.
+    pub(super) const fn with_radius(self, r: f64) -> Self {
+        Self { r, ..self }
+    }
+
     /// √(R² − q²) at φ = 0, from which depths are counted.
     pub(super) fn level(&self) -> f64 {
         self.R * self.cos_beta(0.0)
@@ -73,6 +78,13 @@ impl PipePair {
     fn cos_beta(&self, phi: f64) -> f64 {
         let q = self.q(phi);
         ((self.R - q) * (self.R + q)).max(0.0).sqrt() / self.R
+    }
+
+    /// s, how far along the branch's axis the curve is at φ from the point of the axis nearest to the header's, mm. Where the branch
+    /// passes the header, that of the header's side.
+    #[must_use]
+    pub fn reach(&self, phi: f64) -> f64 {
+        (self.R * self.cos_beta(phi) + self.r * sin_cos(phi).1 * self.cos) / self.sin
     }
 
     /// How much further down the branch the curve is at φ than at φ = 0, mm: equation 9 without Z.

@@ -44,6 +44,12 @@ impl Interval {
         Self { low: one.min(other), high: one.max(other) }
     }
 
+    /// What encloses this and another.
+    #[must_use]
+    pub const fn hull(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
     /// From ends as computed, moved outwards; the whole line where one of them is no number.
     fn outwards(low: f64, high: f64) -> Self {
         if low.is_nan() || high.is_nan() { Self::WHOLE } else { Self { low: below(low), high: above(high) } }

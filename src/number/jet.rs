@@ -43,6 +43,16 @@ impl Jet {
         Self { value, first: first * self.first, second: second * self.first.square() + first * self.second }
     }
 
+    /// What encloses this and another.
+    #[must_use]
+    pub const fn hull(self, other: Self) -> Self {
+        Self {
+            value: self.value.hull(other.value),
+            first: self.first.hull(other.first),
+            second: self.second.hull(other.second),
+        }
+    }
+
     /// Its square.
     #[must_use]
     pub fn square(self) -> Self {
@@ -175,6 +185,16 @@ pub fn bow(parts: &[Jet], span: f64) -> f64 {
     if bow.is_nan() { f64::INFINITY } else { bow }
 }
 
+/// What a function is nowhere more than over a span of its parameter, from its values at both ends and its jet over the span: by
+/// the second derivative, by the first, and by the values. Where the first derivative jumps, its second is to be the whole line.
+#[must_use]
+pub fn at_most(one: f64, other: f64, jet: Jet, span: f64) -> f64 {
+    let wider = 1.0 + 1e-12;
+    let curved = one.max(other) + jet.second.size() * span * span / 8.0 * wider;
+    let steep = f64::midpoint(one, other) + jet.first.size() * span / 2.0 * wider;
+    [curved, steep, jet.value.high].into_iter().filter(|most| !most.is_nan()).fold(f64::INFINITY, f64::min)
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -203,6 +223,16 @@ mod tests {
             prop_assert!(f.first.low <= first + 1e-5 && first - 1e-5 <= f.first.high);
             let second = (value(at + step) - 2.0 * value(at) + value(at - step)) / (step * step);
             prop_assert!(f.second.low <= second + 1e-3 && second - 1e-3 <= f.second.high);
+        }
+
+        #[test]
+        fn a_function_is_nowhere_more_than_at_most(x in -3.0..3.0_f64, wide in 0.0..1.0_f64, part in 0.0..1.0_f64) {
+            let jet = Jet::parameter(x, x + wide);
+            let value = |x: f64| crate::number::trig::sin(x) * x;
+            let most = at_most(value(x), value(x + wide), jet.sin() * jet, wide);
+            prop_assert!(value(x + wide * part) <= most + 1e-12);
+            let kinked = Jet { second: Interval::WHOLE, ..jet.sin() * jet };
+            prop_assert!(value(x + wide * part) <= at_most(value(x), value(x + wide), kinked, wide) + 1e-12);
         }
 
         #[test]

@@ -11,6 +11,7 @@ mod laws;
 mod pipe_designs;
 mod pipe_hole;
 mod pipe_insert;
+mod pipe_seat;
 mod properties;
 mod published;
 mod slips;

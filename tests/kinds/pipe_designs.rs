@@ -14,7 +14,7 @@ use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;
 use rodete::kinds::pipe::hole;
 use rodete::kinds::pipe::insert;
-use rodete::kinds::pipe::insert::rules::FasterThanFWord;
+use rodete::kinds::pipe::insert::rules::{FasterThanFWord, WallInsideHeader};
 use rodete::machine::axis::Axis;
 use rodete::number::trig::{hypot, sin_cos};
 use rodete::parameter::field::Fields;
@@ -168,7 +168,8 @@ fn a_move_of_a_fiftieth_of_a_millimetre_takes_its_time() {
     let outcome = run(&insert::parameters::FORM, filled(insert::cases::CASES[0].values(Language::En), changes));
     let outcome = outcome.expect("a branch");
     assert_eq!(outcome.exit(), Exit::Done, "{:?}", outcome.findings);
-    assert!(outcome.findings.iter().all(|one| one.grade == Grade::Note), "{:?}", outcome.findings);
+    let known = |one: &Finding| one.grade == Grade::Note || one.is(WallInsideHeader::RULE);
+    assert!(outcome.findings.iter().all(known), "{:?}", outcome.findings);
     assert!(row(&outcome, "F word") < 0.01);
     let way = |motion: &Motion| {
         let round = (motion.to.get(Axis::A) - motion.from.get(Axis::A)).to_radians() * 10.0;
@@ -302,7 +303,9 @@ proptest! {
         kerf in 0.0..3.0_f64, tolerance in 0.01..0.3_f64, N in 3_u32..400, equal in 0..8_u8, F in 100.0..6000.0_f64,
         mode in prop::sample::select(vec!["flat", "rotary"]), style in prop::sample::select(vec!["full", "annex"]),
         dialect in prop::sample::select(MILLING.map(|control| control.name).to_vec()),
-        edges in prop::sample::select(vec![["inside", "outside"], ["outside", "inside"], ["outside", "outside"]]),
+        edges in prop::sample::select(vec![
+            ["inside", "outside"], ["outside", "inside"], ["outside", "outside"], ["envelope", "outside"], ["envelope", "mean"],
+        ]),
     ) {
         let d = if equal == 0 { D } else { D * part };
         let t = d * wall;

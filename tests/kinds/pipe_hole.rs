@@ -302,7 +302,7 @@ fn branch_and_hole_of_one_joint_are_no_mirror_images() {
     // The branch, its curve on the outside of the header.
     let mut filled = Values { language: Language::En, ..Values::default() };
     filled.values.extend(insert::cases::CASES[0].values(Language::En));
-    filled.values.extend([real("theta", theta), real("e", e), choice("header_size", "6")]);
+    filled.values.extend([real("theta", theta), real("e", e), choice("header_size", "6"), choice("contact", "inside")]);
     let branch = insert::design::Design::new(&Fields::of(&insert::parameters::FORM, filled.clone()).unwrap()).unwrap();
     let template = branch.template();
     // What is up on the sheet goes down the branch; printed face outwards, right is up × out.

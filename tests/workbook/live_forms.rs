@@ -111,7 +111,7 @@ fn number_or_none(cell: &Data) -> Option<f64> {
 /// which `rodete check` rejects it.
 type Broken = (&'static str, &'static str, &'static [(&'static str, &'static str)], [&'static str; 2], &'static str);
 
-const BROKEN: [Broken; 18] = [
+const BROKEN: [Broken; 19] = [
     ("impeller", "tfg-2021", &[("torus_R", "x")], ["no numbers: 1", "no son números: 1"], "W0"),
     ("pipe-hole", "", &[("groove_gamma", ""), ("height_d0", "x")], ["no numbers: 2", "no son números: 2"], "W0"),
     ("lathe", "shaft", &[("stock_D", "")], ["no numbers: 1", "no son números: 1"], "W0"),
@@ -130,6 +130,13 @@ const BROKEN: [Broken; 18] = [
         &[("header_size", "2 in")],
         ["larger than the header", "mayor que el tubo base"],
         "P2101",
+    ),
+    (
+        "pipe-insert",
+        "square",
+        &[("expert_branch_r", "38")],
+        ["the envelope takes no r", "la envolvente no lleva r"],
+        "P2114",
     ),
     ("pipe-insert", "square", &[("eccentricity_e", "30")], ["the branch overhangs", "el injerto sobresale"], "P2102"),
     ("pipe-insert", "square", &[("feed_F", "")], ["full needs F", "full necesita F"], "P0101"),

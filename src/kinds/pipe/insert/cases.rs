@@ -39,7 +39,7 @@ fn square(language: Language) -> Vec<(&'static str, Value)> {
         ("branch_schedule", Value::Choice("40")),
         ("header_size", Value::Choice("4")),
         ("header_schedule", Value::Choice("40")),
-        ("contact", Value::Choice("inside")),
+        ("contact", Value::Choice("envelope")),
         ("theta", Value::Real(90.0)),
         ("e", Value::Real(0.0)),
         ("Z", Value::Real(20.0)),

@@ -4,9 +4,9 @@ use crate::finding::{Finding, Raise, Size};
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::program::Style;
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, END_CODES, TORCH_OFF, TORCH_ON};
-use crate::kinds::pipe::insert::design::{Design, Mode};
-use crate::kinds::pipe::insert::parameters::{EXPERT_BRANCH_R, F, KERF, MODE, R, STYLE};
-use crate::kinds::pipe::insert::rules::{AnnexIsFlat, BranchLarger, BranchOverhangs, KerfBeyondGap};
+use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
+use crate::kinds::pipe::insert::parameters::{CONTACT, EXPERT_BRANCH_R, F, KERF, MODE, R, STYLE};
+use crate::kinds::pipe::insert::rules::{AnnexIsFlat, BranchLarger, BranchOverhangs, KerfBeyondGap, RadiusOfEnvelope};
 use crate::kinds::pipe::size::solid;
 use crate::kinds::rules::{AnnexCarriesNoFeed, FullStyleNeeds};
 use crate::parameter::at;
@@ -17,7 +17,9 @@ impl Design {
     pub(super) fn contradictions(&self) -> Vec<Finding> {
         let mut findings = solid(self.branch, self.header);
         let (r, e, over) = (Size::mm(self.r), Size::mm(self.e), self.pair().overhang());
-        if self.r > self.R {
+        if self.contact == Contact::Envelope && self.typed_r {
+            findings.push(RadiusOfEnvelope { r }.at(at([EXPERT_BRANCH_R.key(), CONTACT.key()])));
+        } else if self.r > self.R {
             let place = at([EXPERT_BRANCH_R.key(), R.key(), D_BRANCH.key(), D_HEADER.key()]);
             findings.push(BranchLarger { r, R: Size::mm(self.R) }.at(place));
         } else if over > 1e-9 * self.R {

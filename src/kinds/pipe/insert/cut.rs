@@ -67,15 +67,18 @@ pub struct Cut {
 /// Half the output grid: an arc that bends less is a line.
 const FLAT: f64 = 0.0005;
 
-/// The angles of the template's points, with the curve's corners between them, parted at the corners.
+/// The angles of the template's points, with the curve's corners and the turns of its bend between them, parted at those.
+///
+/// A piece of one step has its middle as well, as what lies between two turns may be of any shape.
 #[must_use]
 pub fn pieces(outline: &Outline, N: u32) -> Vec<Vec<f64>> {
     let mut angles: Vec<f64> = (0..=N).map(|j| TAU * f64::from(j) / f64::from(N)).collect();
-    let corners = outline.corners();
-    for &corner in &corners {
-        match angles.iter_mut().find(|angle| (**angle - corner).abs() < 1e-9) {
-            Some(angle) => *angle = corner,
-            None => angles.push(corner),
+    let (corners, turns) = (outline.corners(), outline.seat.turns());
+    let ends: Vec<f64> = corners.iter().chain(&turns).copied().filter(|end| *end > 0.0).collect();
+    for &end in &ends {
+        match angles.iter_mut().find(|angle| (**angle - end).abs() < 1e-9) {
+            Some(angle) => *angle = end,
+            None => angles.push(end),
         }
     }
     angles.sort_by(f64::total_cmp);
@@ -84,8 +87,15 @@ pub fn pieces(outline: &Outline, N: u32) -> Vec<Vec<f64>> {
         if let Some(piece) = pieces.last_mut() {
             piece.push(angle);
         }
-        if corners.contains(&angle) {
+        if ends.contains(&angle) && angle < TAU {
             pieces.push(vec![angle]);
+        }
+    }
+    for piece in &mut pieces {
+        if let [from, to] = piece[..]
+            && !turns.is_empty()
+        {
+            *piece = vec![from, f64::midpoint(from, to), to];
         }
     }
     pieces
@@ -160,10 +170,11 @@ fn flat(design: &Design) -> Result<Cut, OutOfFormat> {
     let pierce = on_grid(first - outline.along(0.0, Side::After) * design.lead_in)?;
     let mut way = Way { at: point(pierce), legs: Vec::new() };
     way.straight(first, Follows::WayIn)?;
+    let corners = outline.corners();
     for (at, piece) in pieces(&outline, design.N).iter().enumerate() {
         let last = piece.len() - 1;
         let torch = |i: usize| outline.torch(piece[i], if i == last { Side::Before } else { Side::After });
-        if at > 0 && outline.beside > 0.0 {
+        if at > 0 && outline.beside > 0.0 && corners.contains(&piece[0]) {
             let to = on_grid(torch(0))?;
             let chord = (point(to) - way.at).norm();
             let radius = Milli::round(outline.beside.max(chord / 2.0))?;
@@ -250,8 +261,9 @@ fn rotary(design: &Design) -> Result<Cut, OutOfFormat> {
     round.way.at = point(pierce);
     let place = round.place(first);
     round.way.straight(place, Follows::WayIn)?;
+    let corners = outline.corners();
     for (at, piece) in pieces(&outline, 4).iter().enumerate() {
-        if at > 0 && outline.beside > 0.0 {
+        if at > 0 && outline.beside > 0.0 && corners.contains(&piece[0]) {
             round.corner(piece[0])?;
         }
         for pair in piece.windows(2) {
@@ -264,6 +276,9 @@ fn rotary(design: &Design) -> Result<Cut, OutOfFormat> {
         (outline.torch(phi + step, Side::After) - outline.torch(phi, Side::After)).norm() / step
     };
     if design.overcut > 0.0 {
+        if outline.beside > 0.0 && corners.contains(&0.0) {
+            round.corner(TAU)?;
+        }
         let (mut phi, mut left) = (TAU, design.overcut);
         let step = TAU / 3600.0;
         while left > 0.0 && phi < 1.2 * TAU {

@@ -7,6 +7,7 @@ use crate::gcode::fields::rapids;
 use crate::gcode::program::Style;
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
+use crate::geometry::pipe_wall::{PipeWall, Seat};
 use crate::kinds::pipe::form::{
     BLOCK_STEP, BRANCH_SCHEDULE, BRANCH_SIZE, D_BRANCH, D_HEADER, DIALECT, E, END_CODES, HEADER_SCHEDULE, HEADER_SIZE,
     MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, T_BRANCH, T_HEADER, THETA, TORCH_OFF, TORCH_ON,
@@ -83,7 +84,7 @@ pub struct Design {
     pub branch: Pipe,
     /// The header.
     pub header: Pipe,
-    /// Which curve of the branch rests on the header.
+    /// What of the branch rests on the header.
     pub contact: Contact,
     /// θ.
     pub theta: f64,
@@ -93,7 +94,7 @@ pub struct Design {
     pub Z: f64,
     /// N.
     pub N: u32,
-    /// r, the radius of the branch's curve.
+    /// r, the radius of the branch's curve; of the envelope, that of the bore.
     pub r: f64,
     /// R, the header's radius.
     pub R: f64,
@@ -165,7 +166,7 @@ impl Design {
         let bore = outside - branch.t;
         let r = match contact {
             Contact::Outside => outside,
-            Contact::Inside => bore,
+            Contact::Inside | Contact::Envelope => bore,
         };
         let r_dev = match fields.get(&SHEET) {
             Surface::Outside => outside,
@@ -213,10 +214,22 @@ impl Design {
         PipePair::new(self.r, self.R, self.theta, self.e)
     }
 
+    /// The branch's wall over the header.
+    #[must_use]
+    pub fn wall(&self) -> PipeWall {
+        let outside = self.branch.D / 2.0;
+        PipeWall::new([outside - self.branch.t, outside], self.R, self.theta, self.e)
+    }
+
     /// The template: the curve on the development of the sheet, without kerf.
     #[must_use]
     pub fn template(&self) -> Outline {
-        Outline { pair: self.pair(), radius: self.r_dev, Z: self.Z, beside: 0.0 }
+        let wall = self.wall();
+        let seat = match self.contact {
+            Contact::Inside | Contact::Outside => Seat::Edge(self.pair()),
+            Contact::Envelope => Seat::Envelope(wall),
+        };
+        Outline { seat, wall, radius: self.r_dev, Z: self.Z, beside: 0.0 }
     }
 
     /// The curve and the torch's path where the torch cuts: on the sheet, or on the outside of the pipe. The published
@@ -226,5 +239,18 @@ impl Design {
         let radius = if self.mode == Mode::Rotary { self.branch.D / 2.0 } else { self.r_dev };
         let beside = if self.style == Style::Annex { 0.0 } else { self.kerf / 2.0 };
         Outline { radius, beside, ..self.template() }
+    }
+
+    /// How much farther from the edge on the outside the bore is cut back than straight to the axis, at most, mm: the kerf is as wide
+    /// there, and counts for more of the turn. A flat sheet is cut square and rolled afterwards.
+    ///
+    /// # Derivation
+    /// The jet, as wide as the kerf all along, takes from the development of a radius ρ what is within half a kerf of the torch's path. Seen on
+    /// the outside's development that is an ellipse r_o/ρ times as long round the pipe: it holds the circle of the outside, and
+    /// reaches beyond it by half a kerf times r_o/ρ − 1. So the wall is nowhere longer inside than straight to the axis.
+    #[must_use]
+    pub fn cut_back(&self) -> f64 {
+        let [bore, outside] = self.wall().ends();
+        if self.mode == Mode::Rotary { self.outline().beside * (outside / bore - 1.0) } else { 0.0 }
     }
 }

@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 
 use crate::figure::{Axes, Figure, Ink, Label, Side as Beside, Sketch, Stroke, sized};
 use crate::geometry::pipe_pair::Side;
+use crate::geometry::pipe_wall::Seat;
 use crate::geometry::scene::{Camera, Scene};
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
 use crate::kinds::pipe::insert::design::{Design, Mode};
@@ -35,8 +36,15 @@ fn turns(count: u16) -> impl Iterator<Item = f64> {
 
 /// Both pipes: the header cut off on both sides, the branch above the curve.
 fn pipes(design: &Design) -> Figure {
-    let pair = design.pair();
-    let (r, R) = (design.r, design.R);
+    let outline = design.template();
+    // What touches all round is one line of the wall only where the cut follows one: of the envelope the outside is shown.
+    let pair = match outline.seat {
+        Seat::Edge(pair) => pair,
+        Seat::Envelope(wall) => wall.at(design.branch.D / 2.0),
+    };
+    let down = outline.seat.level() - pair.reach(0.0);
+    let depth = |phi: f64| outline.seat.depth(phi) - down;
+    let (r, R) = (pair.r, design.R);
     let camera = Camera::new(-62.0, 24.0);
     let mut scene = Scene::new(camera);
     let reach = pair.point(0.0).x.abs().max(pair.point(PI).x.abs()).max(r) + 1.1 * R;
@@ -74,10 +82,10 @@ fn pipes(design: &Design) -> Figure {
         scene.add(&rim, &[], Ink::Outline, 0.0);
     }
     // From the curve up to a little above its highest point.
-    let top = design.template().extent()[0] - design.Z - 1.6 * r;
+    let top = outline.extent()[0] - design.Z - down - 1.6 * r;
     let parts: Vec<f64> = (0..=12_u16).map(|at| f64::from(at) / 12.0).collect();
     let branch = |phi: f64, part: f64| {
-        let depth = pair.depth(phi);
+        let depth = depth(phi);
         pair.on_branch(phi, depth + (top - depth) * part)
     };
     for phi in angles.windows(2) {
@@ -94,7 +102,7 @@ fn pipes(design: &Design) -> Figure {
     // The curve where it is seen: its point's outside of both pipes faces the viewer.
     let mut run: Vec<Vector3<f64>> = Vec::new();
     for phi in turns(FINE) {
-        let point = pair.point(phi);
+        let point = pair.on_branch(phi, depth(phi));
         let outward = pair.on_branch(phi, 0.0) - pair.on_branch(phi + PI, 0.0);
         let up = Vector3::new(0.0, point.y, point.z);
         if camera.faces(&outward) && camera.faces(&up) {

@@ -1,6 +1,7 @@
 //! The live form of the branch: its sizes, its closed limits, and the template on the development.
 
 use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
+use crate::kinds::pipe::insert::enveloped;
 use crate::kinds::pipe::live_form::{found, rows as pipes, sizes};
 use crate::table::{Formula, Unit};
 use crate::text::t;
@@ -35,7 +36,7 @@ pub fn live() -> LiveForm {
 
 /// A radius of the branch: the one that is typed, else that of a surface, in the words of either language.
 fn radius(typed: &str, choice: &str) -> String {
-    let inside = format!("OR({choice}=\"inside\",{choice}=\"interior\")");
+    let inside = format!("OR({choice}=\"inside\",{choice}=\"interior\",{})", enveloped(choice));
     let mean = format!("OR({choice}=\"mean\",{choice}=\"media\")");
     format!("IF(ISNUMBER({typed}),{typed},live_branch_D/2-IF({inside},live_branch_t,IF({mean},live_branch_t/2,0)))")
 }
@@ -48,6 +49,11 @@ fn rows() -> Vec<LiveRow> {
             "live_branch_r",
             t("Radio de la curva del injerto", "Radius of the branch's curve"),
             radius("expert_branch_r", "contact"),
+        )
+        .wrong(
+            format!("AND(OR({}),ISNUMBER(expert_branch_r))", enveloped("contact")),
+            t("la envolvente no lleva r", "the envelope takes no r"),
+            "expert_branch_r",
         )
         .wrong(
             "live_branch_r>live_header_R",
@@ -88,7 +94,10 @@ fn rows() -> Vec<LiveRow> {
             "y(180°)",
             "live_y_180",
             t("y de la curva en φ = 180°", "y of the curve at φ = 180°"),
-            "2*live_branch_r/TAN(RADIANS(angle_theta))+offset_Z",
+            format!(
+                "IF(OR({}),live_branch_D-live_branch_t,2*live_branch_r)/TAN(RADIANS(angle_theta))+offset_Z",
+                enveloped("contact")
+            ),
         ),
         LiveRow::length("F", "live_F", t("Velocidad de corte", "Cutting speed"), "IF(ISNUMBER(feed_F),feed_F,\"\")")
             .unit(Unit::MillimetrePerMinute)
@@ -109,7 +118,7 @@ fn rows() -> Vec<LiveRow> {
 }
 
 /// Sizes in columns A to C, single cells in D; the curve in E to H: φ, y, and both coordinates scaled; then the sheet's edge
-/// with both seams, and the lines of the quarters.
+/// with both seams, and the lines of the quarters; in M the distance from the branch's axis of what touches.
 fn view() -> LiveView {
     let [words, diameters, walls] = sizes();
     let mut single = found();
@@ -126,12 +135,22 @@ fn view() -> LiveView {
     let of = |each: &dyn Fn(usize) -> String| -> Vec<Formula> { (0..=STEPS).map(|at| each(at + 1).into()).collect() };
     let phi = of(&|row| format!("2*PI()*{}/{STEPS}", row - 1));
     let cos_of = |q: &str| format!("SQRT(MAX(0,1-(({q})/live_header_R)^2))");
-    let y = of(&|row| {
-        let (first, here) = (cos_of("eccentricity_e"), cos_of(&format!("live_branch_r*SIN($E{row})+eccentricity_e")));
-        format!(
-            "IF($D$3,live_branch_r/TAN(RADIANS(angle_theta))*(1-COS($E{row}))+live_header_R/SIN(RADIANS(angle_theta))*({first}-{here})+offset_Z,0)"
-        )
+    let reach = |rho: &str, row: usize| {
+        let here = cos_of(&format!("{rho}*SIN($E{row})+eccentricity_e"));
+        format!("(live_header_R*{here}+{rho}*COS($E{row})*COS(RADIANS(angle_theta)))/SIN(RADIANS(angle_theta))")
+    };
+    let touch = of(&|row| {
+        let ([bore, outside], sin) =
+            (["(live_branch_D/2-live_branch_t)", "(live_branch_D/2)"], format!("SIN($E{row})"));
+        let c = format!("COS($E{row})*COS(RADIANS(angle_theta))");
+        let (more, foot) = (
+            format!("{}>{}+0.000000001", reach(outside, row), reach(bore, row)),
+            format!("(live_header_R*{c}*IF({sin}<0,-1,1)/SQRT({sin}^2+({c})^2)-eccentricity_e)/{sin}"),
+        );
+        let touch = format!("IF(ABS({sin})<0.000000001,IF({more},{outside},{bore}),MAX({bore},MIN({outside},{foot})))");
+        format!("IF($D$3,IF(OR({}),{touch},live_branch_r),0)", enveloped("contact"))
     });
+    let y = of(&|row| format!("IF($D$3,{}-{}+offset_Z,0)", reach("$M$1", 1), reach(&format!("$M{row}"), row)));
     let across = |x: &str| -> Formula { format!("IF($D$3,({x}-live_W/2)*$D$6,0)").into() };
     let up = |y: &str| -> Formula { format!("IF($D$3,({y}-($D$4+$D$5)/2)*$D$6,0)").into() };
     let curve_x = (1..=STEPS + 1).map(|row| across(&format!("live_W*$E{row}/2/PI()"))).collect();
@@ -161,6 +180,7 @@ fn view() -> LiveView {
             edge.iter().map(|(_, y)| up(y)).collect(),
             quarters.iter().map(|(x, _)| across(x)).collect(),
             quarters.iter().map(|(_, y)| up(y)).collect(),
+            touch,
         ],
         curves: vec![
             LiveCurve { columns: [10, 11], look: LiveLook::Dashed },

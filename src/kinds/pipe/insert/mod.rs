@@ -41,6 +41,7 @@ use crate::kind::live_form::LiveForm;
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, out_of_format};
 use crate::kinds;
+use crate::kinds::pipe::insert::bounds::{Rest, Worst};
 use crate::kinds::pipe::insert::cut::{Cut, cut};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::figures::{figures, template};
@@ -48,12 +49,14 @@ use crate::kinds::pipe::insert::parameters::FORM;
 use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, published};
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
 use crate::kinds::pipe::insert::rules::{
-    AnnexAsPublished, AnnexWithoutKerf, KerfOnOutside, KerfZero, OutsideForInside, PipeByIncrements, PipeOnLinearAxis,
+    AnnexAsPublished, AnnexWithoutKerf, GapsOfEnvelope, KerfOnOutside, KerfZero, OutsideForInside, PipeByIncrements,
+    PipeOnLinearAxis, WallInsideHeader,
 };
 use crate::kinds::pipe::rules::NoLeadIn;
 use crate::kinds::pipe::{self, account, scene, typed_or};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
+use crate::number::shown;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
 use crate::proof::account::Account;
@@ -72,6 +75,8 @@ pub struct Model {
     /// The cut beside the curve; `None` in the published style, which follows the curve itself.
     cut: Option<Cut>,
     moves: Moves,
+    /// How the wall stands to the header.
+    rest: Rest,
 }
 
 impl Method for Insert {
@@ -128,20 +133,24 @@ impl Method for Insert {
                 Some(cut)
             }
         };
-        Ok(Model { moves: Moves::new(design, cut.as_ref()), cut })
+        Ok(Model { moves: Moves::new(design, cut.as_ref()), cut, rest: design.template().rest() })
     }
 
     fn tables(design: &Design, Model { cut, .. }: &Model) -> Vec<Table> {
         let way = cut.as_ref().map(|cut| tables::way(design, cut));
-        [tables::template(design), tables::arcs(design)].into_iter().chain(way).collect()
+        [tables::template(design), tables::seat(design), tables::arcs(design)].into_iter().chain(way).collect()
     }
 
-    fn programs(design: &Design, Model { cut, .. }: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+    fn programs(
+        design: &Design,
+        Model { cut, rest, .. }: &Model,
+        origin: &Origin<'_>,
+    ) -> Result<Written, Vec<Finding>> {
         let program = match cut {
             None => published(design),
             Some(cut) => full(design, cut, origin),
         };
-        Ok(Written { programs: vec![program.map_err(no_room)?], findings: remarks(design) })
+        Ok(Written { programs: vec![program.map_err(no_room)?], findings: remarks(design, rest) })
     }
 
     fn memo(_: &Design, _: &Model) -> Curve {
@@ -173,8 +182,8 @@ impl Method for Insert {
         proof::due(design)
     }
 
-    fn quantities(design: &Design, _: &Model, programs: &[Proved]) -> Vec<Quantity> {
-        quantities(design, &account(programs))
+    fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quantity> {
+        quantities(design, &model.rest, &account(programs))
     }
 
     fn part(design: &Design, _: &Model) -> Option<Part> {
@@ -214,14 +223,21 @@ fn no_room(error: OutOfFormat) -> Vec<Finding> {
 /// The formula of a radius of the branch: the one that is typed, else that of a surface, in the words of either language.
 fn radius(design: &Design, typed: &str, choice: &str) -> String {
     let (D, t) = (typed_or("branch_diameter_D", design.branch.D), typed_or("branch_wall_t", design.branch.t));
-    let inside = format!("OR({choice}=\"inside\",{choice}=\"interior\")");
+    let inside = format!("OR({choice}=\"inside\",{choice}=\"interior\",{})", enveloped(choice));
     let mean = format!("OR({choice}=\"mean\",{choice}=\"media\")");
     format!("IF(ISNUMBER({typed}),{typed},{D}/2-IF({inside},{t},IF({mean},{t}/2,0)))")
 }
 
+/// Whether a choice is the envelope, in the words of either language.
+fn enveloped(choice: &str) -> String {
+    format!("{choice}=\"envelope\",{choice}=\"envolvente\"")
+}
+
 /// Derived lengths, angles and times.
-fn quantities(design: &Design, account: &Account) -> Vec<Quantity> {
+fn quantities(design: &Design, rest: &Rest, account: &Account) -> Vec<Quantity> {
     let outline = design.template();
+    let [bore, outside] = design.wall().ends();
+    let (D, wall_t) = (typed_or("branch_diameter_D", design.branch.D), typed_or("branch_wall_t", design.branch.t));
     let [least, most] = outline.extent();
     let mm = Unit::Millimetre;
     let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
@@ -267,6 +283,54 @@ fn quantities(design: &Design, account: &Account) -> Vec<Quantity> {
             t("R − r", "R − r"),
         )
         .by("derived_e_max", "derived_header_R-derived_branch_r"),
+        quantity(
+            "r_i",
+            t("Radio interior de la pared", "Inside radius of the wall"),
+            bore,
+            mm,
+            t("D/2 − t", "D/2 − t"),
+        )
+        .by("derived_wall_r_i", format!("MIN({D}/2-{wall_t},derived_header_R-ABS(eccentricity_e))")),
+        quantity("r_o", t("Radio exterior de la pared", "Outside radius of the wall"), outside, mm, t("D/2", "D/2"))
+            .by("derived_wall_r_o", format!("{D}/2")),
+        quantity(
+            "d_w",
+            t("Pared dentro del tubo base, como máximo", "Wall inside the header, at most"),
+            told(rest.inside.most),
+            mm,
+            place(&rest.inside),
+        ),
+        quantity(
+            "a_w",
+            t("A esmerilar a lo largo del injerto, como máximo", "To grind along the branch, at most"),
+            told(rest.grind.most),
+            mm,
+            place(&rest.grind),
+        ),
+        quantity(
+            "g_i",
+            t("Separación del borde interior, como máximo", "Gap of the inner edge, at most"),
+            told(rest.gaps[0].most),
+            mm,
+            place(&rest.gaps[0]),
+        ),
+        quantity(
+            "g_o",
+            t("Separación del borde exterior, como máximo", "Gap of the outer edge, at most"),
+            told(rest.gaps[1].most),
+            mm,
+            place(&rest.gaps[1]),
+        ),
+        quantity(
+            "k_i",
+            t(
+                "Lo que el ancho de corte quita de más al borde interior, como máximo",
+                "What the kerf takes more off the inner edge, at most",
+            ),
+            told(design.cut_back()),
+            mm,
+            t("", ""),
+        ),
     ];
     if !account.untimed && account.seconds > 0.0 {
         let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");
@@ -275,8 +339,52 @@ fn quantities(design: &Design, account: &Account) -> Vec<Quantity> {
     list
 }
 
+/// A bound as it is told: rounded up to 0.001 mm.
+fn told(most: f64) -> f64 {
+    (most.max(0.0) * 1000.0).ceil() / 1000.0
+}
+
+/// Below this the wall stands neither inside nor off the header: the grid of the program, mm.
+const SEATED: f64 = 1e-3;
+
+/// Where a bound is reached.
+fn place(worst: &Worst) -> Text {
+    if worst.most <= SEATED {
+        return t("", "");
+    }
+    let phi = shown(worst.phi.to_degrees(), 1);
+    Text::new(format!("en φ = {phi}°"), format!("at φ = {phi}°"))
+}
+
+/// How the branch comes to rest.
+fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
+    let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
+    let phi = |worst: &Worst| Size::number(worst.phi.to_degrees(), 1);
+    let contact = match design.contact {
+        Contact::Envelope => {
+            let [inner, outer] = rest.gaps.map(|gap| Size::mm(told(gap.most)));
+            let kerf = Size::mm(told(design.cut_back()));
+            let [inner_phi, outer_phi] = rest.gaps.map(|gap| phi(&gap));
+            return Some(GapsOfEnvelope { inner, inner_phi, outer, outer_phi, kerf }.at(at(&["contact"])));
+        }
+        Contact::Inside => t("interior", "inside"),
+        Contact::Outside => t("exterior", "outside"),
+    };
+    let [bore, outside] = design.wall().ends();
+    let edge = if rest.rho <= bore + 1e-9 {
+        t("el borde interior", "the inner edge")
+    } else if rest.rho >= outside - 1e-9 {
+        t("el borde exterior", "the outer edge")
+    } else {
+        t("el centro", "the middle")
+    };
+    let (deep, grind) = (Size::mm(told(rest.inside.most)), Size::mm(told(rest.grind.most)));
+    let caution = WallInsideHeader { contact, edge, deep, phi: phi(&rest.inside), grind };
+    (rest.inside.most > SEATED).then(|| caution.at(at(&["contact", "theta", "e"])))
+}
+
 /// What a person should know of the design and its program.
-fn remarks(design: &Design) -> Vec<Finding> {
+fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
     let mut findings = Vec::new();
     let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
     let outside = design.branch.D / 2.0;
@@ -284,6 +392,7 @@ fn remarks(design: &Design) -> Vec<Finding> {
         let (r, D, off) = (Size::mm(design.r), Size::mm(design.branch.D), Size::mm(design.r_dev - outside));
         findings.push(OutsideForInside { r, D, off }.at(at(&["r", "D_branch", "r_dev"])));
     }
+    findings.extend(seat(design, rest));
     match design.style {
         Style::Annex => {
             findings.push(AnnexAsPublished {}.at(at(&["style", "F", "torch_on"])));

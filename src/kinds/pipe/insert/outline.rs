@@ -11,14 +11,17 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector2;
 
-use crate::geometry::pipe_pair::{PipePair, Side};
+use crate::geometry::pipe_pair::Side;
+use crate::geometry::pipe_wall::{PipeWall, Seat};
 use crate::number::trig::hypot;
 
 /// The curve on a development, and the torch's path at a distance from it on the side of the waste.
 #[derive(Clone, Copy, Debug)]
 pub struct Outline {
-    /// The pipes.
-    pub pair: PipePair,
+    /// What the end is cut along.
+    pub seat: Seat,
+    /// The branch's wall over the header.
+    pub wall: PipeWall,
     /// ρ, the radius of the development.
     pub radius: f64,
     /// Z, how far up the branch the sheet's lower edge is from the curve at φ = 0.
@@ -37,13 +40,13 @@ impl Outline {
     /// The point of the curve at φ.
     #[must_use]
     pub fn curve(&self, phi: f64) -> Vector2<f64> {
-        Vector2::new(self.radius * phi, self.pair.depth(phi) + self.Z)
+        Vector2::new(self.radius * phi, self.seat.depth(phi) + self.Z)
     }
 
     /// The direction of the curve at φ, of length 1.
     #[must_use]
     pub fn along(&self, phi: f64, side: Side) -> Vector2<f64> {
-        let (round, down) = (self.radius, self.pair.slope(phi, side));
+        let (round, down) = (self.radius, self.seat.slope(phi, side));
         Vector2::new(round, down) / hypot(round, down)
     }
 
@@ -63,6 +66,12 @@ impl Outline {
     /// The corners in one turn, from 0 on.
     #[must_use]
     pub fn corners(&self) -> Vec<f64> {
-        self.pair.corners()
+        self.seat.corners()
+    }
+
+    /// How far along the branch's axis y is from the point of the axis nearest to the header's, mm: s of [`PipeWall`].
+    #[must_use]
+    pub fn s(&self, y: f64) -> f64 {
+        self.seat.level() - (y - self.Z)
     }
 }

@@ -30,12 +30,14 @@ choices! {
 }
 
 choices! {
-    /// Which of the branch's curves rests on the header.
+    /// What of the branch rests on the header.
     pub enum Contact {
         /// That of its bore.
         Inside = "inside" ("interior", "inside"),
         /// That of its outside.
         Outside = "outside" ("exterior", "outside"),
+        /// The envelope over the wall: at each angle the line of the wall that touches first.
+        Envelope = "envelope" ("envolvente", "envelope"),
     }
 }
 
@@ -54,8 +56,11 @@ choices! {
 pub(super) static CONTACT: Field<Contact, Required> = Field::choice(
     "contact",
     "contact",
-    t("Curva del injerto que apoya en el tubo base", "Curve of the branch that rests on the header"),
-    t("interior o exterior", "inside or outside"),
+    t("Qué apoya del injerto en el tubo base", "What of the branch rests on the header"),
+    t(
+        "envolvente: toda la pared; interior o exterior: un borde",
+        "envelope: the whole wall; inside or outside: one edge",
+    ),
 );
 pub(super) static Z: Field<f64, Required> = Field::real(
     "Z",

@@ -2,6 +2,7 @@
 
 use crate::finding::Size;
 use crate::finding::rule::{book, rules};
+use crate::text::Text;
 
 rules! {
     /// The rows of a branch pipe.
@@ -44,7 +45,7 @@ rules! {
         remedy "deje vacíos r y r_dev, o elija contact = exterior", "leave r and r_dev empty, or choose contact = outside";
         why "La plantilla sería la de un tubo más grueso y no ajustaría alrededor de este.",
             "The template would be for a thicker pipe and would not fit round this one.";
-        example book!("pipe-insert", "r" = "44.45");
+        example book!("pipe-insert", "contact" = "inside", "r" = "44.45");
     "P2107" AnnexAsPublished Caution {}
         es "style = annex es el programa publicado: sin avance, sin antorcha y sin fin de programa"
         en "style = annex is the published program: no feed, no torch and no program end"
@@ -86,4 +87,26 @@ rules! {
         why "El mismo número absoluto lleva a un eje rollover a otro ángulo.",
             "The same absolute number takes a rollover axis to another angle.";
         example book!("pipe-insert", "dialect" = "linuxcnc");
+    "P2113" WallInsideHeader Caution { contact: Text, edge: Text, deep: Size, phi: Size, grind: Size }
+        es "con contact = {contact} el injerto no asienta: {edge} de su pared queda hasta {deep} dentro del tubo base, en φ = {phi}°"
+        en "with contact = {contact} the branch does not seat: {edge} of its wall is up to {deep} inside the header, at φ = {phi}°"
+        remedy "elija contact = envolvente, o esmerile la pared donde la tabla del asiento da una cantidad, hasta {grind} a lo largo del injerto",
+            "choose contact = envelope, or grind the wall where the seat table gives an amount, by up to {grind} along the branch";
+        why "La antorcha corta la pared a escuadra con el eje del injerto: si solo un borde sigue su curva, el resto de la pared choca con el tubo base.",
+            "The torch cuts the wall square to the axis of the branch: if only one edge follows its curve, the rest of the wall hits the header.";
+        example book!("pipe-insert", "theta" = "60", "contact" = "inside");
+    "P2114" RadiusOfEnvelope Stop { r: Size }
+        es "r = {r} es el radio de una sola curva, pero contact = envolvente sigue toda la pared"
+        en "r = {r} is the radius of one curve, but contact = envelope follows the whole wall"
+        remedy "deje vacío r, o elija contact = interior o exterior", "leave r empty, or choose contact = inside or outside";
+        why "La envolvente necesita los dos radios de la pared, que salen del diámetro y del espesor.",
+            "The envelope takes both radii of the wall, which come from diameter and wall thickness.";
+        example book!("pipe-insert", "r" = "40");
+    "P2115" GapsOfEnvelope Note { inner: Size, inner_phi: Size, outer: Size, outer_phi: Size, kerf: Size }
+        es "el injerto asienta sin esmerilar; separación máxima al tubo base: borde interior {inner} en φ = {inner_phi}°, borde exterior {outer} en φ = {outer_phi}°; el ancho de corte quita hasta {kerf} más al interior"
+        en "the branch seats without grinding; maximum gap to the header: inner edge {inner} at φ = {inner_phi}°, outer edge {outer} at φ = {outer_phi}°; the kerf takes up to {kerf} more off the inner edge"
+        remedy "", "";
+        why "Un corte a escuadra toca el tubo base en una sola línea de la pared; el resto queda separado y lo llena la soldadura.",
+            "A square cut touches the header on one line of the wall only; the rest stands off, and the weld fills that gap.";
+        example book!("pipe-insert", "theta" = "60");
 }

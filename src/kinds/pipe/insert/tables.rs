@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use crate::geometry::pipe_wall::Seat;
 use crate::kinds::pipe::insert::arcs::{Triple, triples};
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
-use crate::kinds::pipe::insert::design::{Design, Mode};
+use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::program::template_points;
 use crate::number::grid::LIMIT;
 use crate::table::{Column, Index, Law, Print, Table, Unit};
@@ -31,10 +32,101 @@ pub fn template(design: &Design) -> Table {
             Column::numbers(
                 "y",
                 MM,
-                Law::Told("y = r/tan θ·(1 − cos φ) + R/sin θ·(cos asin(e/R) − cos asin((r sin φ + e)/R)) + Z"),
+                Law::Told(match design.contact {
+                    Contact::Inside | Contact::Outside => {
+                        "y = r/tan θ·(1 − cos φ) + R/sin θ·(cos asin(e/R) − cos asin((r sin φ + e)/R)) + Z"
+                    }
+                    Contact::Envelope => "y = s(0) − s(φ) + Z",
+                }),
                 points.iter().map(|point| point.y).collect::<Vec<_>>(),
             )
-            .by("derived_branch_r/TAN(RADIANS(angle_theta))*(1-COS(RADIANS([φ])))+derived_header_R/SIN(RADIANS(angle_theta))*(COS(ASIN(eccentricity_e/derived_header_R))-COS(ASIN((derived_branch_r*SIN(RADIANS([φ]))+eccentricity_e)/derived_header_R)))+offset_Z"),
+            .by(format!("IF({},INDEX([seat.s all],1)-INDEX([seat.s all],[i]+1)+offset_Z,derived_branch_r/TAN(RADIANS(angle_theta))*(1-COS(RADIANS([φ])))+derived_header_R/SIN(RADIANS(angle_theta))*(COS(ASIN(eccentricity_e/derived_header_R))-COS(ASIN((derived_branch_r*SIN(RADIANS([φ]))+eccentricity_e)/derived_header_R)))+offset_Z)", envelope())),
+        ],
+    }
+}
+
+/// Whether the end is cut along the envelope, in a formula.
+fn envelope() -> String {
+    format!("OR({})", super::enveloped("contact"))
+}
+
+/// How the wall stands to the header at every division: what touches first, where the end is cut, the gaps of both edges, and
+/// what is to be ground.
+#[must_use]
+pub fn seat(design: &Design) -> Table {
+    let (outline, wall) = (design.template(), design.wall());
+    let ends @ [bore, outside] = ["derived_wall_r_i", "derived_wall_r_o"];
+    let turns: Vec<f64> = (0..=design.N).map(|j| TAU * f64::from(j) / f64::from(design.N)).collect();
+    let of = |value: &dyn Fn(f64) -> f64| turns.iter().map(|phi| value(*phi)).collect::<Vec<_>>();
+    let s = |phi: f64| match outline.seat {
+        Seat::Edge(pair) => pair.reach(phi),
+        Seat::Envelope(wall) => wall.reach(phi),
+    };
+    let gap = |end: usize| move |phi: f64| wall.line(phi, s(phi)).ends[end];
+    let (sin, c) = ("SIN(RADIANS([φ]))", "COS(RADIANS([φ]))*COS(RADIANS(angle_theta))");
+    let upright = "SIN(RADIANS(angle_theta))";
+    let reach = |rho: &str| {
+        let q = format!("({rho}*{sin}+eccentricity_e)");
+        format!("(SQRT(MAX(0,(derived_header_R-{q})*(derived_header_R+{q})))+{rho}*{c})/{upright}")
+    };
+    let gap_by =
+        |rho: &str| format!("SQRT(({rho}*{sin}+eccentricity_e)^2+([s]*{upright}-{rho}*{c})^2)-derived_header_R");
+    let foot = format!("(derived_header_R*{c}*IF({sin}<0,-1,1)/SQRT({sin}^2+({c})^2)-eccentricity_e)/{sin}");
+    Table {
+        key: "seat",
+        name: t("Asiento", "Seat"),
+        title: t("Asiento de la pared en el tubo base", "Seat of the wall on the header"),
+        source: t(
+            "Deducido aquí: la pared cortada a escuadra con el eje del injerto. Una separación negativa queda dentro del tubo base",
+            "Derived here: the wall cut square to the axis of the branch. A negative gap is inside the header",
+        ),
+        index: Index::Intervals { name: "divisions_N", times: 1, more: 0 },
+        print: Print::Short,
+        columns: vec![
+            Column::numbers("φ", Unit::Degree, Law::Told("φ = 360·j/N"), of(&f64::to_degrees))
+                .by("360*[i]/divisions_N"),
+            Column::numbers(
+                "ρ",
+                MM,
+                Law::Told("ρ = (±R c/√(sin² φ + c²) − e)/sin φ, r_i ≤ ρ ≤ r_o, c = cos φ cos θ"),
+                of(&|phi| wall.touch(phi)),
+            )
+            .by(format!(
+                "IF(ABS({sin})<0.000000001,IF({}>{}+0.000000001,{outside},{bore}),MAX({bore},MIN({outside},{foot})))",
+                reach(outside),
+                reach(bore)
+            )),
+            Column::numbers(
+                "s",
+                MM,
+                Law::Told(match design.contact {
+                    Contact::Envelope => "s = (√(R² − (ρ sin φ + e)²) + ρ cos φ cos θ)/sin θ",
+                    Contact::Inside | Contact::Outside => "s = (√(R² − (r sin φ + e)²) + r cos φ cos θ)/sin θ",
+                }),
+                of(&s),
+            )
+            .by(format!("IF({},{},{})", envelope(), reach("[ρ]"), reach("derived_branch_r"))),
+            Column::numbers(
+                "g_i",
+                MM,
+                Law::Told("g_i = √((r_i sin φ + e)² + (s sin θ − r_i cos φ cos θ)²) − R"),
+                of(&gap(0)),
+            )
+            .by(gap_by(ends[0])),
+            Column::numbers(
+                "g_o",
+                MM,
+                Law::Told("g_o = √((r_o sin φ + e)² + (s sin θ − r_o cos φ cos θ)²) − R"),
+                of(&gap(1)),
+            )
+            .by(gap_by(ends[1])),
+            Column::numbers(
+                "a",
+                MM,
+                Law::Told("a = max(0, (√(R² − (ρ sin φ + e)²) + ρ cos φ cos θ)/sin θ − s)"),
+                of(&|phi| (wall.reach(phi) - s(phi)).max(0.0)),
+            )
+            .by(format!("MAX(0,{}-[s])", reach("[ρ]"))),
         ],
     }
 }

@@ -5,6 +5,10 @@
 //! on the branch's surface, must lie on the header's. Between two looks the error e, taken between points that run evenly from
 //! look to look, is nowhere greater than at them by more than an eighth of its greatest second derivative (as jets enclose it),
 //! nor, where the curve has a corner, than the way between them allows. Motions are parted until that decides.
+//!
+//! From that edge the cut goes straight to the branch's axis through the wall. The line of the cut face at each place is held
+//! against the header in the same way: no point of it may be inside the header, where the end is cut along the envelope, and at
+//! its nearest it is on the header; of a cut along one edge the depth and the gaps are told.
 
 pub mod rules;
 
@@ -19,23 +23,26 @@ use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::{Program, Style};
 use crate::geometry::pipe_pair::Side;
+use crate::geometry::pipe_wall::{Line, Seat};
 use crate::kinds::pipe::insert::arcs::triples;
+use crate::kinds::pipe::insert::bounds::beyond;
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
-use crate::kinds::pipe::insert::design::{Design, Mode};
+use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::outline::Outline;
 use crate::kinds::pipe::insert::program::{approach, template_points};
 use crate::kinds::pipe::insert::proof::rules::CutOffSpeed;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::Milli;
-use crate::number::jet::{Jet, bow};
+use crate::number::interval::Interval;
+use crate::number::jet::{Jet, at_most, bow};
 use crate::number::root::golden;
 use crate::number::shown;
 use crate::number::trig::{atan2, hypot, sin_cos};
 use crate::proof;
 use crate::proof::Judged;
 use crate::proof::agreement::Agreement;
-use crate::proof::check::{At, Check, Extreme, Question, mm};
+use crate::proof::check::{At, Check, Extreme, Question, mm, up};
 use crate::proof::enclosed::{Enclosed, Remedy, bound};
 use crate::proof::feed::{feed_word, timely};
 use crate::proof::rollover::Rollover;
@@ -189,6 +196,8 @@ struct PathOnCurve<'a> {
     moves: &'a Moves,
     /// How far the torch leaves its path, and the edge that is cut the header.
     errors: Enclosed<2>,
+    /// How deep the wall is inside the header, and how far the edges of bore and outside are from it.
+    wall: Enclosed<3>,
     curve: &'a mut Curve,
 }
 
@@ -227,11 +236,35 @@ impl Judge for PathOnCurve<'_> {
         } else {
             self.errors.within(edge, 1, limit, words, Remedy::Fault)
         };
-        vec![path, edge]
+        let [wall, gap] = self.seat(program, limit, remedy);
+        vec![path, edge, wall, gap]
     }
 }
 
 impl PathOnCurve<'_> {
+    /// How the wall as it is cut stands to the header.
+    fn seat(&self, program: &Program, limit: f64, remedy: Remedy) -> [Check; 2] {
+        let design = self.surface.design;
+        let name = t("Pared dentro del tubo base", "Wall inside the header");
+        let [value, limited] = bound(self.wall.at_most(0).max(0.0), limit);
+        let asked = |key, name, value, limit| Question::new(key, name, program).showing(value, limit);
+        let wall = match design.contact {
+            Contact::Envelope => {
+                let words = t("la pared queda dentro del tubo base", "the wall is inside the header by");
+                self.wall.within(asked("wall", name, value, limited), 0, limit, words, remedy)
+            }
+            Contact::Inside | Contact::Outside => {
+                self.wall.put(asked("wall", name, value, Text::same("")), 0).informs()
+            }
+        };
+        let told = |gap: f64| mm(up(gap.max(0.0)));
+        let (inner, outer) = (told(self.wall.at_most(1).max(0.0) + design.cut_back()), told(self.wall.at_most(2)));
+        let value =
+            Text::new(format!("interior ≤ {inner}, exterior ≤ {outer}"), format!("inner ≤ {inner}, outer ≤ {outer}"));
+        let name = t("Separación de los bordes al tubo base", "Gap of the edges to the header");
+        [wall, self.wall.put(asked("gap", name, value, Text::same("")), 1).informs()]
+    }
+
     /// Holds a motion against the curve between two angles.
     fn look_along(&mut self, way: &Way, leg: [f64; 2], at: At) {
         let outline = self.surface.outline;
@@ -239,31 +272,48 @@ impl PathOnCurve<'_> {
         let inside = f64::midpoint(from, to);
         let side = |phi: f64| if phi < inside { Side::After } else { Side::Before };
         let curve = &mut *self.curve;
-        let mut look = |part: f64, span: [f64; 2], steps: u32| {
+        let look = |part: f64, span: [f64; 2], steps: u32| {
             let point = way.at(part);
             let near = side(f64::midpoint(span[0], span[1]));
             // Sideways to a small part of the span: the distance, which is square in it, far better.
             let phi = golden(span, steps, |phi| (outline.torch(phi, near) - point).norm_squared()).1;
             let across = outline.across(phi, near);
-            let off = point - outline.torch(phi, near);
-            curve.push([phi.to_degrees(), off.dot(&across)]);
-            Look { part, phi, off: off.norm(), edge: off_header(&outline, point - across * outline.beside).abs() }
+            let (off, edge) = (point - outline.torch(phi, near), point - across * outline.beside);
+            let place = [edge.x / outline.radius, outline.s(edge.y)];
+            let line = outline.wall.line(place[0], place[1]);
+            let on_header = match outline.seat {
+                Seat::Edge(pair) => pair.off_header(&pair.on_branch(place[0], edge.y - outline.Z)),
+                Seat::Envelope(_) => line.least,
+            };
+            Look { part, phi, off: off.norm(), aside: off.dot(&across), edge: on_header.abs(), place, line }
         };
         let margin = (to - from) * 0.5 + 1e-9;
         let first = [0.0, 0.5, 1.0].map(|part| {
             let near = from + (to - from) * part;
             look(part, [(near - margin).max(from), (near + margin).min(to)], 25)
         });
+        let between = |one: &Look, other: &Look| {
+            let (low, high) = (one.phi.min(other.phi), one.phi.max(other.phi));
+            let wider = 0.25 * (high - low) + 1e-9;
+            look(f64::midpoint(one.part, other.part), [(low - wider).max(from), (high + wider).min(to)], 20)
+        };
+        let mut drawn = |look: Look| {
+            curve.push([look.phi.to_degrees(), look.aside]);
+            look
+        };
         self.errors.take(
             at,
-            &first,
+            &first.map(&mut drawn),
             |look| [look.off, look.edge],
             |one, other| over(&outline, way, inside, one, other),
-            |one, other| {
-                let (low, high) = (one.phi.min(other.phi), one.phi.max(other.phi));
-                let wider = 0.25 * (high - low) + 1e-9;
-                look(f64::midpoint(one.part, other.part), [(low - wider).max(from), (high + wider).min(to)], 20)
-            },
+            |one, other| drawn(between(one, other)),
+        );
+        self.wall.take(
+            at,
+            &first,
+            |look| [-look.line.least, look.line.ends[0], look.line.ends[1]],
+            |one, other| over_wall(&outline, way, inside, one, other),
+            between,
         );
     }
 }
@@ -355,8 +405,12 @@ const WORK: u32 = 100_000;
 /// What path and edge may be off.
 fn limits(design: &Design) -> [f64; 2] {
     let tolerance = design.arc_tolerance + if design.style == Style::Full { ROUNDING } else { 0.0 };
+    let r = match design.contact {
+        Contact::Inside | Contact::Outside => design.r,
+        Contact::Envelope => design.wall().ends()[1],
+    };
     // An error over the development is one of the edge, longer by as much as the branch's curve is than the development.
-    [tolerance, tolerance * (design.r / design.outline().radius).max(1.0) + SAME]
+    [tolerance, tolerance * (r / design.outline().radius).max(1.0) + SAME]
 }
 
 /// A look at a motion.
@@ -368,8 +422,14 @@ struct Look {
     phi: f64,
     /// How far that is.
     off: f64,
+    /// The same across the path, positive into the waste.
+    aside: f64,
     /// How far the edge that is cut is from the header.
     edge: f64,
+    /// Its angle round the branch, and how far along the axis it is.
+    place: [f64; 2],
+    /// The line of the cut face from there through the wall.
+    line: Line,
 }
 
 /// The way of a motion over the surface that is cut.
@@ -430,32 +490,61 @@ impl Way {
     }
 }
 
-/// How far a point of the edge that is cut, on the development, is from the header.
-fn off_header(outline: &Outline, edge: Vector2<f64>) -> f64 {
-    outline.pair.off_header(&outline.pair.on_branch(edge.x / outline.radius, edge.y - outline.Z))
-}
-
-/// What the errors nowhere exceed between two looks.
-fn over(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> [f64; 2] {
+/// The edge that is cut between two looks, on the development, and by how much the torch's path bends from its own.
+fn edge_jets(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> ([Jet; 2], f64) {
     let point = way.jets([one.part, other.part]);
     let phi = Jet::running(one.phi, other.phi, [0.0, 1.0]);
     let [torch, across] = outline.torch_jets(phi, inside);
     let bends = bow(&[point[0] - torch[0], point[1] - torch[1]], 1.0);
-    let edge = [0, 1].map(|k| point[k] - across[k] * outline.beside);
-    let place = outline.pair.on_branch_jets(edge[0] * (1.0 / outline.radius), edge[1] - Jet::of(outline.Z));
-    let rises = bow(&[(place[1].square() + place[2].square()).sqrt()], 1.0);
+    ([0, 1].map(|k| point[k] - across[k] * outline.beside), bends)
+}
+
+/// Its angle round the branch, and how far along the axis it is.
+fn place_jets(outline: &Outline, edge: [Jet; 2]) -> [Jet; 2] {
+    [edge[0] * (1.0 / outline.radius), Jet::of(outline.seat.level() + outline.Z) - edge[1]]
+}
+
+/// What the wall's depth inside the header and its gaps nowhere exceed between two looks.
+fn over_wall(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> [f64; 3] {
+    let [phi, s] = place_jets(outline, edge_jets(outline, way, inside, one, other).0);
+    let wall = &outline.wall;
+    beyond(wall, [&one.line, &other.line], phi, s, 1.0).map(|most| most + ARITHMETIC)
+}
+
+/// What the distance of the cut face's nearest point from the header nowhere exceeds between two looks, inside or outside.
+fn over_touch(outline: &Outline, edge: [Jet; 2], one: &Look, other: &Look) -> f64 {
+    let ([phi, s], wall) = (place_jets(outline, edge), &outline.wall);
+    let [deep, ..] = beyond(wall, [&one.line, &other.line], phi, s, 1.0);
+    // Nearer than any one line through the wall it is everywhere.
+    let rho = f64::midpoint(one.line.rho, other.line.rho);
+    let [here, there] = [one, other].map(|look| wall.square(look.place[0], look.place[1], rho));
+    let jet = wall.square_jet(phi, s, Interval::of(rho));
+    deep.max(at_most(here, there, jet, 1.0).sqrt() - wall.R())
+}
+
+/// What the errors nowhere exceed between two looks.
+fn over(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> [f64; 2] {
+    let (edge, bends) = edge_jets(outline, way, inside, one, other);
+    let (r, header) = match outline.seat {
+        Seat::Edge(pair) => {
+            let place = pair.on_branch_jets(edge[0] * (1.0 / outline.radius), edge[1] - Jet::of(outline.Z));
+            (pair.r, one.edge.max(other.edge) + bow(&[(place[1].square() + place[2].square()).sqrt()], 1.0))
+        }
+        Seat::Envelope(wall) => (wall.ends()[1], over_touch(outline, edge, one, other)),
+    };
     // However the curve runs, the torch comes nearer to it or leaves it by no more than it goes.
     let goes = 0.5 * way.length() * (other.part - one.part);
     let path = (one.off.max(other.off) + bends).min(f64::midpoint(one.off, other.off) + goes);
-    let longer = if outline.beside > 0.0 { f64::INFINITY } else { (outline.pair.r / outline.radius).max(1.0) };
-    let header = (one.edge.max(other.edge) + rises).min(f64::midpoint(one.edge, other.edge) + longer * goes);
+    let longer = if outline.beside > 0.0 { f64::INFINITY } else { (r / outline.radius).max(1.0) };
+    let header = header.min(f64::midpoint(one.edge, other.edge) + longer * goes);
     [path + ARITHMETIC, header + ARITHMETIC]
 }
 
 /// The checks that must be answered.
-const CHECKS: &[&str] = &["agreement", "path", "edge", "length", "feed", "feed-word", "torch"];
+const CHECKS: &[&str] = &["agreement", "path", "edge", "wall", "gap", "length", "feed", "feed-word", "torch"];
 /// The same where the pipe turns.
-const TURNING_CHECKS: &[&str] = &["agreement", "path", "edge", "length", "feed", "feed-word", "torch", "rotary"];
+const TURNING_CHECKS: &[&str] =
+    &["agreement", "path", "edge", "wall", "gap", "length", "feed", "feed-word", "torch", "rotary"];
 
 /// The checks that must be answered for the program of a design.
 #[must_use]
@@ -477,11 +566,16 @@ pub fn setting(design: &Design, program: &Program) -> Setting {
 pub fn judges<'a>(design: &'a Design, moves: &'a Moves, curve: &'a mut Curve) -> Vec<Box<dyn Judge + 'a>> {
     let surface = Surface { design, outline: design.outline() };
     let errors = Enclosed::new([1e-3 * design.arc_tolerance; 2], limits(design), WORK);
+    let limit = match design.contact {
+        Contact::Inside | Contact::Outside => f64::INFINITY,
+        Contact::Envelope => limits(design)[1],
+    };
+    let wall = Enclosed::new([1e-3 * design.arc_tolerance, 1e-3, 1e-3], [limit, f64::INFINITY, f64::INFINITY], WORK);
     let codes = (design.style == Style::Full).then_some([&design.torch_on[..], &design.torch_off[..]]);
     let agreement = Agreement::of_the_torch(moved(design.mode), moves.moves.len(), 0).approached_by(moves.approach);
     let mut judges: Vec<Box<dyn Judge + 'a>> = vec![
         Box::new(agreement),
-        Box::new(PathOnCurve { surface, moves, errors, curve }),
+        Box::new(PathOnCurve { surface, moves, errors, wall, curve }),
         Box::new(CutSpeed {
             surface,
             moves,
