@@ -157,9 +157,10 @@ fn the_slip_of_every_row_raises_it() {
 
 /// What is told of a program that takes more than the control's memory.
 pub fn beyond_memory() -> Vec<Finding> {
-    let design =
-        hole::design::Design::new(&Fields::of(&hole::parameters::FORM, values(&hole::cases::CASES, None, &[])).unwrap())
-            .unwrap();
+    let design = hole::design::Design::new(
+        &Fields::of(&hole::parameters::FORM, values(&hole::cases::CASES, None, &[])).unwrap(),
+    )
+    .unwrap();
     let cut = hole::cut::cut(&design).unwrap().unwrap();
     let origin = Origin { workbook: "W.XLSX", sha256: "0", version: "0.0.0", language: Language::En };
     let program = hole::program::full(&design, &cut, &origin).unwrap();
