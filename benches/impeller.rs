@@ -19,7 +19,8 @@ use rodete::text::Language;
 /// The shipped complete case with n intervals.
 fn values(n: u32) -> Values {
     let mut values = Values { language: Language::En, ..Values::default() };
-    values.values.extend(CASES[0].values(Language::En));
+    let case = CASES.iter().find(|case| case.name == "full").expect("a case");
+    values.values.extend(case.values(Language::En));
     values.values.insert("n", Value::Whole(n));
     values
 }

@@ -133,7 +133,8 @@ mod tests {
 
     fn outcome(points: Vec<[f64; 2]>) -> Outcome {
         let mut values = Values { language: Language::En, ..Values::default() };
-        values.values.extend(CASES[0].values(Language::En));
+        let case = CASES.iter().find(|case| case.name == "full").unwrap();
+        values.values.extend(case.values(Language::En));
         let source = Provenance { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
         let mut outcome = kinds::run(&FORM, values, source).unwrap();
         let stroke = Stroke { ink: Ink::Cut, points, filled: false, arrow: false };

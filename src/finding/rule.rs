@@ -66,7 +66,7 @@ pub enum Example {
     },
     /// A program that a workbook writes, judged with a text in it replaced.
     Slip {
-        /// The kind, whose usual case is taken.
+        /// The kind, with `--case NAME` where another than its usual case is taken.
         kind: &'static str,
         /// Parameters that differ from it, by symbol; an empty text empties the cell.
         cells: &'static [(&'static str, &'static str)],
@@ -77,9 +77,9 @@ pub enum Example {
         /// What stands there instead.
         to: &'static str,
     },
-    /// The usual workbook of a kind in English, with other cells.
+    /// A new workbook of a kind in English, with other cells.
     Workbook {
-        /// The kind, as `rodete new` names it.
+        /// The kind, with `--case NAME` where another than its usual case is taken: what stands behind `rodete new`.
         kind: &'static str,
         /// What is typed, as a spreadsheet takes it (`'12` is a text, `` empties the cell), and where: the value of a symbol,
         /// `SYMBOL:unit`, `SYMBOL:symbol`, or a cell as `DATA!D7`.
@@ -265,7 +265,7 @@ macro_rules! both {
     }};
 }
 
-/// The usual workbook of a kind with other values: symbols or cells, each with what is typed there.
+/// The workbook of a kind, or of its case behind `--case`, with other values: symbols or cells, each with what is typed there.
 macro_rules! book {
     ($kind:literal $(, $cell:literal = $text:literal)*) => {
         $crate::finding::Example::Workbook { kind: $kind, cells: &[$(($cell, $text)),*] }

@@ -18,5 +18,5 @@ rules! {
         remedy "elija style = full", "choose style = full";
         why "Los programas publicados son para un control que usa el avance fijado en su panel.",
             "The published programs are for a control that uses the feed set at its panel.";
-        example book!("impeller", "style" = "annex", "dialect" = "linuxcnc");
+        example book!("impeller --case full", "style" = "annex", "dialect" = "linuxcnc");
 }

@@ -174,7 +174,7 @@ fn made(key: &str, folder: &Path) -> Option<Line> {
         }
         "two-kinds" => {
             run(folder, &["new", "lathe"].map(str::to_owned), Language::En);
-            run(folder, &["new", "impeller"].map(str::to_owned), Language::En);
+            run(folder, &["new", "impeller", "--case", "full"].map(str::to_owned), Language::En);
             "compare impeller.xlsx lathe.xlsx".to_owned()
         }
         "workbook-as-program" | "lathe-tools" => {
@@ -225,7 +225,7 @@ fn into(key: &str, folder: &Path) -> Option<&'static str> {
     let before_views = |element: &str| own(&["Notes"]).replace(BOOK, "<bookViews>", &format!("{element}<bookViews>"));
     let linked = |kind: &str| own(&["Notes"]).replace(LINKS, "</Relationships>", &link(kind));
     let form = || {
-        run(folder, &["new", "impeller", "own.xlsx"].map(str::to_owned), Language::En);
+        run(folder, &["new", "impeller", "own.xlsx", "--case", "full"].map(str::to_owned), Language::En);
         Parts::of(&fs::read(folder.join("own.xlsx")).unwrap())
     };
     let (parts, line) = match key {

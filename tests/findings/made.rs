@@ -37,10 +37,12 @@ fn named(kind: &str) -> &'static dyn Kind {
     *KINDS.iter().find(|one| one.form().kind == kind).unwrap()
 }
 
-/// A kind's usual workbook, as `new` writes it.
-fn usual(kind: &str) -> (&'static Form, Vec<u8>) {
+/// The workbook that `new` writes for these words: a kind, and `--case NAME` where another than its usual case is meant.
+fn new(words: &str) -> (&'static Form, Vec<u8>) {
+    let (kind, case) = words.split_once(" --case ").map_or((words, None), |(kind, case)| (kind, Some(case)));
     let kind = named(kind);
-    (kind.form(), written(kind, &kind.cases()[0], Language::En))
+    let case = kind.cases().iter().find(|one| case.is_none_or(|case| one.name == case)).expect("a case of the kind");
+    (kind.form(), written(kind, case, Language::En))
 }
 
 /// The part of a sheet by its name.
@@ -67,9 +69,9 @@ fn typed(address: &str, text: &str) -> String {
     }
 }
 
-/// The usual workbook with cells changed.
+/// A new workbook with cells changed.
 fn changed(kind: &str, cells: &[(&str, &str)]) -> Vec<u8> {
-    let (form, bytes) = usual(kind);
+    let (form, bytes) = new(kind);
     let values = workbook::read(&bytes, &[form]).unwrap().values;
     let mut parts = Parts::of(&bytes);
     for (place, text) in cells {
@@ -238,7 +240,7 @@ fn made(key: &str) -> Option<Vec<u8>> {
             sound().replace(relations, from, to).zip()
         }
         "changed-results" => {
-            let (form, bytes) = usual("impeller");
+            let (form, bytes) = new("impeller --case full");
             let source = Provenance { workbook: "a.xlsx".to_owned(), sha256: String::new(), version: "0" };
             let outcome = kinds::run(form, workbook::read(&bytes, &[form]).unwrap().values, source).unwrap();
             let files = [("a-blade.nc".to_owned(), t("Un álabe", "One blade"))];
@@ -262,11 +264,11 @@ fn made(key: &str) -> Option<Vec<u8>> {
             data("</sheetData>", &format!("{rows}</sheetData>"))
         }
         "no-tools" => {
-            let (_, bytes) = usual("lathe");
+            let (_, bytes) = new("lathe");
             Parts::of(&bytes).replace(list, "name=\"TOOLS\"", "name=\"Notes\"").zip()
         }
         "no-rows" => {
-            let parts = Parts::of(&usual("lathe").1);
+            let parts = Parts::of(&new("lathe").1);
             let part = part(&parts, "TOOLS");
             let text = parts.text(&part);
             let first = text.find("<row r=\"6\"").unwrap();
@@ -274,7 +276,7 @@ fn made(key: &str) -> Option<Vec<u8>> {
             parts.put(&part, format!("{}{}", &text[..first], &text[end..])).zip()
         }
         "many-tools" => {
-            let parts = Parts::of(&usual("lathe").1);
+            let parts = Parts::of(&new("lathe").1);
             let part = part(&parts, "TOOLS");
             let rows: String =
                 (400..900).map(|row| format!("<row r=\"{row}\"><c r=\"A{row}\"><v>1</v></c></row>")).collect();
@@ -411,7 +413,7 @@ fn made_turning(key: &str) -> Option<Vec<u8>> {
 /// What is told of a workbook of a kind that is computed.
 fn computed(kind: &str, bytes: &[u8]) -> Vec<Finding> {
     let source = Provenance { workbook: String::new(), sha256: String::new(), version: "0" };
-    match workbook::read(bytes, &[usual(kind).0]) {
+    match workbook::read(bytes, &[new(kind).0]) {
         Ok(filled) => told(kinds::run(filled.form, filled.values, source), |outcome| outcome.findings),
         Err(refusal) => refusal.findings,
     }

@@ -24,12 +24,10 @@ use rodete::proof::verification::Verification;
 use rodete::proof::{self, Judged};
 use rodete::text::Language;
 
-/// The values of a kind's usual case, some cells changed.
-fn values(cases: &'static [Case], cells: &[(&'static str, &'static str)]) -> Values {
+/// The values of a kind's case, or of its usual one, some cells changed.
+fn values(cases: &'static [Case], case: Option<&str>, cells: &[(&'static str, &'static str)]) -> Values {
     let mut values = Values { language: Language::En, ..Values::default() };
-    // A method has a case of its own.
-    let method = cells.iter().find(|(symbol, _)| *symbol == "method").map(|(_, method)| *method);
-    let case = cases.iter().find(|case| Some(case.name) == method).unwrap_or(&cases[0]);
+    let case = cases.iter().find(|one| case.is_none_or(|case| one.name == case)).expect("a case of the kind");
     values.values.extend(case.values(Language::En));
     for (symbol, text) in cells {
         let value = match values.values.get(symbol) {
@@ -56,13 +54,14 @@ fn slipped(program: &Program, from: &str, to: &str) -> Program {
 }
 
 /// What is told of the program of an example.
-fn told(kind: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to]: [&str; 2]) -> Vec<Finding> {
+fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to]: [&str; 2]) -> Vec<Finding> {
+    let (kind, case) = words.split_once(" --case ").map_or((words, None), |(kind, case)| (kind, Some(case)));
     let origin = Origin { workbook: "W.XLSX", sha256: "0", version: "0.0.0", language: Language::En };
     let mut verification = Verification::default();
     match kind {
         "impeller" => {
             let design = match impeller::design::Design::new(
-                &Fields::of(&impeller::parameters::FORM, values(&impeller::cases::CASES, cells)).unwrap(),
+                &Fields::of(&impeller::parameters::FORM, values(&impeller::cases::CASES, case, cells)).unwrap(),
             ) {
                 Ok(design) => design,
                 Err(refused) => return refused,
@@ -95,7 +94,7 @@ fn told(kind: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to
         }
         "pipe-insert" => {
             let design = insert::design::Design::new(
-                &Fields::of(&insert::parameters::FORM, values(&insert::cases::CASES, cells)).unwrap(),
+                &Fields::of(&insert::parameters::FORM, values(&insert::cases::CASES, case, cells)).unwrap(),
             )
             .unwrap();
             let cut = insert::cut::cut(&design).unwrap();
@@ -109,7 +108,7 @@ fn told(kind: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to
         }
         "pipe-hole" => {
             let design = hole::design::Design::new(
-                &Fields::of(&hole::parameters::FORM, values(&hole::cases::CASES, cells)).unwrap(),
+                &Fields::of(&hole::parameters::FORM, values(&hole::cases::CASES, case, cells)).unwrap(),
             )
             .unwrap();
             let cut = hole::cut::cut(&design).unwrap().unwrap();
@@ -158,9 +157,10 @@ fn the_slip_of_every_row_raises_it() {
 
 /// What is told of a program that takes more than the control's memory.
 pub fn beyond_memory() -> Vec<Finding> {
-    let design =
-        hole::design::Design::new(&Fields::of(&hole::parameters::FORM, values(&hole::cases::CASES, &[])).unwrap())
-            .unwrap();
+    let design = hole::design::Design::new(
+        &Fields::of(&hole::parameters::FORM, values(&hole::cases::CASES, None, &[])).unwrap(),
+    )
+    .unwrap();
     let cut = hole::cut::cut(&design).unwrap().unwrap();
     let origin = Origin { workbook: "W.XLSX", sha256: "0", version: "0.0.0", language: Language::En };
     let program = hole::program::full(&design, &cut, &origin).unwrap();

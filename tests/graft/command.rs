@@ -35,7 +35,7 @@ fn a_form_and_its_results_go_into_every_hard_book_twice() {
         let here = folder.path().join(name);
         fs::copy(path(name), &here).expect("a copy");
         let before = fs::read(&here).expect("the book");
-        rodete(&folder).args(["new", "impeller", "--into", name]).assert().code(0);
+        rodete(&folder).args(["new", "impeller", "--case", "full", "--into", name]).assert().code(0);
         let formed = fs::read(&here).expect("the book");
         let stem = name.split('.').next().expect("a stem");
         let kept_book = format!("{name}.bak");
@@ -65,7 +65,7 @@ fn a_form_and_its_results_go_into_every_hard_book_twice() {
 fn an_open_book_is_refused_with_the_name_of_who_has_it_open() {
     let folder = folder();
     let here = |name: &str| folder.path().join(name);
-    rodete(&folder).args(["new", "impeller", "a.xlsx"]).assert().code(0);
+    rodete(&folder).args(["new", "impeller", "a.xlsx", "--case", "full"]).assert().code(0);
     let before = fs::read(here("a.xlsx")).expect("the book");
     let mut excel = vec![3, b'A', b'n', b'a'];
     excel.resize(55, b' ');
@@ -88,7 +88,7 @@ fn an_open_book_is_refused_with_the_name_of_who_has_it_open() {
 fn a_rejected_form_changes_nothing() {
     let folder = folder();
     let here = folder.path().join("a.xlsx");
-    rodete(&folder).args(["new", "impeller", "a.xlsx"]).assert().code(0);
+    rodete(&folder).args(["new", "impeller", "a.xlsx", "--case", "full"]).assert().code(0);
     let sheet = super::common::workbook::Parts::of(&fs::read(&here).expect("the book"));
     let values = super::made::read(&fs::read(&here).expect("the book")).values;
     let cell = values.cells["N"].cell.clone();
@@ -103,7 +103,7 @@ fn a_rejected_form_changes_nothing() {
 fn results_go_into_a_book_whose_files_go_elsewhere() {
     let folder = folder();
     fs::create_dir(folder.path().join("books")).expect("a folder");
-    rodete(&folder).args(["new", "impeller", "books/a.xlsx"]).assert().code(0);
+    rodete(&folder).args(["new", "impeller", "books/a.xlsx", "--case", "full"]).assert().code(0);
     for out in ["out", "books", "."] {
         let line = ["build", "books/a.xlsx", "--into", "--no-report", "-o", out];
         rodete(&folder).args(line).assert().code(0).stdout(predicate::str::contains("results in books/a.xlsx"));
@@ -119,7 +119,7 @@ fn the_book_keeps_its_mode() {
     use std::os::unix::fs::PermissionsExt;
     let folder = folder();
     let here = folder.path().join("a.xlsx");
-    rodete(&folder).args(["new", "impeller", "a.xlsx"]).assert().code(0);
+    rodete(&folder).args(["new", "impeller", "a.xlsx", "--case", "full"]).assert().code(0);
     fs::set_permissions(&here, fs::Permissions::from_mode(0o640)).expect("a mode");
     rodete(&folder).args(["build", "a.xlsx", "--into", "--no-report"]).assert().code(0);
     assert_eq!(fs::metadata(&here).expect("the book").permissions().mode() & 0o777, 0o640);
@@ -130,7 +130,7 @@ fn a_program_knows_the_workbook_that_its_results_went_into_until_an_input_change
     let folder = folder();
     let here = folder.path().join("h1.xlsx");
     fs::copy(path("h1.xlsx"), &here).expect("a copy");
-    rodete(&folder).args(["new", "impeller", "--into", "h1.xlsx"]).assert().code(0);
+    rodete(&folder).args(["new", "impeller", "--case", "full", "--into", "h1.xlsx"]).assert().code(0);
     let verify = |told: &str| {
         let output = rodete(&folder).args(["verify", "h1-out/h1-blade.nc"]).assert().code(0).get_output().clone();
         let text = [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("UTF-8")).concat();
@@ -153,7 +153,7 @@ fn a_program_knows_the_workbook_that_its_results_went_into_until_an_input_change
 fn a_logo_that_has_changed_or_is_gone_is_named() {
     let folder = folder();
     let here = |name: &str| folder.path().join(name);
-    rodete(&folder).args(["new", "impeller", "a.xlsx"]).assert().code(0);
+    rodete(&folder).args(["new", "impeller", "a.xlsx", "--case", "full"]).assert().code(0);
     let bytes = fs::read(here("a.xlsx")).expect("the book");
     let logo = |size: u8| format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{size}\" height=\"4\"/>");
     let named = super::common::workbook::Parts::of(&bytes);

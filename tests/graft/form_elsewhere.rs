@@ -1,16 +1,16 @@
 //! The form stands on a sheet of another name, among others, in columns that were moved.
 
-use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::{FieldKind, Value, Values};
 use rodete::text::Language;
 use rust_xlsxwriter::Workbook;
 
+use super::common::workbook::quick;
 use super::made::{forms, read, said};
 
 /// A book whose form stands on sheets of these names, its columns A to D at these places; `named`: with defined names.
 fn moved(language: Language, sheets: [&str; 2], columns: [u16; 4], named: bool) -> Vec<u8> {
-    let values = CASES[0].values(language);
+    let values = quick().values(language);
     let mut workbook = Workbook::new();
     let own = workbook.add_worksheet().set_name("DATA 0").expect("a name");
     own.write(0, 0, "own notes").expect("a text");

@@ -15,6 +15,8 @@ use rodete::text::Language;
 use rodete::workbook::names::{Made, Present, Role, quoted};
 use rodete::workbook::{self, Filled, results, template};
 
+use super::common::workbook::quick_of;
+
 /// The hard books; `books/make.py` says what each has.
 pub const BOOKS: [&str; 5] = ["h1.xlsx", "h2.xlsm", "h3.xlsx", "h4.xlsx", "h5.xlsx"];
 
@@ -58,7 +60,7 @@ pub fn host(bytes: &[u8]) -> Host<'_> {
 /// A book with the form of a kind in it.
 pub fn with_form(kind: &'static dyn Kind, bytes: &[u8]) -> Vec<u8> {
     let host = host(bytes);
-    let (case, mut out) = (&kind.cases()[0], Cursor::new(Vec::new()));
+    let (case, mut out) = (quick_of(kind), Cursor::new(Vec::new()));
     let (values, lists) = (case.values(Language::En), (case.listed)(Language::En));
     let made = template::write_into(kind, &values, &lists, &case.note, Language::En, &host.present(), &mut out);
     let made = made.expect("a form");

@@ -169,7 +169,9 @@ fn a_named_block_is_gone_to_and_its_coordinates_are_those_of_the_program() {
         return;
     }
     let folder = folder();
-    let page = page_of(folder.path(), "impeller");
+    rodete(folder.path(), &["new", "impeller", "--case", "full"]);
+    rodete(folder.path(), &["view", "impeller.xlsx"]);
+    let page = folder.path().join("impeller.html");
     let browser = Browser::start(true);
     rodete(folder.path(), &["build", "impeller.xlsx", "--no-report"]);
     let text = fs::read_to_string(folder.path().join("impeller-out/impeller-blade.nc")).expect("the program");

@@ -33,7 +33,8 @@ use rodete::typeset::failure::ReportFailure;
 /// A small outcome with every kind of content but programs.
 fn outcome(part: &str, rows: usize) -> Outcome {
     let mut values = Values { language: Language::En, ..Values::default() };
-    values.values = CASES[1].values(Language::En).into_iter().collect();
+    let case = CASES.iter().find(|case| case.name == "tfg-2021").expect("a case");
+    values.values = case.values(Language::En).into_iter().collect();
     values.values.insert("part", Value::Line(part.to_owned()));
     let steps: Vec<f64> = (0..rows).map(|at| f64::from(u32::try_from(at).unwrap()) * -0.125).collect();
     let line: Vec<[f64; 2]> =
@@ -400,14 +401,14 @@ mod embedded {
 
     #[test]
     fn the_report_carries_the_workbook_and_every_program() {
-        let workbook = Path::new(env!("CARGO_MANIFEST_DIR")).join("workbooks/impeller.xlsx");
+        let workbook = Path::new(env!("CARGO_MANIFEST_DIR")).join("workbooks/impeller-full.xlsx");
         let folder = tempfile::tempdir().unwrap();
         let mut command = Command::new(env!("CARGO_BIN_EXE_rodete"));
         command.arg("build").arg(&workbook).arg("-o").arg(folder.path()).env_remove("RODETE_TYPST");
         assert!(command.output().unwrap().status.success());
         let kept = tempfile::tempdir().unwrap();
         let mut detach = Command::new("pdfdetach");
-        detach.args(["-saveall", "-o"]).arg(kept.path()).arg(folder.path().join("impeller-report.pdf"));
+        detach.args(["-saveall", "-o"]).arg(kept.path()).arg(folder.path().join("impeller-full-report.pdf"));
         let Ok(output) = detach.output() else {
             super::missing("pdfdetach");
             return;
@@ -416,9 +417,9 @@ mod embedded {
         let same = |name: &str, original: &Path| {
             assert!(std::fs::read(kept.path().join(name)).unwrap() == std::fs::read(original).unwrap(), "{name}");
         };
-        same("impeller.xlsx", &workbook);
+        same("impeller-full.xlsx", &workbook);
         for program in ["blade", "splitter", "impeller", "blank"] {
-            let name = format!("impeller-{program}.nc");
+            let name = format!("impeller-full-{program}.nc");
             same(&name, &folder.path().join(&name));
         }
     }

@@ -28,7 +28,10 @@ impl Design {
         self.check_geometry(&mut findings);
         match &self.clear {
             None => self.check_published(&mut findings),
-            Some(asked) => findings.extend(remarks::contradictions(self, asked)),
+            Some(asked) => {
+                self.check_hub(&mut findings);
+                findings.extend(remarks::contradictions(self, asked));
+            }
         }
         self.check_machine(&mut findings);
         self.check_program(&mut findings);
@@ -54,6 +57,16 @@ impl Design {
         if self.d_t > 2.0 * r {
             let told = ToolBeyondHollow { tool, r: Size::mm(r) };
             findings.push(told.at(at([form::D_T.key(), form::MERIDIAN_R.key()])).with(mm(self.d_t), mm(2.0 * r)));
+        }
+    }
+
+    /// A blade and the tool beside it need more than the whole hub: no search for a gap is needed.
+    fn check_hub(&self, findings: &mut Vec<Finding>) {
+        let around = hub_circumference(self.torus, self.a_p);
+        if around > 0.0 && around < self.e + self.d_t {
+            let (e, tool, hub) = (Size::mm(self.e), Size::mm(self.d_t), Size::mm(around));
+            let told = NoBladeFits { e, tool, hub, gap: Size::mm((around - self.e).max(0.0)), least: tool };
+            findings.push(told.at(at([form::N.key(), form::E.key(), form::D_T.key()])).with(self.N.to_string(), ""));
         }
     }
 

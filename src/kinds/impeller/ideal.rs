@@ -194,7 +194,8 @@ mod tests {
 
     fn published() -> (Design, Blade, Splitter) {
         let mut values = Values::default();
-        values.values.extend(CASES[1].values(Language::En));
+        let case = CASES.iter().find(|case| case.name == "tfg-2021").unwrap();
+        values.values.extend(case.values(Language::En));
         let design =
             Design::new(&Fields::of(&crate::kinds::impeller::parameters::FORM, values.clone()).unwrap()).unwrap();
         let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);

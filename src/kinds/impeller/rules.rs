@@ -38,27 +38,27 @@ rules! {
         remedy "use menos álabes, álabes más delgados o una herramienta menor; entre álabes quedan {gap} y hacen falta {least}",
             "use fewer blades, thinner blades, or a smaller tool; the gap between blades is {gap}, and {least} is needed";
         why "La herramienta debe pasar entre dos álabes.", "The tool must pass between two blades.";
-        example book!("impeller", "N" = "40");
+        example book!("impeller --case full", "N" = "40");
     "P1006" NoThicknessFits Stop { N: u32, e: Size, room: Size, least: Size }
         es "con N = {N} no cabe ningún espesor de álabe (e es {e}): el cubo da {room} por álabe y la herramienta necesita {least}"
         en "with N = {N} no blade thickness fits (e is {e}): the hub gives {room} per blade, and the tool needs {least}"
         remedy "use menos álabes, álabes más delgados o una herramienta menor",
             "use fewer blades, a thinner blade, or a smaller tool";
         why "La herramienta sola ocupa ya todo el contorno del cubo.", "The tool alone takes up the whole turn.";
-        example book!("impeller", "N" = "60");
+        example book!("impeller --case full", "N" = "60");
     "P1007" BladeTooThick Stop { e: Size, most: Size, N: u32 }
         es "el espesor del álabe e es {e} y no debe pasar de e_max = {most} con {N} álabes"
         en "blade thickness e is {e}; it must not exceed e_max = {most} for {N} blades"
         remedy "use menos álabes, álabes más delgados o una herramienta menor",
             "use fewer blades, a thinner blade, or a smaller tool";
         why "La herramienta debe pasar entre dos álabes.", "The tool must pass between two blades.";
-        example book!("impeller", "e" = "20");
+        example book!("impeller --case full", "e" = "20");
     "P1008" SafePointsInside Stop { d_s: Size, least: Size }
         es "con d_s = {d_s} los puntos de seguridad quedan dentro de las pasadas"
         en "with d_s = {d_s} the safe points are inside the passes"
         remedy "elija una distancia de seguridad d_s mayor que {least}", "choose a safety distance d_s above {least}";
         why "La herramienta giraría o bajaría en rápido dentro del metal.", "The tool would swivel or come down in rapid inside the metal.";
-        example book!("impeller", "d_s" = "0.1");
+        example book!("impeller --case full", "d_s" = "0.1");
     "P1009" PivotInside Stop { L: Size, least: Size }
         es "la longitud de pivote L = R_B + H es {L}: el pivote queda dentro de la pieza"
         en "pivot length L = R_B + H is {L}: the pivot is inside the part"
@@ -89,7 +89,7 @@ rules! {
         en "the program of the whole impeller would have {blocks} blocks; the limit is {most}"
         remedy "elija un n menor", "choose a smaller n";
         why "Ningún control admite tantos bloques, y comprobarlos no acabaría nunca.", "No control accepts so many blocks, and checking them would never end.";
-        example book!("impeller", "n" = "100000", "N" = "60");
+        example book!("impeller --case full", "n" = "100000", "N" = "60");
     "P1014" StockTooShort Stop { length: Size, r: Size }
         es "el bruto mide {length} de largo; el toro necesita más de r = {r}"
         en "the stock is {length} long; the torus needs more than r = {r}"
@@ -115,28 +115,28 @@ rules! {
             "set splitters = no, or use more blades, thicker blades, or a larger tool";
         why "El álabe intermedio acaba donde su trayectoria cruza la del vecino.",
             "A splitter ends where its path crosses its neighbour's path.";
-        example book!("impeller", "N" = "1", "e" = "0.1", "d_t" = "0.5", "d_s" = "5");
+        example book!("impeller --case full", "N" = "1", "e" = "0.1", "d_t" = "0.5", "d_s" = "5");
     "P1018" SplitterWithoutPoint Stop {}
         es "no queda álabe intermedio: su trayectoria cruza la del álabe vecino ya en el primer punto"
         en "no splitter is left: its path crosses the neighbouring blade's path at the very first point"
         remedy "ponga splitters = no, o use menos álabes, álabes más delgados, una herramienta menor o un n mayor",
             "set splitters = no, or use fewer blades, thinner blades, a smaller tool, or a larger n";
         why "Antes del primer punto no hay trayectoria por la que cortar.", "Before the first point there is no path to cut along.";
-        example book!("impeller", "n" = "2", "N" = "5", "splitter_fade" = "published");
+        example book!("impeller --case full", "n" = "2", "N" = "5", "splitter_fade" = "published");
     "P1019" NoRoomForSplitter Stop {}
         es "no cabe un álabe intermedio: por más que se desvanezca, la herramienta cortaría el álabe vecino"
         en "no splitter fits: however it fades out, the tool would cut into the neighbouring blade"
         remedy "ponga splitters = no, o use menos álabes, álabes más delgados, una herramienta menor o un n mayor",
             "set splitters = no, or use fewer blades, thinner blades, a smaller tool, or a larger n";
         why "El metal que la herramienta quita a otro álabe no se recupera.", "Metal cut from another blade is lost.";
-        example book!("impeller", "n" = "2", "N" = "5");
+        example book!("impeller --case full", "n" = "2", "N" = "5");
     "P1020" SlotsContradict Stop {}
         es "la calibración no tiene solución real: las ranuras no son de una misma máquina"
         en "the calibration has no real solution: the slots cannot come from one machine"
         remedy "compruebe x0, z0 y las medidas de las ranuras", "check x0, z0 and the measured slots";
         why "La altura y el ángulo del eje B salen de las dos ranuras por una ecuación de segundo grado; con medidas erróneas no tiene raíz.",
             "The height and angle of the B axis follow from both slots by a quadratic equation, which has no root if the slots are measured wrongly.";
-        example book!("impeller", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
+        example book!("impeller --case full", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
             "CALIBRATION!C10" = "6", "CALIBRATION!C11" = "0.1", "CALIBRATION!C12" = "0.1");
     "P1021" AnnexWithoutFeed Caution {}
         es "style = annex no lleva avance F ni velocidad S, como los programas publicados"
@@ -144,69 +144,69 @@ rules! {
         remedy "fíjelos en el control antes de empezar, o elija style = full", "set them at the control before the start, or choose style = full";
         why "El control usaría el avance y la velocidad del programa anterior.",
             "The control would use the feed and speed of the previous program.";
-        example book!("impeller", "style" = "annex");
+        example book!("impeller --case full", "style" = "annex");
     "P1022" AnnexStartsAnywhere Caution {}
         es "el programa incremental empieza en la posición actual de la máquina: llévela antes al punto de seguridad de entrada, con B y C del Anexo 6"
         en "the incremental program starts from the machine's present position: first move to the safe entry point, with B and C of Annex 6"
         remedy "elija style = full, que va por sí mismo al punto de inicio", "choose style = full, which goes to its start point by itself";
         why "Desde otro punto, toda la pasada se desplaza lo mismo, también en rápido.",
             "From another point the whole pass shifts by the same distance, also in rapid.";
-        example book!("impeller", "style" = "annex");
+        example book!("impeller --case full", "style" = "annex");
     "P1023" AnnexIsRepeated Caution { N: u32, half: Size }
         es "ejecute {N} veces el programa del álabe y {N} veces el del intermedio; antes del primer intermedio, gire C {half}"
         en "run the blade program {N} times and the splitter program {N} times; before the first splitter, turn C by {half}"
         remedy "o ejecute el programa del rodete completo, que lo hace todo de una vez", "or run the program of the whole impeller, which does it all in one run";
         why "Cada programa corta un álabe y deja C en el siguiente; los intermedios van a mitad de camino.",
             "Each program cuts one blade and leaves C at the next one; splitters are half way between.";
-        example book!("impeller", "style" = "annex");
+        example book!("impeller --case full", "style" = "annex");
     "P1024" TravelNotChecked Note { limits: String }
         es "no se comprueban los límites vacíos: {limits}"
         en "empty limits are not checked: {limits}"
         remedy "", "";
         why "Sin sus límites no se sabe si un eje llega al final de su recorrido.",
             "Without its limits it is not known whether an axis reaches the end of its travel.";
-        example book!("impeller");
+        example book!("impeller --case full");
     "P1025" SpeedNotChecked Note {}
         es "F_max está vacío: la velocidad de los ejes no se comprueba"
         en "F_max is empty: axis speeds are not checked"
         remedy "", "";
         why "Con los cinco ejes a la vez, un eje lineal puede tener que ir mucho más deprisa que la punta.",
             "With five axes moving together, a linear axis may have to go much faster than the tip.";
-        example book!("impeller", "F_max" = "");
+        example book!("impeller --case full", "F_max" = "");
     "P1026" FeedReduced Note { moves: usize }
-        es "rodete reduce el avance en {moves} movimientos de álabe e intermedio para que ningún eje pase de F_max"
-        en "rodete reduces the feed in {moves} moves of blade and splitter so that no axis exceeds F_max"
+        es "rodete reduce el avance en {moves} movimientos para que ningún eje pase de F_max"
+        en "rodete reduces the feed in {moves} moves so that no axis exceeds F_max"
         remedy "", "";
         why "Un eje al que se pide demasiado se retrasa, y la punta se sale de su trayectoria.",
             "An axis that is asked to go too fast lags, and the tip leaves its path.";
-        example book!("impeller", "F_max" = "1000");
+        example book!("impeller --case full", "F_max" = "1000");
     "P1027" FeedWordAtItsEnd Caution { moves: usize }
         es "en {moves} movimientos la palabra F llega al límite de su formato: el avance real es otro"
         en "in {moves} moves the F word reaches the limit of its format: the true feed differs"
         remedy "elija un n menor u otro avance", "choose a smaller n or another feed";
         why "El formato no permite escribir la F necesaria, y el bloque dura otro tiempo.",
             "The format cannot hold the F needed, so the block takes another time.";
-        example book!("impeller", "F" = "50000", "F_max" = "", "n" = "100");
+        example book!("impeller --case full", "F" = "50000", "F_max" = "", "n" = "100");
     "P1028" NotNumbered Note { greatest: u32 }
         es "los bloques van sin número: pasarían de N{greatest}"
         en "the blocks have no numbers: they would exceed N{greatest}"
         remedy "", "";
         why "El control se para en un número con demasiadas cifras.", "The control stops at a number with too many digits.";
-        example book!("impeller", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "", "block_step" = "1000");
+        example book!("impeller --case full", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "", "block_step" = "1000");
     "P1029" BlankForFagor Note {}
         es "el programa del bruto es para un torno con Fagor 8055 T, sea cual sea el control de la fresadora"
         en "the blank's program is for a lathe with a Fagor 8055 T, whatever the mill's control"
         remedy "", "";
         why "Sus ciclos de torneado son de ese control; en otro torno, tornee la pieza con otro programa.",
             "Its turning cycles belong to that control; on another lathe, turn the part with another program.";
-        example book!("impeller");
+        example book!("impeller --case full");
     "P1030" CalibrationAgrees Note { found: Size, B: Size, R_B: Size }
         es "la calibración da R_B = {found} y B = {B}; el libro dice R_B = {R_B} (rodete toma la raíz más próxima)"
         en "the calibration gives R_B = {found} and B = {B}; the workbook says R_B = {R_B} (rodete takes the nearest root)"
         remedy "", "";
         why "Hasta una centésima de diferencia, la décima parte de lo que se ve en una ranura, el libro y las ranuras coinciden.",
             "Up to a hundredth apart, a tenth of what the eye sees in a slot, workbook and slots agree.";
-        example book!("impeller", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
+        example book!("impeller --case full", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
             "CALIBRATION!C10" = "6", "CALIBRATION!C11" = "-206.5", "CALIBRATION!C12" = "-185.5");
     "P1031" CalibrationDiffers Caution { found: Size, B: Size, R_B: Size, better: Size }
         es "la calibración da R_B = {found} y B = {B}; el libro dice R_B = {R_B} (rodete toma la raíz más próxima)"
@@ -214,7 +214,7 @@ rules! {
         remedy "compruebe las ranuras y valore poner R_B = {better}", "check the slots and consider R_B = {better}";
         why "R_B da la longitud de pivote: un error en ella desplaza la punta en cada giro de B.",
             "R_B sets the pivot length: an error in it shifts the tip at every swivel of B.";
-        example book!("impeller", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
+        example book!("impeller --case full", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
             "CALIBRATION!C10" = "6", "CALIBRATION!C11" = "-207", "CALIBRATION!C12" = "-185.5");
     "P1032" NoCoolant Note {}
         es "coolant está vacío: los programas no conectan el refrigerante"
@@ -222,28 +222,28 @@ rules! {
         remedy "", "";
         why "El código depende de la máquina, y rodete no supone ninguno.",
             "The code depends on the machine, and rodete assumes none.";
-        example book!("impeller");
+        example book!("impeller --case full");
     "P1033" AnnexByIncrements Note {}
         es "los programas giran B y C solo en incremental (G91): valen con ejes rollover y lineales, desde los ángulos del Anexo 6"
         en "the programs turn B and C only in increments (G91): they suit rollover and linear axes, from the angles of Annex 6"
         remedy "", "";
         why "En incremental el número es lo que gira el eje, cuente como cuente; solo importa el ángulo de partida.",
             "In increments the number is how far the axis turns, however it counts; only the starting angle matters.";
-        example book!("impeller", "style" = "annex");
+        example book!("impeller --case full", "style" = "annex");
     "P1034" TurnsByIncrements Note {}
         es "los programas valen con ejes rollover y lineales: un bloque G90 con ángulos entre 0 y 360 y todo lo demás en G91; antes de empezar, B y C deben marcar 0, y a 0 vuelven al acabar"
         en "the programs suit rollover and linear axes: one G90 block with angles between 0 and 360, the rest in G91; before the start B and C must show 0, and they end at 0"
         remedy "", "";
         why "Entre 0 y 360 el número absoluto es el mismo ángulo en los dos tipos de eje; desde 0, también el mismo giro.",
             "Between 0 and 360 an absolute number is the same angle on both types of axis; from 0 it is also the same turn.";
-        example book!("impeller");
+        example book!("impeller --case full");
     "P1035" IncrementsFromZero Note {}
         es "los programas giran B y C en incremental (G91) tras un bloque con B0 C0"
         en "the programs turn B and C in increments (G91) after a block with B0 C0"
         remedy "", "";
         why "El control cuenta B y C como ejes lineales: el bloque con B0 C0 deshace las vueltas acumuladas.",
             "The control counts B and C as linear axes: the block with B0 C0 unwinds the turns made so far.";
-        example book!("impeller", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "");
+        example book!("impeller --case full", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "");
     "P1036" OnLinearAxesUnproved Caution {}
         es "los programas solo valen si B y C cuentan como ejes lineales: en un eje rollover el signo es el sentido y el número el ángulo"
         en "the programs are right only if B and C count as linear axes: on a rollover axis the sign is the direction and the number is the angle"
@@ -251,27 +251,27 @@ rules! {
             "check on the machine that G90 C-90 from 0 turns 90° and not 270°; or choose distance = G91";
         why "El libro dice que cuentan como lineales, pero el control se entrega con ellos como rollover.",
             "The workbook says that they count as linear, but the control is delivered with rollover axes.";
-        example book!("impeller", "distance" = "G90", "rotary" = "linear");
+        example book!("impeller --case full", "distance" = "G90", "rotary" = "linear");
     "P1037" OnLinearAxes Note {}
         es "los programas solo valen si B y C cuentan como ejes lineales: en un eje rollover el signo es el sentido y el número el ángulo"
         en "the programs are right only if B and C count as linear axes: on a rollover axis the sign is the direction and the number is the angle"
         remedy "", "";
         why "El mismo número absoluto lleva a un eje rollover a otro ángulo.",
             "The same absolute number takes a rollover axis to another angle.";
-        example book!("impeller", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "", "rotary" = "linear", "distance" = "G90");
+        example book!("impeller --case full", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "", "rotary" = "linear", "distance" = "G90");
     "P1038" ClampsOfBuilder Note {}
         es "M11 y M13, de los programas publicados, son códigos de fabricante para los frenos de los ejes giratorios de aquella máquina: compruébelos en el manual de la suya"
         en "M11 and M13, from the published programs, are builder's codes for the rotary axis clamps of that machine: check them in your machine's manual"
         remedy "", "";
         why "El mismo código hace otra cosa en la máquina de otro fabricante.", "The same code does something else on another builder's machine.";
-        example book!("impeller");
+        example book!("impeller --case full");
     "P1039" ClampsMissing Caution { missing: String }
         es "start_codes no lleva {missing}: los programas publicados empiezan con M11 M13, códigos de fabricante para los frenos de los ejes giratorios"
         en "start_codes lacks {missing}: the published programs begin with M11 M13, builder's codes for the rotary axis clamps"
         remedy "escriba los códigos con los que su máquina suelta B y C, si los tiene",
             "add the codes that release B and C on your machine, if it has any";
         why "Un eje que gira con el freno puesto lo gasta, o el control se para.", "An axis that turns against its clamp wears it out, or the control stops.";
-        example book!("impeller", "start_codes" = "M3");
+        example book!("impeller --case full", "start_codes" = "M3");
     "P1040" NoRetract Caution {}
         es "retract está vacío: el primer movimiento lleva Z a su altura de retirada con X, Y y B en su posición actual, y nada retira antes la herramienta"
         en "retract is empty: the first motion takes Z to its retract height with X, Y and B in their present position, and nothing retracts the tool before"
@@ -279,7 +279,7 @@ rules! {
             "write the block that raises Z on your machine; or, before each start, move the tool by hand to the top of Z";
         why "La altura de retirada vale con B en su sitio; desde otra posición el camino puede atravesar la pieza.",
             "The retract height holds with B in its place; from another position the path may go through the part.";
-        example book!("impeller", "retract" = "");
+        example book!("impeller --case full", "retract" = "");
     "P1041" RetractIsAssumed Caution {}
         es "retract con G53 es una suposición: que el cero máquina está en lo alto de Z y que G53 cuenta desde él sin corrector (G44); no está contrastada con la página de G53 del manual del control"
         en "retract with G53 rests on an assumption: that machine zero is at the top of Z and that G53 counts from it without a tool length offset (G44); it is not checked against the control manual's page on G53"
@@ -287,21 +287,21 @@ rules! {
             "check it in the machine's manual, and the first time run that block in single block with the feed turned down";
         why "Si el cero máquina está abajo, ese bloque lleva la herramienta en rápido contra la pieza.",
             "If machine zero is at the bottom, that block takes the tool into the part in rapid.";
-        example book!("impeller");
+        example book!("impeller --case full");
     "P1042" RibsLeft Caution { most: Size, from: Size, width: Size, across: Size }
         es "quedan nervios sin cortar en los canales: ninguna pasada toca hasta un {most} % de la superficie torneada entre dos álabes (valor máximo), desde el {from} % del camino del cubo al borde; en el borde el más ancho mide hasta {width} a lo largo del canto ({across} de través)"
         en "ribs stay uncut in the channels: no pass touches up to {most} % of the turned surface between two blades (upper bound), from {from} % of the way from hub to rim; at the rim the widest rib measures up to {width} along the edge ({across} across)"
         remedy "vacíe los canales con un programa propio, o use más álabes o una herramienta mayor si la separación real lo permite: el plan solo corta a los lados de cada álabe",
             "clear the channels with a program of your own, or use more blades or a larger tool if the true gap allows: the plan cuts only beside each blade";
         why "El metal que queda obstruye el canal entre los álabes.", "The metal left blocks the channel between the blades.";
-        example book!("impeller", "splitters" = "no");
+        example book!("impeller --case full", "splitters" = "no");
     "P1043" FloorTooDeep Caution { most: Size, track: Text, point: Size, law: Size }
         es "junto a los álabes el fondo queda hasta {most} más hondo que a_p (valor máximo; lo peor, {track}, punto {point}): el extremo plano de la fresa no cabe en el fondo cóncavo (la ley √(r_f² + (d_t/2 + w·cos α)²) − r_f da {law}; el resto viene de los bloques)"
         en "beside the blades the floor is up to {most} deeper than a_p (upper bound; worst on {track}, point {point}): the flat end of the tool does not fit the concave floor (the law √(r_f² + (d_t/2 + w·cos α)²) − r_f gives {law}; the rest comes from the blocks)"
         remedy "elija una herramienta menor, o cuente con ese fondo más hondo en el cubo y donde la pieza es delgada",
             "choose a smaller tool, or allow for the deeper floor at the hub and where the part is thin";
         why "En el cubo la pared mide R − r − a_p, menos lo que el fondo tenga de más.", "At the hub the wall is R − r − a_p, less the extra depth of the floor.";
-        example book!("impeller");
+        example book!("impeller --case full");
     "P1044" IntoOwnFaces Caution { most: Size, faces: Text, law: Size }
         es "las pasadas entran hasta {most} en las propias caras del álabe, que queda más delgado: {faces} (valores máximos, bloque a bloque; la ley a·(1 − cos θ) en el cubo, que no cuenta el espesor ni los bloques, da {law})"
         en "the passes cut up to {most} into the blade's own faces and leave the blade thinner: {faces} (upper bounds, block by block; the law a·(1 − cos θ) at the hub, which leaves out thickness and blocks, gives {law})"
@@ -309,7 +309,7 @@ rules! {
             "choose a smaller a_p, a smaller tool, or a larger e to make up for it; a larger n reduces what the blocks add";
         why "El flanco de una fresa cilíndrica no sigue una cara alabeada: lo que entra en ella reduce el espesor.",
             "The side of a cylindrical cutter does not follow a twisted face: where it enters the face, the blade gets thinner.";
-        example book!("impeller");
+        example book!("impeller --case full");
     "P1045" ToolDoesNotPass Caution { tool: Size, gap: Size, at: Size, blades: Text, thickness: Text }
         es "la herramienta de {tool} no pasa entre los álabes: la mayor que pasa es de {gap}; el paso más estrecho está al {at} % del camino del cubo al borde; {blades}; {thickness}"
         en "the tool of {tool} does not pass between the blades: the largest that passes is {gap}; the narrowest place is {at} % of the way from hub to rim; {blades}; {thickness}"
@@ -317,7 +317,7 @@ rules! {
             "use fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not where the tool passes";
         why "Una herramienta más ancha que el canal corta los dos álabes.",
             "A tool wider than the channel cuts into both blades.";
-        example book!("impeller", "N" = "5", "splitters" = "no");
+        example book!("impeller --case full", "N" = "5", "splitters" = "no");
     "P1046" GapBelowPublished Caution { gap: Size, tool: Size, least: Size, at: Size, blades: Text, thickness: Text }
         es "entre los álabes pasa como mucho una herramienta de {gap}; para la de {tool} el método pide {least}; el paso más estrecho está al {at} % del camino del cubo al borde; {blades}; {thickness}"
         en "a tool of {gap} at most passes between the blades; for the tool of {tool} the method asks for {least}; the narrowest place is {at} % of the way from hub to rim; {blades}; {thickness}"
@@ -325,7 +325,7 @@ rules! {
             "use fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not where the tool passes";
         why "El método pide un tercio más que la herramienta, para que ni la flexión ni las desviaciones toquen el otro álabe.",
             "The method asks for a third more than the tool, so that a bent tool or a deviation does not touch the other blade.";
-        example book!("impeller");
+        example book!("impeller --case full");
     "P1047" HeightCalledLength Caution {}
         es "el libro es del esquema 1. Allí la altura H de la cara torneada sobre la nariz del husillo portapieza se llamaba longitud de herramienta L_t, y R_B se llamaba R_p: rodete lee L_t como H y toma L = R_p + L_t. Si en L_t está la longitud de una herramienta, los programas son erróneos"
         en "the workbook has schema 1. There the height H of the turned face above the work spindle nose was called tool length L_t, and R_B was called R_p: rodete reads L_t as H and takes L = R_p + L_t. If L_t holds the length of a tool, the programs are wrong"

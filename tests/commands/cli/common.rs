@@ -22,14 +22,14 @@ pub fn rodete(folder: &TempDir) -> Command {
     command
 }
 
-/// Writes an English workbook of the usual case with some values changed.
+/// Writes an English workbook of the case `full`, which is computed at once, with some values changed.
 pub fn workbook(path: &Path, changes: &[(&'static str, Value)]) {
     workbook_in(Language::En, path, changes);
 }
 
-/// Writes a workbook of the usual case with some values changed.
+/// Writes a workbook of the case `full` with some values changed.
 pub fn workbook_in(language: Language, path: &Path, changes: &[(&'static str, Value)]) {
-    let mut values = CASES.first().expect("a case").values(language);
+    let mut values = CASES.iter().find(|case| case.name == "full").expect("a case").values(language);
     for (key, value) in changes {
         values.retain(|(other, _)| other != key);
         values.push((key, value.clone()));
@@ -38,7 +38,7 @@ pub fn workbook_in(language: Language, path: &Path, changes: &[(&'static str, Va
     template::write(rodete::kinds::KINDS[0], &values, &[], &Text::same(""), language, file).expect("a workbook");
 }
 
-/// A folder with `impeller.xlsx` of the usual case in it.
+/// A folder with `impeller.xlsx` of the case `full` in it.
 pub fn with_impeller() -> TempDir {
     let folder = folder();
     workbook(&folder.path().join("impeller.xlsx"), &[]);

@@ -10,7 +10,8 @@ use super::common::{folder, rodete};
 /// A folder with the workbook of a kind, and the programs that it is built to.
 fn built(kind: &str, name: &str) -> TempDir {
     let folder = folder();
-    rodete(&folder).args(["new", kind, name]).assert().code(0);
+    let case: &[&str] = if kind == "impeller" { &["--case", "full"] } else { &[] };
+    rodete(&folder).args(["new", kind, name]).args(case).assert().code(0);
     rodete(&folder).args(["build", name, "--no-report"]).assert().code(0);
     folder
 }

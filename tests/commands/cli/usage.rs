@@ -20,7 +20,7 @@ fn a_wrong_command_line_ends_with_2_and_says_how_it_is_meant() {
         (&["new", "propeller"], "[possible values: impeller, pipe-insert, pipe-hole, lathe]"),
         (
             &["new", "impeller", "a.xlsx", "--case", "x"],
-            "[possible values: full, tfg-2021, clear, square, 3on4-2023, set-in, shaft, blank]",
+            "[possible values: clear, full, tfg-2021, square, 3on4-2023, set-in, shaft, blank]",
         ),
         (&["new", "impeller", "a.ods"], "give a name like impeller.xlsx"),
     ];

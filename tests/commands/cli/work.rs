@@ -25,8 +25,8 @@ fn a_new_workbook_can_be_checked_and_built() {
         .args(["check", "impeller.xlsx"])
         .assert()
         .code(0)
-        .stdout(predicate::str::contains("\n  L          = 242.9 mm     Pivot length"))
-        .stdout(predicate::str::contains("\n  N_max      =   5 "))
+        .stdout(predicate::str::is_match("\n  L +=   242.9 mm +Pivot length").expect("a pattern"))
+        .stdout(predicate::str::is_match("\n  N_max +=     5 ").expect("a pattern"))
         .stdout(predicate::str::contains("impeller.xlsx: can be built"))
         .stderr(predicate::str::starts_with("caution").and(predicate::str::contains("error").not()));
     assert_eq!(names(&folder), ["impeller.xlsx"]);
@@ -34,9 +34,12 @@ fn a_new_workbook_can_be_checked_and_built() {
         .args(["build", "impeller.xlsx", "--no-report"])
         .assert()
         .code(0)
-        .stdout(predicate::str::contains("impeller.xlsx: 5 files in impeller-out"))
+        .stdout(predicate::str::contains("impeller.xlsx: 4 files in impeller-out"))
         .stderr(predicate::str::starts_with("caution").and(predicate::str::contains("error").not()));
-    assert_eq!(names(folder.path().join("impeller-out")), OUTPUTS);
+    assert_eq!(
+        names(folder.path().join("impeller-out")),
+        ["impeller-blank.nc", "impeller-finish.nc", "impeller-results.xlsx", "impeller-rough.nc"]
+    );
     assert_eq!(names(&folder), ["impeller-out", "impeller.xlsx"]);
 }
 

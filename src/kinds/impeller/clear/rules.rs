@@ -12,91 +12,91 @@ rules! {
         en "method = clear needs style = full: the published annexes have no form for these programs"
         remedy "elija style = full, o method = published", "choose style = full, or method = published";
         why "Los programas de clear llevan avance, herramienta y dos archivos.", "The programs of clear carry feed, tool and two files.";
-        example book!("impeller", "method" = "clear", "style" = "annex");
+        example book!("impeller", "style" = "annex");
     "P1202" FinishingToolIncomplete Stop { symbol: &'static str }
         es "falta {symbol}: la fresa de acabado d_f necesita su número T_f y su corrector D_f"
         en "{symbol} is missing: the finishing tool d_f needs its number T_f and its offset D_f"
         remedy "escriba {symbol}, o deje d_f vacía para acabar con la misma herramienta", "fill in {symbol}, or leave d_f empty to finish with the same tool";
         why "El programa de acabado llama a su herramienta por su número.", "The finishing program calls its tool by its number.";
-        example book!("impeller", "method" = "clear", "d_f" = "3", "T_f" = "");
+        example book!("impeller", "T_f" = "");
     "P1203" OneNumberForTwoTools Stop { T: u32 }
         es "las dos fresas tienen el mismo número T{T}"
         en "both tools have the same number T{T}"
         remedy "dé a T_f otro número", "give T_f another number";
         why "El control montaría la misma fresa dos veces.", "The control would load the same tool twice.";
-        example book!("impeller", "method" = "clear", "d_f" = "3", "T_f" = "1", "D_f" = "2");
+        example book!("impeller", "T_f" = "1");
     "P1204" ToleranceBelowResolution Stop { tol: Size, least: Size }
         es "la tolerancia tol de {tol} es menor de lo que la resolución de 0.001 permite: {least}"
         en "the tolerance tol of {tol} is below what the resolution of 0.001 permits: {least}"
         remedy "elija una tol de {least} o mayor", "choose a tol of {least} or more";
         why "El redondeo a la milésima mueve la fresa por sí solo esa distancia.", "Rounding to the thousandth alone moves the tool by as much.";
-        example book!("impeller", "method" = "clear", "tol" = "0.002");
+        example book!("impeller", "tol" = "0.002");
     "P1205" FinishingWiderThanRoughing Stop { finish: Size, rough: Size }
         es "la fresa de acabado ({finish}) es mayor que la de desbaste ({rough})"
         en "the finishing tool ({finish}) is larger than the roughing tool ({rough})"
         remedy "intercambie las herramientas", "swap the tools";
         why "El desbaste dejaría sin metal que acabar lo que la de acabado no alcanza.", "Roughing goes where the finishing tool cannot follow.";
-        example book!("impeller", "method" = "clear", "d_t" = "3", "d_f" = "6");
+        example book!("impeller", "d_t" = "3", "d_f" = "6");
     "P1206" ToolDoesNotFit Stop { tool: Text, d: Size, largest: Text, uncut: Size }
         es "{tool} de {d} no pasa entre los álabes: {largest}; dejaría sin cortar el {uncut} % de los canales"
         en "{tool} of {d} does not pass between the blades: {largest}; it would leave {uncut} % of the channels uncut"
         remedy "use una herramienta menor, menos álabes o álabes más delgados", "use a smaller tool, fewer blades, or thinner blades";
         why "Una herramienta más ancha que el canal corta los dos álabes.", "A tool wider than the channel cuts into both blades.";
-        example book!("impeller", "method" = "clear", "N" = "6");
+        example book!("impeller", "N" = "6");
     "P1207" AllowanceUsesUpDepth Stop { s: Size, a_p: Size }
         es "las creces s_w de {s} no dejan nada que desbastar en una profundidad a_p de {a_p}"
         en "the allowance s_w of {s} leaves nothing to rough in a depth a_p of {a_p}"
         remedy "elija unas creces menores", "choose a smaller allowance";
         why "El desbaste se queda a esa distancia del fondo.", "Roughing stays that far above the floor.";
-        example book!("impeller", "method" = "clear", "s_w" = "3");
+        example book!("impeller", "s_w" = "3");
     "P1208" HolderHitsBlank Stop { tool: Text, clearance: Size, enough: Size }
         es "el portaherramientas de {tool} entra {clearance} en el bruto"
         en "the holder of {tool} enters the blank by {clearance}"
         remedy "saque la herramienta {enough}: ese voladizo basta con cualquier portaherramientas", "set the tool to stick out {enough}: that is enough for any holder";
         why "El portaherramientas gira con la fresa y choca con la pieza.", "The holder turns with the tool and hits the part.";
-        example book!("impeller", "method" = "clear", "splitters" = "no", "l_t" = "8");
+        example book!("impeller", "splitters" = "no", "l_t" = "8");
     "P1209" StickOutThatIsEnough Note { tool: Text, enough: Size }
         es "voladizo que basta para {tool} con cualquier portaherramientas: {enough}"
         en "stick-out that is enough for {tool} with any holder: {enough}"
         remedy "mídalo al montar la herramienta, o escriba l_t, l_f y d_h para que rodete lo compruebe", "measure it when you set the tool, or fill in l_t, l_f and d_h to have it checked";
         why "Cuenta el bruto, no las mordazas ni el plato.", "The blank is counted, clamps and chuck are not.";
-        example book!("impeller", "method" = "clear", "splitters" = "no", "l_t" = "");
+        example book!("impeller", "splitters" = "no");
     "P1210" RestAtTheRoot Note { height: Size, width: Size }
         es "en la esquina entre cara y fondo quedan unos {height} de alto por {width} de ancho; en el extremo del cubo puede ser más"
         en "in the corner of face and floor about {height} high by {width} wide is left; at the hub end it may be more"
         remedy "una fresa de acabado menor deja menos", "a smaller finishing tool leaves less";
         why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
-        example book!("impeller", "method" = "clear", "splitters" = "no");
+        example book!("impeller", "splitters" = "no");
     "P1211" RidgesOfTheFloor Note { most: Size, beside: Size }
         es "en el fondo quedan unos {most}, a más de {beside} de las caras; junto a los álabes intermedios puede ser más"
         en "on the floor about {most} is left, farther than {beside} from the faces; beside splitters it may be more"
         remedy "elija una c_s menor o una fresa de acabado menor", "choose a smaller c_s or a smaller finishing tool";
         why "Las pasadas del fondo dejan crestas entre ellas.", "Floor lanes leave ridges between them.";
-        example book!("impeller", "method" = "clear", "splitters" = "no");
+        example book!("impeller", "splitters" = "no");
     "P1212" PassesLeftOut Caution { count: usize, what: Text, from: Size, to: Size }
         es "tramos que no se cortan porque la herramienta no cabe: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
         en "stretches not cut because the tool does not fit there: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
         remedy "use una herramienta menor o menos álabes; quite a mano lo que quede", "use a smaller tool or fewer blades; remove by hand what is left";
         why "Una pasada que no cabe cortaría otro álabe: se deja y se dice.", "A pass that does not fit would cut another blade: it is left out and told.";
-        example book!("impeller", "method" = "clear", "d_f" = "3", "T_f" = "2", "D_f" = "2");
+        example book!("impeller");
     "P1213" NoRoomForClearSplitter Stop {}
         es "no hay sitio para álabes intermedios: la fresa de acabado no pasa alrededor de ellos en ningún punto"
         en "there is no room for splitters: the finishing tool cannot pass around them anywhere"
         remedy "ponga splitters = no, o use una fresa de acabado menor", "set splitters = no, or use a smaller finishing tool";
         why "El contorno del álabe intermedio debe librar los dos álabes.", "The contour of a splitter must clear both blades.";
-        example book!("impeller", "method" = "clear");
+        example book!("impeller", "d_f" = "");
     "P1214" FeedChangesInBlock Note { tool: Text, change: Size }
         es "dentro de un bloque el avance de la punta de {tool} cambia hasta un {change} %"
         en "within a block the feed of the tip of {tool} changes by up to {change} %"
-        remedy "escriba delta para limitarlo: habrá más bloques", "fill in delta to limit it: there will be more blocks";
+        remedy "escriba delta, o una menor, para limitarlo: habrá más bloques", "fill in delta, or a smaller one, to limit it: there will be more blocks";
         why "Sin TCP los ejes se mueven por igual y la punta no.", "Without TCP the axes move evenly and the tip does not.";
-        example book!("impeller", "method" = "clear", "splitters" = "no", "delta" = "");
+        example book!("impeller", "splitters" = "no", "delta" = "");
     "P1215" TooManyClearBlocks Stop { program: Text, blocks: usize, most: u64 }
         es "«{program}» tendría {blocks} bloques; el límite es {most}"
         en "\"{program}\" would have {blocks} blocks; the limit is {most}"
         remedy "elija una tol, una c_s o una delta mayor, o menos niveles (a_k)", "choose a larger tol, c_s or delta, or fewer levels (a_k)";
         why "Un programa tan largo no cabe en la memoria de muchos controles.", "So long a program does not fit the memory of many controls.";
-        example book!("impeller", "method" = "clear", "splitters" = "no", "c_s" = "0.0005", "tol" = "0.0045", "delta" = "0.005");
+        example book!("impeller", "tol" = "0.0045", "delta" = "0.005");
     "P1216" PublishedLeavesMetal Caution {}
         es "method = published corta solo dos pasadas por álabe: queda metal en el canal y las caras salen más delgadas en la raíz"
         en "method = published cuts only two passes per blade: metal is left in the channel, and the faces come out thinner at the root"

@@ -4,7 +4,7 @@ use crate::finding::{Example, Size};
 use crate::text::{Text, t};
 
 /// The cells of a clear cut without splitters.
-const CLEAR: &[(&str, &str)] = &[("method", "clear"), ("splitters", "no")];
+const CLEAR: &[(&str, &str)] = &[("splitters", "no"), ("c_s", "0.02"), ("delta", "")];
 
 crate::finding::rule::rules! {
     /// The rows of this room.
@@ -15,49 +15,49 @@ crate::finding::rule::rules! {
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "Si falta una pasada queda metal; si sobra una, corta dos veces.",
             "A missing pass leaves metal; an extra one cuts twice.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N60 G0 X0.000 Y0.000", to: "N60 M30" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N60 G0 X0.000 Y0.000", to: "N60 M30" };
     "V0102" TipOffTolerance Stop { deviation: Size, program: Text, tolerance: Size, n: usize }
         es "entre bloques la punta se aparta {deviation} de su trayectoria en «{program}»; la tolerancia es {tolerance}"
         en "between blocks the tip deviates from its path by {deviation} in \"{program}\"; the tolerance is {tolerance}"
         remedy "elija n de {n} como mínimo: la desviación baja entonces a {tolerance}", "choose n of at least {n}: the deviation then falls to {tolerance}";
         why "Entre dos puntos cada eje se mueve linealmente, pero la punta no va en línea recta: con más puntos se aparta menos.",
             "Between two points each axis moves linearly, but the tip does not move in a straight line: more points keep it closer to its path.";
-        example Example::Slip { kind: "impeller", cells: &[("tol", "0.01")], program: "blade", from: "", to: "" };
+        example Example::Slip { kind: "impeller --case full", cells: &[("tol", "0.01")], program: "blade", from: "", to: "" };
     "V0103" TipOffAtAnyN Stop { deviation: Size, program: Text, tolerance: Size }
         es "entre bloques la punta se aparta {deviation} de su trayectoria en «{program}»; la tolerancia es {tolerance}"
         en "between blocks the tip deviates from its path by {deviation} in \"{program}\"; the tolerance is {tolerance}"
         remedy "ningún n la baja a {tolerance}: con esta longitud de pivote lo impide la resolución de 0.001°", "no n brings it down to {tolerance}: at this pivot length the resolution of 0.001° prevents it";
         why "Media milésima de grado, a la distancia del pivote, supera la tolerancia.",
             "Half a thousandth of a degree, at the pivot's distance, exceeds the tolerance.";
-        example Example::Slip { kind: "impeller", cells: &[("tol", "0.0002")], program: "blade", from: "", to: "" };
+        example Example::Slip { kind: "impeller --case full", cells: &[("tol", "0.0002")], program: "blade", from: "", to: "" };
     "V0104" TipIntoMetal Caution { depth: Size, tolerance: Size, n: usize }
         es "entre bloques la punta entra {depth} en el metal"
         en "between blocks the tip goes {depth} into the metal"
         remedy "elija n de {n} como mínimo: la desviación baja entonces a {tolerance}", "choose n of at least {n}: the deviation then falls to {tolerance}";
         why "La punta ataja por dentro de su arco: el álabe queda más delgado entre los puntos.",
             "The tip cuts inside its arc: the blade comes out thinner between the points.";
-        example Example::Slip { kind: "impeller", cells: &[("n", "30")], program: "blade", from: "", to: "" };
+        example Example::Slip { kind: "impeller --case full", cells: &[("n", "30")], program: "blade", from: "", to: "" };
     "V0105" TipIntoMetalAtAnyN Caution { depth: Size, tolerance: Size }
         es "entre bloques la punta entra {depth} en el metal"
         en "between blocks the tip goes {depth} into the metal"
         remedy "ningún n la baja a {tolerance}: con esta longitud de pivote lo impide la resolución de 0.001°", "no n brings it down to {tolerance}: at this pivot length the resolution of 0.001° prevents it";
         why "Media milésima de grado, a la distancia del pivote, supera lo que se pide.",
             "Half a thousandth of a degree, at the pivot's distance, exceeds what is asked.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N100 G0 X-250.900", to: "N100 G0 X-220.900" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N100 G0 X-250.900", to: "N100 G0 X-220.900" };
     "V0106" PointOffGrid Stop { program: Text, off: Size }
         es "un punto de «{program}» está a {off} de su lugar exacto, más de lo que explica el redondeo"
         en "a point of \"{program}\" is {off} from its exact place, more than rounding explains"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "El redondeo a la milésima mueve un punto una distancia conocida: más allá, el punto es otro.",
             "Rounding to the thousandth moves a point by a known distance: beyond that it is another point.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.269 Z9.517" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.269 Z9.517" };
     "V0107" ToolCutsBlade Stop { point: Size, depth: Size, line: usize, program: Text }
         es "la herramienta corta el álabe vecino (en su punto {point}) {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "the tool cuts into the neighbouring blade (at its point {point}) by {depth} across the tool, in line {line} of \"{program}\""
         remedy "menos álabes, álabes más delgados o una herramienta menor", "use fewer blades, thinner blades, or a smaller tool";
         why "El metal que la herramienta quita a otro álabe no se recupera.",
             "Metal cut from another blade is lost.";
-        example Example::Slip { kind: "impeller", cells: &[("r", "8"), ("a_p", "1"), ("N", "8"), ("splitters", "no")], program: "blade", from: "", to: "" };
+        example Example::Slip { kind: "impeller --case full", cells: &[("r", "8"), ("a_p", "1"), ("N", "8"), ("splitters", "no")], program: "blade", from: "", to: "" };
     "V0108" ToolMayCutBlade Stop { point: Size, line: usize, program: Text }
         es "no está demostrado que la herramienta libre el álabe vecino (en su punto {point}): pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the tool clears the neighbouring blade (at its point {point}): it comes nearest in line {line} of \"{program}\""
@@ -71,7 +71,7 @@ crate::finding::rule::rules! {
         remedy "ponga splitter_fade = each-side o splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set splitter_fade = each-side or splitters = no, or use fewer blades, thinner blades, or a smaller tool";
         why "El metal que la herramienta quita a otro álabe no se recupera.",
             "Metal cut from another blade is lost.";
-        example Example::Slip { kind: "impeller", cells: &[("splitter_fade", "published")], program: "splitter", from: "", to: "" };
+        example Example::Slip { kind: "impeller --case full", cells: &[("splitter_fade", "published")], program: "splitter", from: "", to: "" };
     "V0110" PublishedSplitterMayCutBlade Caution { point: Size, line: usize, program: Text }
         es "no está demostrado que la pasada del álabe intermedio libre el álabe vecino (en su punto {point}): pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the splitter's pass clears the neighbouring blade (at its point {point}): it comes nearest in line {line} of \"{program}\""
@@ -85,7 +85,7 @@ crate::finding::rule::rules! {
         remedy "ponga splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set splitters = no, or use fewer blades, thinner blades, or a smaller tool";
         why "El metal que la herramienta quita a otro álabe no se recupera.",
             "Metal cut from another blade is lost.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "splitter", from: "X8.700 Y0.232", to: "X8.700 Y25.232" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "splitter", from: "X8.700 Y0.232", to: "X8.700 Y25.232" };
     "V0112" SplitterMayCutBlade Stop { point: Size, line: usize, program: Text }
         es "no está demostrado que la pasada del álabe intermedio libre el álabe vecino (en su punto {point}): pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the splitter's pass clears the neighbouring blade (at its point {point}): it comes nearest in line {line} of \"{program}\""
@@ -113,7 +113,7 @@ crate::finding::rule::rules! {
         remedy "elija una distancia de seguridad d_s mayor, o un retroceso eps_v menor", "choose a larger safety distance d_s, or a smaller back-off eps_v";
         why "Fuera de las pasadas la herramienta va en rápido y se rompe si toca el bruto.",
             "Outside the passes the tool moves in rapid and breaks if it touches the stock.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N100 G0 X-250.900", to: "N100 G0 X-220.900" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N100 G0 X-250.900", to: "N100 G0 X-220.900" };
     "V0122" ToolMayBeInStock Stop { line: usize, program: Text }
         es "no está demostrado que la herramienta libre el bruto en la línea {line} de «{program}»"
         en "it is not proved that the tool clears the stock in line {line} of \"{program}\""
@@ -127,7 +127,7 @@ crate::finding::rule::rules! {
         remedy "elija una distancia de seguridad d_s mayor, o un retroceso eps_v menor", "choose a larger safety distance d_s, or a smaller back-off eps_v";
         why "La distancia de seguridad cubre lo que el bruto y el amarre midan de más.",
             "The safety distance covers stock and clamping that are larger than given.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.269 Z9.517" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.269 Z9.517" };
     "V0124" ToolMayBeNearStock Caution { distance: Size, line: usize, program: Text }
         es "solo está demostrado que la herramienta pasa a {distance} del bruto o más, menos que d_s, en la línea {line} de «{program}»"
         en "it is only proved that the tool passes {distance} or more from the stock, which is less than d_s, in line {line} of \"{program}\""
@@ -152,7 +152,7 @@ crate::finding::rule::rules! {
         en "the tool enters a splitter by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
-        example Example::Slip { kind: "impeller", cells: &[("method", "clear")], program: "finish", from: "N51470 G1 X-3.496", to: "N51470 G1 X-3.796" };
+        example Example::Slip { kind: "impeller", cells: &[("c_s", "0.02"), ("delta", "")], program: "finish", from: "N51470 G1 X-3.496", to: "N51470 G1 X-3.796" };
     "V0128" ClearMayCut Stop { limit: Size, line: usize, program: Text }
         es "no está demostrado que la herramienta libre las caras en {limit}: pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the tool keeps within {limit} of the faces: it comes nearest in line {line} of \"{program}\""
@@ -172,61 +172,61 @@ crate::finding::rule::rules! {
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "Con otra herramienta, otro giro u otro avance el corte no es el pedido.",
             "With another tool, spindle speed or feed the cut is not the one asked for.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blank", from: "F0.100", to: "F1.000" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "F0.100", to: "F1.000" };
     "V0402" SpeedLimitDiffers Stop { found: String, wanted: String }
         es "el límite de giro del programa es {found}; el del formulario, {wanted}"
         en "the speed limit is {found} in the program and {wanted} in the form"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "A velocidad de corte constante el husillo corre cerca del eje hasta ese límite.",
             "At constant surface speed the spindle runs up to that limit near the axis.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blank", from: "G92 S3000", to: "G92 S5000" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "G92 S3000", to: "G92 S5000" };
     "V0403" NoSpeedLimit Caution {}
         es "el torno trabaja a velocidad de corte constante sin límite de giro: al refrentar, el husillo se acelera hasta su máximo"
         en "the lathe runs at constant surface speed without a speed limit: facing takes the spindle to its maximum speed"
         remedy "escriba S_m", "fill in S_m";
         why "A esa velocidad las garras pierden fuerza y la pieza puede salir despedida.",
             "At maximum speed the jaws lose their grip and may throw the work.";
-        example Example::Slip { kind: "impeller", cells: &[("S_m", "")], program: "blank", from: "", to: "" };
+        example Example::Slip { kind: "impeller --case full", cells: &[("S_m", "")], program: "blank", from: "", to: "" };
     "V0404" NoSpeedLimitAsPublished Caution {}
         es "el torno trabaja a velocidad de corte constante sin límite de giro: al refrentar, el husillo se acelera hasta su máximo"
         en "the lathe runs at constant surface speed without a speed limit: facing takes the spindle to its maximum speed"
         remedy "limite el giro en el control antes de empezar, o elija style = full con S_m", "set a speed limit at the control before the start, or choose style = full with S_m";
         why "A la velocidad máxima las garras pierden fuerza y la pieza puede salir despedida; el programa publicado no pone límite.",
             "At maximum speed the jaws lose their grip and may throw the work; the published program sets no limit.";
-        example Example::Slip { kind: "impeller", cells: &[("style", "annex")], program: "blank", from: "", to: "" };
+        example Example::Slip { kind: "impeller --case full", cells: &[("style", "annex")], program: "blank", from: "", to: "" };
     "V0405" MetalLeft Stop { program: Text, most: Size, place: String }
         es "«{program}» deja {most} de más en {place}"
         en "\"{program}\" leaves {most} too much metal at {place}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "El fresado cuenta con el toro torneado: la fresa chocaría en rápido con lo que sobra.",
             "Milling counts on the turned torus: the cutter would hit the extra metal in rapid.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blank", from: "G85 X50.000", to: "G85 X50.016" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "G85 X50.000", to: "G85 X50.016" };
     "V0406" MetalMissing Stop { program: Text, most: Size, place: String }
         es "«{program}» quita {most} de más en {place}"
         en "\"{program}\" removes {most} too much metal at {place}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "El metal que falta en el toro falta también en los álabes.",
             "Metal missing from the torus is missing from the blades too.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blank", from: "Z-15.000", to: "Z-15.008" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "Z-15.000", to: "Z-15.008" };
     "V0407" CutTooDeep Stop { program: Text, depth: Size, step: Size }
         es "«{program}» corta hasta {depth} en una pasada; el paso C es {step}"
         en "\"{program}\" cuts up to {depth} in one pass; the step C is {step}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "El paso C es la profundidad que aguantan la herramienta y la máquina.",
             "The step C is the depth that the tool and the machine can take.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blank", from: "C1.000", to: "C2.000" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "C1.000", to: "C2.000" };
     "V0408" RapidInMetal Stop { alarm: Text }
         es "{alarm}"
         en "{alarm}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "En rápido la herramienta no corta: se rompe o arranca la pieza.",
             "In rapid a tool does not cut: it breaks, or tears the work out of the chuck.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blank", from: "G0 X51.000 Z0.000", to: "G0 X31.000 Z0.000" };
+        example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "G0 X51.000 Z0.000", to: "G0 X31.000 Z0.000" };
     "V0410" BlankNotFollowed Caution {}
         es "rodete no simula el torneado del bruto: el diámetro pasa del máximo que calcula"
         en "rodete does not simulate the turning of the blank: its diameter is beyond the maximum"
         remedy "haga antes una prueba en vacío en el control", "make a dry run at the control first";
         why "Sin simulación no hay comprobación.",
             "What is not simulated is not checked.";
-        example Example::Slip { kind: "impeller", cells: &[("R", "501"), ("X_e", "1100"), ("R_B", "2000"), ("splitters", "no")], program: "blank", from: "", to: "" };
+        example Example::Slip { kind: "impeller --case full", cells: &[("R", "501"), ("X_e", "1100"), ("R_B", "2000"), ("splitters", "no")], program: "blank", from: "", to: "" };
 }
