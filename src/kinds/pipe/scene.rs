@@ -108,7 +108,10 @@ pub fn hole(design: &Hole) -> Part {
     Part {
         meshes: vec![bevel, header],
         curves: vec![curve(t("Raíz exacta", "Exact root"), &roots), curve(t("Borde exterior", "Outer edge"), &faces)],
-        tools: vec![torch(t("antorcha", "torch"), vec![[0.0, 0.0], [r_g, 0.0], [R_g, shoulder], [R_g, shoulder + 4.0 * R_g]])],
+        tools: vec![torch(
+            t("antorcha", "torch"),
+            vec![[0.0, 0.0], [r_g, 0.0], [R_g, shoulder], [R_g, shoulder + 4.0 * R_g]],
+        )],
         frame: Chain::Torch,
     }
 }

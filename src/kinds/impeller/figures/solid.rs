@@ -111,8 +111,7 @@ fn wall(scene: &mut Scene, body: &Body, edges: &[Vec<usize>], a_p: f64) {
             Side::Top => 0.55 * a_p,
             _ => 0.5 * a_p,
         };
-        let points: Vec<Vector3<f64>> =
-            corners.iter().filter_map(|&corner| body.points.get(corner)).copied().collect();
+        let points: Vec<Vector3<f64>> = corners.iter().filter_map(|&corner| body.points.get(corner)).copied().collect();
         scene.add(&points, edges, Ink::Outline, nearer);
     }
 }
