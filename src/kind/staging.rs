@@ -27,7 +27,7 @@ pub(super) fn scene(part: Option<Part>, programs: &[Proved], findings: &[Finding
             _ => Chain::Milling,
         };
         let mut shown = ShownProgram::new(program.title.clone(), program.control, frame, &program.text());
-        shown.tools.extend(part.iter().filter(|_| !turning).map(|part| part.tool.clone()));
+        shown.tools.extend(part.iter().filter(|_| !turning).flat_map(|part| part.tools.clone()));
         shown.remarks.extend(findings.iter().filter(|finding| belongs(finding, program.key)).map(Remark::from));
         following(&mut shown, &mut program.read_back())?;
         shown.remarks.sort_by_key(|remark| std::cmp::Reverse(remark.grade));

@@ -66,4 +66,23 @@ impl Mesh {
             }
         }
     }
+
+    /// Adds facets of four corners, counter-clockwise seen from outside, of points of their own. Where two corners are one, what
+    /// is left is a triangle.
+    pub fn facets<'a>(
+        &mut self,
+        points: impl IntoIterator<Item = Vector3<f64>>,
+        facets: impl IntoIterator<Item = &'a [usize; 4]>,
+    ) {
+        let first = self.points.len();
+        self.points.extend(points.into_iter().map(<[f64; 3]>::from));
+        let index = |corner: usize| u32::try_from(first + corner).unwrap_or(u32::MAX);
+        for &[a, b, c, d] in facets {
+            for [one, two, three] in [[a, b, c], [a, c, d]] {
+                if one != two && two != three && three != one {
+                    self.triangles.extend([index(one), index(two), index(three)]);
+                }
+            }
+        }
+    }
 }

@@ -124,6 +124,13 @@ impl From<&InForce> for State {
 pub enum Shape {
     /// Turned about its axis: radius and height above the tip, from the tip upwards; mm.
     Revolved(Vec<[f64; 2]>),
+    /// The same with its holder.
+    Held {
+        /// What cuts, with its shank.
+        cutting: Vec<[f64; 2]>,
+        /// The holder behind it.
+        holder: Vec<[f64; 2]>,
+    },
     /// A plate in the plane of a turning machine: outlines as (z, x) from the programmed point; mm.
     Flat {
         /// What cuts, in one or more parts.

@@ -11,8 +11,8 @@ pub struct Part {
     pub meshes: Vec<Mesh>,
     /// Lines on it.
     pub curves: Vec<Curve>,
-    /// The tool.
-    pub tool: ShownTool,
+    /// The tools.
+    pub tools: Vec<ShownTool>,
     /// How the axes bring the tool to it.
     pub frame: Chain,
 }

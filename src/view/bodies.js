@@ -109,6 +109,10 @@ function toolBodies(tool, turning, size) {
       ...cutting.map((one) => ({ vertices: plate(list(one), reach * 0.11), paint: "cutter" })),
     ];
   }
+  if (tool?.shape.held) {
+    const { cutting, holder } = tool.shape.held;
+    return [{ vertices: revolved(cutting), paint: "cutter" }, { vertices: revolved(holder), paint: "holder" }];
+  }
   if (tool) return [{ vertices: revolved(tool.shape.revolved), paint: "cutter" }];
   const unitSize = size * 0.04;
   if (turning) {

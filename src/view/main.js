@@ -393,12 +393,22 @@ function key(event) {
       if (run.ofLine[line] >= 0) return goToLine(line);
     }
   };
+  // Feed motions that follow a rapid one are a pass.
+  const begins = (at) => !stands(run.kind[at]) && run.kind[at] !== RAPID && (at === 0 || [RAPID, NONE].includes(run.modal[at - 1]));
+  const pass = (by) => {
+    let at = by > 0 ? Math.floor(cursor + 1e-9) + 1 : Math.ceil(cursor - 1e-9) - 1;
+    while (at > 0 && at < run.count && !begins(at)) at += by;
+    pause();
+    goTo(at);
+  };
   const keys = {
     " ": () => (playing ? pause() : play(), ask()),
     ArrowRight: () => step(far),
     ArrowLeft: () => step(-far),
     ArrowDown: () => block(1),
     ArrowUp: () => block(-1),
+    PageDown: () => pass(1),
+    PageUp: () => pass(-1),
     Home: () => (pause(), goTo(0)),
     End: () => (pause(), goTo(run.count)),
     "+": () => faster(1),

@@ -111,6 +111,41 @@ fn parts_and_programs_are_drawn_and_played() {
 }
 
 #[test]
+fn a_clear_cut_is_played_pass_by_pass_with_both_of_its_tools() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    rodete(folder.path(), &["new", "impeller", "clear.xlsx", "--case", "clear"]);
+    rodete(folder.path(), &["view", "clear.xlsx"]);
+    let page = folder.path().join("clear.html");
+    let browser = Browser::start(true);
+    for (program, tool, radius) in [(1, 1, 3.0), (2, 2, 1.5)] {
+        let status = browser.open(&page, &format!("program={program}"));
+        let mut cursors = vec![real(&status["cursor"])];
+        for _ in 0..3 {
+            cursors.push(real(&browser.keys(&["\u{E00F}"])["cursor"]));
+        }
+        assert!(cursors.windows(2).all(|pair| pair[0] < pair[1]), "{cursors:?}");
+        assert_eq!(
+            browser.run("return [run.kind[cursor], run.modal[cursor - 1]]"),
+            json!([1, 0]),
+            "a feed move, a rapid one"
+        );
+        let said = browser.run(
+            "const motion = run.at(cursor + 0.5)[0], number = run.states[run.state[motion]].tool;
+             const across = toolOf(number).flatMap(({ vertices }) => Array.from(vertices).filter((_, at) => at % 6 === 0));
+             return [number, Math.max(...across)];",
+        );
+        assert_eq!(said, json!([tool, radius]), "the tool in its size");
+        drawn(&browser, &format!("clear-{program}"));
+        let back = browser.keys(&["\u{E00E}"]);
+        assert_eq!(real(&back["cursor"]), cursors[2]);
+    }
+    quiet(&browser);
+}
+
+#[test]
 fn the_torch_runs_along_the_edge_of_the_pipe_that_it_cuts() {
     if !chromium() {
         return;

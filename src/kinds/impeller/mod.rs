@@ -7,6 +7,7 @@ pub mod assembly;
 pub mod blade;
 pub mod blade_count;
 pub mod blank;
+pub mod bodies;
 pub mod cases;
 mod charts;
 pub mod clear;
@@ -262,7 +263,7 @@ impl Method for Impeller {
     }
 
     fn part(design: &Design, model: &Model) -> Option<Part> {
-        Some(scene::part(design, &model.blade, model.splitter.as_ref()))
+        Some(scene::part(design, &model.blade, model.splitter.as_ref(), model.clear.as_ref()))
     }
 
     fn charts(_: &Design, model: &Model) -> Vec<Chart> {
@@ -270,7 +271,7 @@ impl Method for Impeller {
     }
 
     fn figures(design: &Design, model: &Model, known: &Known) -> Vec<Figure> {
-        figures(design, &model.blade, &model.passes, model.splitter.as_ref(), &known.curves())
+        figures(design, model, &known.curves())
     }
 }
 

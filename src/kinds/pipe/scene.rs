@@ -75,7 +75,7 @@ pub fn insert(design: &Insert) -> Part {
     Part {
         meshes: vec![kept, waste],
         curves: vec![Curve { name: CURVE, paint: Paint::Line, points }],
-        tool: torch(name, vec![[0.0, 0.0], [2.0, 0.0], [4.0, 4.0], [10.0, 18.0], [10.0, 70.0]]),
+        tools: vec![torch(name, vec![[0.0, 0.0], [2.0, 0.0], [4.0, 4.0], [10.0, 18.0], [10.0, 70.0]])],
         frame: if rotary { Chain::Pipe(radius) } else { Chain::Milling },
     }
 }
@@ -108,7 +108,10 @@ pub fn hole(design: &Hole) -> Part {
     Part {
         meshes: vec![bevel, header],
         curves: vec![curve(t("Raíz exacta", "Exact root"), &roots), curve(t("Borde exterior", "Outer edge"), &faces)],
-        tool: torch(t("antorcha", "torch"), vec![[0.0, 0.0], [r_g, 0.0], [R_g, shoulder], [R_g, shoulder + 4.0 * R_g]]),
+        tools: vec![torch(
+            t("antorcha", "torch"),
+            vec![[0.0, 0.0], [r_g, 0.0], [R_g, shoulder], [R_g, shoulder + 4.0 * R_g]],
+        )],
         frame: Chain::Torch,
     }
 }

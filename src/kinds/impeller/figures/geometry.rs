@@ -9,12 +9,17 @@ use crate::figure::{Figure, Ink, Label, Stroke};
 use crate::geometry::scene::Camera;
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::blade::Blade;
+use crate::kinds::impeller::bodies::{Bodies, Body, Steps, about_axis};
+use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::splitter::{Splitter, plan_paths};
 use crate::kinds::impeller::tool_path::part_path;
 use crate::number::trig::sin_cos;
 use crate::text::Text;
+
+/// Steps of the tops of blades in plan.
+const TOPS: Steps = Steps { along: 96, deep: 1, across: 12 };
 
 fn round(radius: f64) -> Vec<[f64; 2]> {
     steps(0.0, TAU, 180)
@@ -100,35 +105,34 @@ pub(super) fn villarceau(blade: &Blade) -> Figure {
     }
 }
 
-/// All blades in plan, with the splitters.
-pub(super) fn plan(design: &Design, blade: &Blade, splitter: Option<&Splitter>) -> Figure {
+/// All blades in plan, with the splitters: their tops, as the blank cuts them off.
+pub(super) fn plan(design: &Design, blade: &Blade, splitter: Option<&Splitter>, plan: Option<&Plan>) -> Figure {
     let torus = design.torus;
     let inner = torus.R - torus.r;
+    let bodies = Bodies::new(design, blade, splitter, plan, TOPS);
     let mut strokes = vec![line(Ink::Outline, round(torus.R)), line(Ink::Outline, round(inner))];
-    strokes.push(line(Ink::Centre, vec![[-1.12 * torus.R, 0.0], [1.12 * torus.R, 0.0]]));
-    strokes.push(line(Ink::Centre, vec![[0.0, -1.12 * torus.R], [0.0, 1.12 * torus.R]]));
-    let mean = |angle: f64, from: usize| -> Vec<[f64; 2]> {
-        let (sin, cos) = sin_cos(angle);
-        let rest = blade.P.get(from..).unwrap_or_default();
-        sampled(rest.len(), FINE)
-            .filter_map(|at| rest.get(at))
-            .map(|P| [P.x * cos - P.y * sin, P.x * sin + P.y * cos])
-            .collect()
+    let mut top = |ink: Ink, body: &Body, turn: f64| {
+        let outline: Vec<[f64; 2]> =
+            body.outlines[0].iter().map(|point| about_axis(point, turn)).map(|at| [at.x, at.y]).collect();
+        strokes.push(Stroke { filled: true, ..line(ink, outline.clone()) });
+        strokes.push(line(ink, outline));
     };
-    let mut legend = vec![(Ink::Blade, t("fibra media de los álabes", "mean lines of the blades"))];
     for number in 0..design.N {
         let turn = TAU * f64::from(number) / f64::from(design.N);
-        strokes.push(line(Ink::Blade, mean(turn, 0)));
-        if let Some(splitter) = splitter {
-            strokes
-                .push(line(Ink::Splitter, mean(turn - PI / f64::from(design.N), splitter.out.m.max(splitter.back.m))));
+        top(Ink::Blade, &bodies.blade, turn);
+        if let Some(splitter) = &bodies.splitter {
+            top(Ink::Splitter, splitter, turn);
         }
     }
-    if splitter.is_some() {
-        legend.push((
-            Ink::Splitter,
-            t("álabes intermedios, desde su espesor completo", "splitters, from their full thickness on"),
-        ));
+    let middle: Vec<[f64; 2]> =
+        sampled(blade.points(), FINE).filter_map(|at| blade.P.get(at)).map(|P| [P.x, P.y]).collect();
+    strokes.push(line(Ink::Centre, middle));
+    strokes.push(line(Ink::Centre, vec![[-1.12 * torus.R, 0.0], [1.12 * torus.R, 0.0]]));
+    strokes.push(line(Ink::Centre, vec![[0.0, -1.12 * torus.R], [0.0, 1.12 * torus.R]]));
+    let mut legend =
+        vec![(Ink::Blade, t("álabes", "blades")), (Ink::Centre, t("fibra media, ejes", "mean line, axes"))];
+    if bodies.splitter.is_some() {
+        legend.insert(1, (Ink::Splitter, t("álabes intermedios", "splitters")));
     }
     Figure {
         key: "plan",

@@ -2,19 +2,16 @@
 //!
 //! Everything is drawn from the same geometry that the tables show; nothing is traced by hand.
 
+mod channel;
 mod geometry;
 mod graphs;
 mod machine;
 mod setup;
 mod solid;
 
-pub use solid::{blade_halves, sections, splitter_halves};
-
 use crate::figure::{Figure, Ink, Label, Stroke};
-use crate::kinds::impeller::blade::Blade;
+use crate::kinds::impeller::Model;
 use crate::kinds::impeller::design::Design;
-use crate::kinds::impeller::splitter::Splitter;
-use crate::kinds::impeller::tables::ToolPaths;
 use crate::kinds::impeller::track::Track;
 use crate::text::{Text, t};
 
@@ -30,30 +27,32 @@ pub struct Curve {
     pub points: Vec<[f64; 2]>,
 }
 
-/// All figures, by the keys that the report's templates know.
+/// All figures, by the keys that the report's templates know. Those of the published passes are left out where the part is cut
+/// clear, and the other way round.
 #[must_use]
-pub fn figures(
-    design: &Design,
-    blade: &Blade,
-    passes: &ToolPaths,
-    splitter: Option<&Splitter>,
-    deviation: &[Curve],
-) -> Vec<Figure> {
+pub fn figures(design: &Design, model: &Model, deviation: &[Curve]) -> Vec<Figure> {
+    let Model { blade, passes, splitter, clear, .. } = model;
+    let splitter = splitter.as_ref();
     let mut figures = vec![
-        solid::cover(design, blade, splitter),
+        solid::cover(design, blade, splitter, clear.as_ref()),
         geometry::villarceau(blade),
-        geometry::plan(design, blade, splitter),
+        geometry::plan(design, blade, splitter, clear.as_ref()),
         geometry::frame(blade),
         graphs::angles(blade),
         machine::positions(design, blade),
-        geometry::tool_paths(design, blade),
-        machine::safe_points(passes),
-        machine::safe_ends(design, blade, passes),
         machine::blank(design),
         graphs::deviation(deviation),
         setup::side(design),
         setup::above(design, blade),
     ];
+    match clear {
+        Some(plan) => figures.extend(channel::channel(design, blade, plan)),
+        None => figures.extend([
+            geometry::tool_paths(design, blade),
+            machine::safe_points(passes),
+            machine::safe_ends(design, blade, passes),
+        ]),
+    }
     if let Some(splitter) = splitter {
         figures.push(geometry::crossing(design, blade, splitter));
         figures.push(graphs::fraction(splitter));

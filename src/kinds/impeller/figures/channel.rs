@@ -1,0 +1,204 @@
+//! One channel of a clear cut in plan: what is run, in which order and which way.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use super::{label, line, steps};
+use crate::figure::{Figure, Ink, Label, Stroke};
+use crate::kinds::impeller::blade::Blade;
+use crate::kinds::impeller::bodies::{Bodies, Body, Steps, about_axis};
+use crate::kinds::impeller::clear::cut::Which;
+use crate::kinds::impeller::clear::pass::{Cutting, Mode, Pass};
+use crate::kinds::impeller::clear::plan::Plan;
+use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::part::{Face, RIM};
+use crate::number::shown;
+use crate::number::trig::{hypot, sin_cos};
+use crate::text::{Text, t};
+
+/// Steps of the outlines.
+const OUTLINES: Steps = Steps { along: 96, deep: 1, across: 12 };
+/// How far the circles go on beyond the blades, radians.
+const BEYOND: f64 = 0.2;
+/// How far a number stands off the end of its way, how much farther where another is in its place, and how far from that; in R.
+const OFF: f64 = 0.045;
+const FARTHER: f64 = 0.02;
+const APART: f64 = 0.085;
+/// Places that are tried.
+const PLACES: u8 = 16;
+/// The printed height of each figure, mm.
+const HEIGHT: f64 = 118.0;
+
+/// The figures of roughing and finishing.
+pub(super) fn channel(design: &Design, blade: &Blade, plan: &Plan) -> [Figure; 2] {
+    [roughing(design, blade, plan), finishing(design, blade, plan)]
+}
+
+/// The blades on both sides of the channel and the splitter between, their tops and feet, on the circles of hub and rim.
+fn walls(design: &Design, blade: &Blade, plan: &Plan) -> Vec<Stroke> {
+    let torus = design.torus;
+    let pitch = TAU / f64::from(design.N);
+    let bodies = Bodies::new(design, blade, None, Some(plan), OUTLINES);
+    // From the hub of the next blade to the rim of this one.
+    let (from, to) = (FRAC_PI_2 - pitch - BEYOND, blade.circle.u(RIM) + BEYOND);
+    let round = |radius: f64| {
+        steps(from, to.min(from + TAU), 120).map(move |angle| {
+            let (sin, cos) = sin_cos(angle);
+            [radius * cos, radius * sin]
+        })
+    };
+    let mut strokes: Vec<Stroke> = [torus.R, torus.R - torus.r - design.a_p]
+        .into_iter()
+        .map(|radius| line(Ink::Thin, round(radius).collect()))
+        .collect();
+    let mut stand = |ink: Ink, body: &Body, turn: f64| {
+        let flat = |level: usize| -> Vec<[f64; 2]> {
+            body.outlines[level].iter().map(|point| about_axis(point, turn)).map(|at| [at.x, at.y]).collect()
+        };
+        strokes.push(Stroke { filled: true, ..line(ink, flat(0)) });
+        strokes.push(line(Ink::Outline, flat(0)));
+        strokes.push(line(Ink::Thin, flat(1)));
+    };
+    stand(Ink::Blade, &bodies.blade, 0.0);
+    stand(Ink::Blade, &bodies.blade, -pitch);
+    if let Some(splitter) = &bodies.splitter {
+        stand(Ink::Splitter, splitter, 0.0);
+    }
+    strokes
+}
+
+/// The way of the tip along a pass, on the part, in plan.
+fn way(design: &Design, pass: &Pass) -> Vec<[f64; 2]> {
+    pass.points
+        .iter()
+        .map(|stand| design.machine.to_part(&stand.at, stand.B, stand.C))
+        .map(|tip| [tip.x, tip.y])
+        .collect()
+}
+
+fn arrow(ink: Ink, points: Vec<[f64; 2]>) -> Stroke {
+    Stroke { arrow: true, ..line(ink, points) }
+}
+
+/// A number beyond the end of a way that is farther out, clear of the numbers that are there.
+fn numbered(design: &Design, points: &[[f64; 2]], number: usize, labels: &[Label]) -> Option<Label> {
+    let far = |[x, y]: &[f64; 2]| x * x + y * y;
+    let inwards = points.first().map(far) > points.last().map(far);
+    let mut way = points.iter().rev().copied();
+    let [end, before] = if inwards { [*points.first()?, *points.get(1)?] } else { [way.next()?, way.next()?] };
+    let apart = |[x, y]: [f64; 2], [other_x, other_y]: [f64; 2]| hypot(x - other_x, y - other_y);
+    let long = apart(end, before).max(1e-9);
+    let R = design.torus.R;
+    let place = |step: u8| {
+        let off = (OFF + FARTHER * f64::from(step)) * R / long;
+        [end[0] + (end[0] - before[0]) * off, end[1] + (end[1] - before[1]) * off]
+    };
+    let free = |at: &[f64; 2]| labels.iter().all(|label| apart(label.at, *at) >= APART * R);
+    let at = (0..PLACES).map(place).find(free).unwrap_or_else(|| place(0));
+    Some(label(at, Text::same(number.to_string())))
+}
+
+/// The roughing lanes of the first level, each with its number in the table of passes.
+fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
+    let mut strokes = walls(design, blade, plan);
+    let mut labels: Vec<Label> = Vec::new();
+    let (mut modes, mut rest) = (Vec::new(), false);
+    for (number, pass) in (1..).zip(&plan.passes) {
+        let ink = match (pass.cutting, pass.mode) {
+            (Cutting::Rest { level: 0, .. } | Cutting::RestContour { level: 0 }, _) => {
+                rest = true;
+                Ink::Splitter
+            }
+            (Cutting::Rough { level: 0, .. } | Cutting::RoughContour { level: 0 }, mode) => {
+                if !modes.contains(&mode) {
+                    modes.push(mode);
+                }
+                of_mode(mode).0
+            }
+            _ => continue,
+        };
+        let points = way(design, pass);
+        let number = numbered(design, &points, number, &labels);
+        labels.extend(number);
+        strokes.push(arrow(ink, points));
+    }
+    let mut legend: Vec<(Ink, Text)> = [Mode::Slot, Mode::Climb, Mode::Conventional]
+        .into_iter()
+        .filter(|mode| modes.contains(mode))
+        .map(of_mode)
+        .collect();
+    if rest {
+        legend.push((Ink::Splitter, t("resto, con la fresa de acabado", "rest, with the finishing tool")));
+    }
+    legend.push((Ink::Thin, t("al pie, en el fondo", "at the foot, on the floor")));
+    let s = shown(design.clear.as_ref().map_or(0.0, |asked| asked.cut.s), 3);
+    Figure {
+        key: "roughing",
+        height: HEIGHT,
+        caption: Text::new(
+            format!(
+                "Desbaste de un canal en planta: caminos de la punta en el primer nivel, con el número de su pasada; quedan {s} mm en \
+                 caras y fondo"
+            ),
+            format!(
+                "Roughing of one channel in plan: ways of the tip on the first level, each with the number of its pass; {s} mm are \
+                 left on faces and floor"
+            ),
+        ),
+        axes: None,
+        strokes,
+        labels,
+        legend,
+    }
+}
+
+const fn of_mode(mode: Mode) -> (Ink, Text) {
+    match mode {
+        Mode::Slot => (Ink::Cut, t("ranura, a medio avance", "slot, at half the feed")),
+        Mode::Climb => (Ink::Reverse, t("concordancia", "climb")),
+        Mode::Conventional => (Ink::Obverse, t("oposición", "conventional")),
+    }
+}
+
+/// Floor lanes, flanks and the ways round the splitter.
+fn finishing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
+    let mut strokes = walls(design, blade, plan);
+    let mut found = Vec::new();
+    for pass in plan.of(Which::Finish) {
+        let Some((ink, name)) = finished(pass.cutting) else { continue };
+        if found.iter().all(|(known, _)| *known != ink) {
+            found.push((ink, name));
+        }
+        strokes.push(arrow(ink, way(design, pass)));
+    }
+    let lanes = plan.told.finish.lanes;
+    Figure {
+        key: "finishing",
+        height: HEIGHT,
+        caption: Text::new(
+            format!(
+                "Acabado de un canal en planta: {lanes} caminos de la punta en el fondo, del centro hacia fuera, y después caras y \
+                 álabe intermedio"
+            ),
+            format!(
+                "Finishing of one channel in plan: {lanes} ways of the tip on the floor, from the middle outwards, then faces \
+                 and splitter"
+            ),
+        ),
+        axes: None,
+        strokes,
+        labels: Vec::new(),
+        legend: found,
+    }
+}
+
+const fn finished(cutting: Cutting) -> Option<(Ink, Text)> {
+    Some(match cutting {
+        Cutting::Floor { .. } => (Ink::Profile, t("fondo", "floor")),
+        Cutting::Flank { face: Face::Obverse, .. } => (Ink::Obverse, t("cara, anverso", "face, obverse")),
+        Cutting::Flank { face: Face::Reverse, .. } => (Ink::Reverse, t("cara, reverso", "face, reverse")),
+        Cutting::Contour | Cutting::SplitterFlanks { .. } => (Ink::Splitter, t("álabe intermedio", "splitter")),
+        Cutting::Rough { .. } | Cutting::RoughContour { .. } | Cutting::Rest { .. } | Cutting::RestContour { .. } => {
+            return None;
+        }
+    })
+}
