@@ -3,6 +3,7 @@
 //! Everything is drawn from the same geometry that the tables show; nothing is traced by hand.
 
 mod channel;
+mod depths;
 mod geometry;
 mod graphs;
 mod machine;
@@ -53,6 +54,7 @@ pub fn figures(design: &Design, model: &Model, deviation: &[Curve]) -> Vec<Figur
             machine::safe_ends(design, blade, passes),
         ]),
     }
+    figures.extend(depths::depths(design, model));
     if let Some(splitter) = splitter {
         figures.push(geometry::crossing(design, blade, splitter));
         figures.push(graphs::fraction(splitter));

@@ -1,0 +1,231 @@
+//! What the passes cut of the channels, in plan: how deep, beside what is wanted.
+//!
+//! # Derivation
+//! Cells over v and the angle about the axis, counted from the blade's mean line. From the middle of each, a line goes straight
+//! into the metal; a pose of the tool cuts it where it passes the tool's cylinder, if that begins above what the poses before it
+//! have left. Poses lie so close that a cusp between them is less than [`NEAR`]²/(8a) high. A picture, not a judgement.
+//!
+//! # Units
+//! Millimetres and radians, in the part frame.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use nalgebra::Vector3;
+
+use super::{line, steps};
+use crate::figure::{Figure, Ink, Stroke};
+use crate::geometry::torus::Torus;
+use crate::kinds::impeller::Model;
+use crate::kinds::impeller::bodies::{Bodies, Steps, about_axis};
+use crate::kinds::impeller::clear::programs::position;
+use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::part::{HUB, Part};
+use crate::kinds::impeller::sweep::Sweep;
+use crate::kinds::impeller::track::Track;
+use crate::machine::axis::Position;
+use crate::number::trig::{atan2, hypot, sin_cos};
+use crate::text::t;
+
+/// Cells along the blade, and about the whole axis.
+const ALONG: u16 = 96;
+const ABOUT: u32 = 720;
+/// Poses are no farther apart, mm.
+const NEAR: f64 = 0.3;
+/// Up to so many poses of a stretch.
+const POSES: f64 = 400.0;
+/// Less is not cut at all; so far off, the depth is another than what is wanted, mm.
+const UNCUT: f64 = 0.02;
+const OFF: f64 = 0.05;
+/// Steps of the outlines.
+const OUTLINES: Steps = Steps { along: 64, deep: 1, across: 8 };
+
+/// The depths that the passes of a design cut; `None` where a tool is not flat, or a position does not fit the output grid.
+pub(super) fn depths(design: &Design, model: &Model) -> Option<Figure> {
+    let mut map = Map::new(design);
+    match (&model.clear, &design.clear) {
+        (Some(plan), Some(asked)) => {
+            for pass in &plan.passes {
+                let tool = asked.cut.tool(pass.tool);
+                if tool.r_c > 0.0 {
+                    return None;
+                }
+                let points: Vec<Position> = pass.points.iter().map(position).collect::<Result<_, _>>().ok()?;
+                map.sweep(&Sweep::through((), design.machine, &points, design.a_p), tool.a(), 0.0);
+            }
+        }
+        _ => {
+            let tracks = model.tracks.as_ref().ok()?;
+            for track in Track::ALL {
+                let Some(sweep) = Sweep::new(design, tracks, track, design.a_p) else { continue };
+                let turn = match track {
+                    Track::Obverse | Track::Reverse => 0.0,
+                    Track::Out | Track::Back => -PI / f64::from(design.N),
+                };
+                map.sweep(&sweep, design.d_t / 2.0, turn);
+            }
+        }
+    }
+    let mut strokes = map.strokes(design);
+    let bodies = Bodies::new(design, &model.blade, model.splitter.as_ref(), model.clear.as_ref(), OUTLINES);
+    for number in 0..design.N {
+        let turn = TAU * f64::from(number) / f64::from(design.N);
+        for body in [Some(&bodies.blade), bodies.splitter.as_ref()].into_iter().flatten() {
+            let top = body.outlines[0].iter().map(|point| about_axis(point, turn)).map(|at| [at.x, at.y]);
+            strokes.push(line(Ink::Outline, top.collect()));
+        }
+    }
+    let torus = design.torus;
+    for radius in [torus.R, torus.R - torus.r] {
+        let round = steps(0.0, TAU, 180).map(sin_cos).map(|(sin, cos)| [radius * cos, radius * sin]);
+        strokes.push(line(Ink::Outline, round.collect()));
+    }
+    Some(Figure {
+        key: "depths",
+        height: 110.0,
+        caption: t(
+            "Lo que cortan las pasadas, en planta. Blanco: sin cortar; gris claro: quedan más de 0.05 mm hasta el fondo; gris oscuro: el fondo pedido; rojo: más de 0.05 mm por debajo. Las líneas son los álabes del diseño",
+            "What the passes cut, in plan. White: not cut; light grey: more than 0.05 mm left above the floor; dark grey: the floor as wanted; red: more than 0.05 mm below it. The lines are the blades of the design",
+        ),
+        axes: None,
+        strokes,
+        labels: Vec::new(),
+        legend: Vec::new(),
+    })
+}
+
+/// How deep each cell of a channel is cut.
+struct Map {
+    part: Part,
+    pitch: f64,
+    columns: usize,
+    /// From the hub to the rim, each row from the blade's mean line on towards lower angles.
+    depths: Vec<f64>,
+}
+
+impl Map {
+    fn new(design: &Design) -> Self {
+        let columns = usize::try_from((ABOUT / design.N).max(24)).unwrap_or(24);
+        let depths = vec![0.0; usize::from(ALONG) * columns];
+        Self { part: Part::new(design), pitch: TAU / f64::from(design.N), columns, depths }
+    }
+
+    /// v in the middle of a row, or at its edges.
+    fn v(row: f64) -> f64 {
+        HUB + FRAC_PI_2 * row / f64::from(ALONG)
+    }
+
+    fn sweep<T>(&mut self, sweep: &Sweep<T>, a: f64, turn: f64) {
+        for stretch in &sweep.stretches {
+            let count = (stretch.pace(sweep.height).speed / NEAR).ceil().clamp(1.0, POSES);
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "held between two small counts"
+            )]
+            let last = count as u16;
+            for k in 0..=last {
+                let (tip, axis) = stretch.tool(f64::from(k) / count);
+                self.cut(&about_axis(&tip, turn), &about_axis(&axis, turn), a);
+            }
+        }
+    }
+
+    /// Cuts with one pose: whatever channel it is in, all are alike.
+    fn cut(&mut self, tip: &Vector3<f64>, axis: &Vector3<f64>, a: f64) {
+        let Torus { R, r } = self.part.circle.torus;
+        let reach = a + 1.5 * self.part.a_p;
+        let (beside, psi) = (hypot(tip.x, tip.y) - R, atan2(tip.y, tip.x));
+        let v = atan2(tip.z, beside).rem_euclid(TAU);
+        if hypot(beside, tip.z) < r - self.part.a_p {
+            return;
+        }
+        for row in 0..ALONG {
+            let middle = Self::v(f64::from(row) + 0.5);
+            if (middle - v).abs() * r > reach {
+                continue;
+            }
+            let (rho, u) = (self.part.circle.torus.rho(middle), self.part.circle.u(middle));
+            let wide = (reach / (rho - reach).max(0.2 * rho)).min(PI);
+            #[expect(clippy::cast_precision_loss, reason = "a small count")]
+            let columns = self.columns as f64;
+            let of = |angle: f64| ((u - angle) / self.pitch * columns).floor();
+            #[expect(clippy::cast_possible_truncation, reason = "some hundreds")]
+            let (from, to) = (of(psi + wide) as i64, of(psi - wide) as i64);
+            for column in from..=to {
+                #[expect(clippy::cast_precision_loss, reason = "a small count")]
+                let angle = u - (column as f64 + 0.5) / columns * self.pitch;
+                let Ok(within) = usize::try_from(column.rem_euclid(i64::try_from(self.columns).unwrap_or(1))) else {
+                    continue;
+                };
+                let Some(depth) = self.depths.get_mut(usize::from(row) * self.columns + within) else { continue };
+                let ((sin_v, cos_v), (sin, cos)) = (sin_cos(middle), sin_cos(angle));
+                let into = Vector3::new(cos_v * cos, cos_v * sin, sin_v);
+                let from = Vector3::new(R * cos, R * sin, 0.0) - tip;
+                if let Some([enter, leave]) = passed(&from, &into, axis, a)
+                    && enter <= r + *depth
+                {
+                    *depth = depth.max(leave - r);
+                }
+            }
+        }
+    }
+
+    /// The cells of every channel that are cut, neighbours of one kind as one.
+    fn strokes(&self, design: &Design) -> Vec<Stroke> {
+        let kind = |depth: f64| {
+            if depth < UNCUT {
+                None
+            } else if depth < self.part.a_p - OFF {
+                Some(Ink::Face(170))
+            } else if depth <= self.part.a_p + OFF {
+                Some(Ink::Face(40))
+            } else {
+                Some(Ink::Obverse)
+            }
+        };
+        #[expect(clippy::cast_precision_loss, reason = "a small count")]
+        let x = |column: usize| column as f64 / self.columns as f64 * self.pitch;
+        let mut strokes = Vec::new();
+        for (row, cells) in (0..ALONG).zip(self.depths.chunks(self.columns)) {
+            let edges = [f64::from(row), f64::from(row) + 1.0].map(Self::v);
+            let mut begin = 0;
+            for run in cells.chunk_by(|one, other| kind(*one) == kind(*other)) {
+                let end = begin + run.len();
+                let span = [x(begin), x(end)];
+                begin = end;
+                let Some(ink) = run.first().and_then(|&depth| kind(depth)) else { continue };
+                for number in 0..design.N {
+                    let turn = f64::from(number) * self.pitch;
+                    // A row ends a little within the next, so that no white line is seen between both.
+                    let side = |v: f64, [from, to]: [f64; 2]| {
+                        let (u, torus) = (self.part.circle.u(v) + turn, self.part.circle.torus);
+                        steps(from, to, 8).map(move |x| torus.point(u - x, v)).map(|at| [at.x, at.y])
+                    };
+                    let points = side(edges[0], span).chain(side(edges[1] + 0.002, [span[1], span[0]])).collect();
+                    strokes.push(Stroke { filled: true, ..line(ink, points) });
+                }
+            }
+        }
+        strokes
+    }
+}
+
+/// From where to where a line passes a tool, from its beginning beside the tip on; `None` where it does not.
+fn passed(from: &Vector3<f64>, into: &Vector3<f64>, axis: &Vector3<f64>, a: f64) -> Option<[f64; 2]> {
+    let (along, up) = (into.dot(axis), from.dot(axis));
+    let (across, beside) = (into - axis * along, from - axis * up);
+    let (square, half, rest) = (across.norm_squared(), across.dot(&beside), beside.norm_squared() - a * a);
+    let root = half * half - square * rest;
+    if root < 0.0 || along > -1e-9 {
+        return None;
+    }
+    let [enter, leave] = if square > 1e-12 {
+        [-1.0, 1.0].map(|side| (-half + side * root.sqrt()) / square)
+    } else if rest <= 0.0 {
+        [f64::NEG_INFINITY, f64::INFINITY]
+    } else {
+        return None;
+    };
+    let leave = leave.min(up / -along);
+    (leave > enter).then_some([enter, leave])
+}
