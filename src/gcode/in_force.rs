@@ -49,6 +49,8 @@ pub struct InForce {
     pub tool: u32,
     /// The number of the offset in force; 0 for none.
     pub offset: u32,
+    /// A tool length offset is in force (G43), whatever its length.
+    pub lengthened: bool,
     /// Which way the spindle turns.
     pub spindle: Spindle,
     /// What S says.

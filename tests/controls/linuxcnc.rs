@@ -13,7 +13,7 @@ use rodete::machine::axis::Position;
 use rodete::parameter::Value;
 
 /// The machine unit of the stand-alone interpreter is the inch.
-const TOOLS: &str = "T1 P1 Z0 D0.23622 ;\n";
+const TOOLS: &str = "T1 P1 Z0 D0.23622 ;\nT2 P2 Z0 D0.11811 ;\n";
 
 fn judge(program: &str) -> Result<Canon, rs274::Refused> {
     rs274::run(program.as_bytes(), None, Some(TOOLS))
@@ -60,6 +60,45 @@ fn plan_interpreter_and_linuxcnc_agree_on_our_programs() {
                 .read_back()
                 .collect::<Result<_, _>>()
                 .unwrap_or_else(|fault| panic!("{design}: {}: {}", fault.line, fault.what.en));
+            if rs274::is_here() {
+                let theirs =
+                    judge.run(program.text().as_bytes()).unwrap_or_else(|refused| panic!("{design}: {refused:?}"));
+                agreement::agree(&motions, &theirs.motions).unwrap_or_else(|fault| panic!("{design}: {fault}"));
+            }
+            assert_as_planned(program, &motions, &design);
+        }
+    }
+}
+
+/// The same of a clear cut's two programs, with few lanes: with splitters and without, with both spindles.
+#[test]
+fn plan_interpreter_and_linuxcnc_agree_on_the_programs_of_a_clear_cut() {
+    let judge = Judge { tools: Some(TOOLS), ..Judge::default() };
+    for (distance, N, splitters, start) in [("G90", 2, "yes", "M3"), ("G91", 3, "no", "M4")] {
+        let outcome = common::outcome(
+            "clear",
+            &[
+                ("dialect", Value::Choice("linuxcnc")),
+                ("distance", Value::Choice(distance)),
+                ("rotary", Value::Choice("linear")),
+                ("start_codes", Value::Line(start.to_owned())),
+                ("N", Value::Whole(N)),
+                ("splitters", Value::Choice(splitters)),
+                ("c_s", Value::Real(0.5)),
+                ("tol", Value::Real(0.05)),
+                ("kappa", Value::Real(0.95)),
+            ],
+        );
+        for key in ["rough", "finish"] {
+            let found = outcome.programs.iter().find(|program| program.key == key);
+            let program = found.unwrap_or_else(|| panic!("{key}: {:?}", outcome.findings));
+            let design = format!("{key} {distance} N {N} splitters {splitters}");
+            assert_eq!(program.control.name, "linuxcnc", "{design}");
+            let motions: Vec<Motion> = program
+                .read_back()
+                .collect::<Result<_, _>>()
+                .unwrap_or_else(|fault| panic!("{design}: {}: {}", fault.line, fault.what.en));
+            assert!(motions.len() > 300, "{design}: {}", motions.len());
             if rs274::is_here() {
                 let theirs =
                     judge.run(program.text().as_bytes()).unwrap_or_else(|refused| panic!("{design}: {refused:?}"));

@@ -17,49 +17,49 @@ use rodete::kinds::impeller::part::{Face, Part};
 use rodete::machine::rotary::Rotary;
 use rodete::number::trig::{atan2, cos, sin};
 
-type Point = [f64; 3];
+pub type Point = [f64; 3];
 
-fn add(a: Point, b: Point, by: f64) -> Point {
+pub fn add(a: Point, b: Point, by: f64) -> Point {
     [a[0] + b[0] * by, a[1] + b[1] * by, a[2] + b[2] * by]
 }
 
-fn dot(a: Point, b: Point) -> f64 {
+pub fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn norm(a: Point) -> f64 {
+pub fn norm(a: Point) -> f64 {
     dot(a, a).sqrt()
 }
 
-fn turned(a: Point, by: f64) -> Point {
+pub fn turned(a: Point, by: f64) -> Point {
     [a[0] * cos(by) - a[1] * sin(by), a[0] * sin(by) + a[1] * cos(by), a[2]]
 }
 
-const L: f64 = 242.9;
+pub const L: f64 = 242.9;
 /// Steps between poses, mm.
-const STEP: f64 = 0.2;
+pub const STEP: f64 = 0.2;
 
 #[derive(Clone, Copy, Debug)]
-struct Design {
-    R: f64,
-    r: f64,
-    N: u32,
-    e: f64,
-    a_p: f64,
+pub struct Design {
+    pub R: f64,
+    pub r: f64,
+    pub N: u32,
+    pub e: f64,
+    pub a_p: f64,
 }
 
 impl Design {
-    fn job(&self) -> Job {
+    pub fn job(&self) -> Job {
         let part = Part::with(Torus { R: self.R, r: self.r }, self.e, self.a_p);
         Job { part, N: self.N, machine: Rotary { L } }
     }
 
-    fn pitch(&self) -> f64 {
+    pub fn pitch(&self) -> f64 {
         TAU / f64::from(self.N)
     }
 
     /// P, t, b and N at v; straight on beyond the ends.
-    fn frame(&self, v: f64) -> [Point; 4] {
+    pub fn frame(&self, v: f64) -> [Point; 4] {
         let Self { R, r, .. } = *self;
         let P = |v: f64| {
             let rho = R + r * cos(v);
@@ -180,8 +180,9 @@ fn distance(x: Point, runs: &[Run]) -> f64 {
     near(x, runs, 14.0).map(|pose| apart(x, pose)).fold(f64::INFINITY, f64::min)
 }
 
-/// How deep along the line from the middle of the tube through the surface point at (v, ψ) metal has gone, at most `to`.
-fn removed(design: &Design, v: f64, psi: f64, runs: &[Run], to: f64) -> f64 {
+/// How deep along the line from the middle of the tube through the surface point at (v, ψ) metal has gone without a break,
+/// at most `to`; and the deepest place of the line that a tool held.
+fn removed(design: &Design, v: f64, psi: f64, runs: &[Run], to: f64) -> [f64; 2] {
     let out = [cos(v) * cos(psi), cos(v) * sin(psi), sin(v)];
     let c = [design.R * cos(psi), design.R * sin(psi), 0.0];
     let surface = add(c, out, design.r);
@@ -215,6 +216,7 @@ fn removed(design: &Design, v: f64, psi: f64, runs: &[Run], to: f64) -> f64 {
         }
     }
     spans.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let deepest = spans.iter().map(|span| span.1).fold(design.r, f64::max);
     let mut reached = design.r;
     for (low, high) in spans {
         if low > reached + 1e-9 {
@@ -222,27 +224,27 @@ fn removed(design: &Design, v: f64, psi: f64, runs: &[Run], to: f64) -> f64 {
         }
         reached = reached.max(high);
     }
-    reached - design.r
+    [reached - design.r, deepest - design.r]
 }
 
 #[derive(Debug, Default)]
-struct Found {
+pub struct Found {
     /// How deep the tool goes into faces of the blades.
-    undercut: f64,
+    pub undercut: f64,
     /// What is left of the faces farther above the floor than the root's height.
-    face_rest: f64,
+    pub face_rest: f64,
     /// How far up the faces more than 0.02 mm is left.
-    root_height: f64,
+    pub root_height: f64,
     /// How far from the faces on the floor more than 0.03 mm is left.
-    root_width: f64,
+    pub root_width: f64,
     /// How deep the tool goes below the floor.
-    too_deep: f64,
+    pub too_deep: f64,
     /// What is left of the floor farther than 0.4 mm from the walls.
-    floor_rest: f64,
+    pub floor_rest: f64,
     /// The share of the floor's metal that is left.
-    left: f64,
+    pub left: f64,
     /// How deep the tops are cut.
-    tops: f64,
+    pub tops: f64,
 }
 
 /// Face points of the channel's two blades, and of the splitter.
@@ -257,7 +259,7 @@ fn from_walls(walls: &[Point], x: Point) -> f64 {
     walls.iter().map(|wall| norm(add(x, *wall, -1.0))).fold(f64::INFINITY, f64::min)
 }
 
-fn simulate(design: &Design, plan: &Plan, cut: &Cut, grid: [u32; 2], floor: [u32; 2]) -> Found {
+pub fn simulate(design: &Design, plan: &Plan, cut: &Cut, grid: [u32; 2], floor: [u32; 2]) -> Found {
     let all = poses(plan, cut);
     let mut found = Found::default();
     let v_s = plan.told.splitter_from;
@@ -307,7 +309,7 @@ fn simulate(design: &Design, plan: &Plan, cut: &Cut, grid: [u32; 2], floor: [u32
             if !design.in_blank(x) {
                 continue;
             }
-            let depth = removed(design, v, psi, &all, design.a_p + 3.0);
+            let [depth, deepest] = removed(design, v, psi, &all, design.a_p + 3.0);
             let inside = |x: Point| {
                 sheet.holds(design, x, 0.0, 0.0)
                     || sheet.holds(design, x, -design.pitch(), 0.0)
@@ -337,7 +339,8 @@ fn simulate(design: &Design, plan: &Plan, cut: &Cut, grid: [u32; 2], floor: [u32
             }
             whole += rho * design.a_p;
             left += rho * (design.a_p - depth).max(0.0);
-            found.floor_rest = found.floor_rest.max(design.a_p - depth);
+            // A line that begins in the rest of a face is broken there; on the floor its end counts.
+            found.floor_rest = found.floor_rest.max(design.a_p - deepest);
         }
     }
     found.left = left / whole;

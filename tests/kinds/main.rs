@@ -7,6 +7,7 @@ mod common;
 mod fields;
 mod impeller_bodies;
 mod impeller_cut;
+mod impeller_designs;
 mod impeller_shortfalls;
 mod laws;
 mod pipe_designs;

@@ -3,6 +3,7 @@
 use crate::common;
 
 mod blank;
+mod clear_cut;
 mod clearance;
 mod outside;
 mod tip_path;

@@ -47,6 +47,8 @@ pub(super) struct Modal {
     pub(super) tool: u32,
     /// The number of the tool's offset in force.
     pub(super) offset: u32,
+    /// A tool length offset is in force.
+    pub(super) lengthened: bool,
     pub(super) coolant: bool,
     pub(super) compensation: Compensation,
     pub(super) sticky: Sticky,
@@ -91,6 +93,7 @@ impl Modal {
             selected: None,
             tool: 0,
             offset: 0,
+            lengthened: false,
             coolant: false,
             compensation: Compensation::Off,
             sticky: Sticky::default(),
@@ -112,6 +115,7 @@ impl Modal {
         InForce {
             tool: self.tool,
             offset: self.offset,
+            lengthened: self.lengthened,
             spindle: self.spindle,
             speed: if self.constant_surface_speed {
                 Speed::Surface(self.speed)

@@ -119,6 +119,7 @@ impl Reader<'_, '_> {
         };
         let machine = self.state.frame.to_machine(&self.state.at);
         self.state.frame = ActiveOffsets { tool, ..self.state.frame };
+        self.state.modal.lengthened = code != G::ToolLengthOff;
         self.state.at = self.state.frame.to_program(&machine);
         Ok(())
     }

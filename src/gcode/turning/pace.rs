@@ -175,6 +175,7 @@ mod tests {
         InForce {
             tool: 0,
             offset: 0,
+            lengthened: false,
             spindle: Spindle::Clockwise,
             speed,
             greatest_speed,

@@ -43,8 +43,6 @@ const DEEP: f64 = 0.2;
 const COARSE: f64 = 0.01;
 /// What the arithmetic may lose, mm.
 const ARITHMETIC: f64 = 1e-9;
-/// How long the piece is that stands for the middle of a half round, radians.
-const NOSE: f64 = 1e-6;
 /// A ruling steeper than this against the end's plane is not clipped by a limit of h.
 const STEEP: f64 = 0.02;
 /// How far limits of h may run beyond the rulings, in parts of their length.
@@ -248,19 +246,6 @@ impl Walls {
             (v[0] < v[1]).then_some(Piece { v, ..piece })
         });
         Self { part, machine, radius, pieces: pieces.collect(), turns }
-    }
-
-    /// The half rounds, of the thickness of the blade, with which splitters begin at some v, as far as their faces leave
-    /// them free: a tool clears one where its axis is half the thickness farther from the ruling in its middle.
-    #[must_use]
-    pub fn noses(part: Part, machine: Rotary, radius: f64, turns: Vec<f64>, from: f64) -> Self {
-        let (half, middle) = (part.e / 2.0, Part::with(part.circle.torus, 0.0, part.a_p));
-        let mut walls = Self::new(middle, machine, radius + half, turns, from);
-        walls.pieces.truncate(1);
-        for piece in &mut walls.pieces {
-            piece.v[1] = piece.v[0] + NOSE;
-        }
-        walls
     }
 
     /// The clearance of the tool along a way.

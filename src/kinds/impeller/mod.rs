@@ -414,12 +414,12 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
             ["separación real ≥ 4/3·d_t", "true gap ≥ 4/3·d_t"],
         )
     }));
-    if let Some(plan) = &model.clear {
+    if let (Some(plan), Some(asked)) = (&model.clear, &design.clear) {
         // There is no annex of the published paths that it could be taken from.
         for beta in list.iter_mut().filter(|one| one.symbol == "beta") {
             *beta = beta.clone().by("derived_beta", "DEGREES(ASIN(meridian_r/torus_R))");
         }
-        list.extend(clear::tables::quantities(plan));
+        list.extend(clear::tables::quantities(plan, asked.tolerance));
     }
     list.extend(splitter.as_ref().map(crossings).into_iter().flatten());
     if let Some(program) = programs

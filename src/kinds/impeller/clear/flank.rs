@@ -118,6 +118,18 @@ impl FlankWay {
         self.face
     }
 
+    /// The tool.
+    #[must_use]
+    pub const fn tool(&self) -> Tool {
+        self.tool
+    }
+
+    /// The part.
+    #[must_use]
+    pub const fn part(&self) -> &Part {
+        &self.part
+    }
+
     /// The fit behind it.
     #[must_use]
     pub const fn flank(&self) -> &Flank {

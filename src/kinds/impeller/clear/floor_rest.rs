@@ -30,6 +30,8 @@ const ARITHMETIC: f64 = 1e-9;
 /// Steps and halvings for the end of a tool that is not flat.
 const STEPS: u8 = 8;
 const HALVINGS: u8 = 12;
+/// Halvings for the place at a distance from a wall.
+const EDGES: u8 = 8;
 
 /// What is left on the floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -195,22 +197,24 @@ pub fn floor_rest<'p>(
     // The axis of a tool that reaches a point is turned from its normal by no more.
     let turn = 1.2 * asin((tool.a() / r).min(1.0)) + 0.1;
     let mut rest = FloorRest { beside, most: 0.0, v: HUB };
-    for look in 0..ALONG {
-        let v = HUB + (RIM - HUB) * (f64::from(look) + 0.5) / f64::from(ALONG);
+    for station in 0..ALONG {
+        let v = HUB + (RIM - HUB) * (f64::from(station) + 0.5) / f64::from(ALONG);
         let B = RIM - v;
         let near =
             &poses[poses.partition_point(|pose| pose.B < B - turn)..poses.partition_point(|pose| pose.B <= B + turn)];
         let (sin_v, cos_v) = sin_cos(v);
         let [high, low] = [0, 1].map(|side: usize| psi_at(&floor.sides[side], v));
-        for place in 0..=across {
-            let psi = low + (high - low) * f64::from(place) / f64::from(across);
+        let place = |psi: f64| {
             let (sin, cos) = sin_cos(psi);
-            let (c, out) =
-                (Vector3::new(torus.R * cos, torus.R * sin, 0.0), Vector3::new(cos_v * cos, cos_v * sin, sin_v));
-            let point = c + out * r_f;
-            if !floor.is_free(&point, beside) {
-                continue;
-            }
+            let c = Vector3::new(torus.R * cos, torus.R * sin, 0.0);
+            (c, Vector3::new(cos_v * cos, cos_v * sin, sin_v))
+        };
+        let free = |psi: f64| {
+            let (c, out) = place(psi);
+            floor.is_free(&(c + out * r_f), beside)
+        };
+        let mut look = |psi: f64| {
+            let (c, out) = place(psi);
             // Of tools whose axis passes farther from the middle of the line than this, none holds a place of it.
             let middle = c + out * f64::midpoint(r, r_f);
             let wide = tool.a() + (r_f - r) / 2.0;
@@ -229,6 +233,26 @@ pub fn floor_rest<'p>(
             if r_f - deepest > rest.most {
                 rest = FloorRest { most: r_f - deepest, v, ..rest };
             }
+        };
+        let mut before: Option<(f64, bool)> = None;
+        for step in 0..=across {
+            let psi = low + (high - low) * f64::from(step) / f64::from(across);
+            let here = free(psi);
+            // What stays in the corner of a wall falls off steeply: the place at just that distance from it is looked at.
+            if let Some((last, there)) = before
+                && there != here
+            {
+                let (mut shut, mut open) = if there { (psi, last) } else { (last, psi) };
+                for _ in 0..EDGES {
+                    let middle = f64::midpoint(shut, open);
+                    if free(middle) { open = middle } else { shut = middle }
+                }
+                look(open);
+            }
+            if here {
+                look(psi);
+            }
+            before = Some((psi, here));
         }
     }
     rest

@@ -51,6 +51,8 @@ const STARTS: u8 = 40;
 const START: f64 = 0.01;
 /// Places along a face at which its error is looked at.
 const LOOKS: u8 = 48;
+/// The same beside each of its ends.
+const ENDS: u8 = 16;
 /// Places across the floor at which it is looked at, for each lane, and in all.
 const LOOKS_A_LANE: u32 = 3;
 const ACROSS: [u32; 2] = [40, 240];
@@ -273,8 +275,14 @@ fn face_error(ways: &[FlankWay]) -> FaceError {
     for way in ways {
         // The straight ends, too, are in the blank for a bit.
         let [begin, end] = way.in_blank();
-        for look in 0..=LOOKS {
-            let v = begin + (end - begin) * f64::from(look) / f64::from(LOOKS);
+        let all = (0..=LOOKS).map(|look| begin + (end - begin) * f64::from(look) / f64::from(LOOKS));
+        // Where the face goes over into its straight ends the fit changes within less than a radius of the tool.
+        let beside = |v: f64| {
+            let reach = way.tool().a() / way.part().circle.torus.R;
+            (0..=ENDS).map(move |look| v + reach * (2.0 * f64::from(look) / f64::from(ENDS) - 1.0))
+        };
+        let looks = all.chain(beside(HUB)).chain(beside(RIM)).filter(|v| (begin..=end).contains(v));
+        for v in looks {
             error.fit = error.fit.max(way.flank().full(v.clamp(HUB, RIM)).E.abs());
             let rest = way.rest(v);
             if rest > error.rest {

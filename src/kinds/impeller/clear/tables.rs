@@ -152,10 +152,10 @@ pub const fn tool_name(which: Which) -> Text {
     }
 }
 
-/// What a plan comes to.
+/// What a plan comes to, its blocks being within a tolerance, mm.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-pub(in crate::kinds::impeller) fn quantities(plan: &Plan) -> Vec<Quantity> {
+pub(in crate::kinds::impeller) fn quantities(plan: &Plan, tolerance: f64) -> Vec<Quantity> {
     let (mm, count, told) = (Unit::Millimetre, Unit::Count, &plan.told);
     let lane =
         ["√((r + a_p)² − (d/2)²) − r, menos s_w en desbaste", "√((r + a_p)² − (d/2)²) − r, less s_w in roughing"];
@@ -237,8 +237,9 @@ pub(in crate::kinds::impeller) fn quantities(plan: &Plan) -> Vec<Quantity> {
         (&told.faces[0], "rest_obverse", "Resto en el anverso, como mucho", "Rest on the obverse, at most"),
         (&told.faces[1], "rest_reverse", "Resto en el reverso, como mucho", "Rest on the reverse, at most"),
     ] {
-        let source = ["ajuste del eje a la cara", "fit of the axis to the face"];
-        list.push(quantity(symbol, es, en, error.rest, mm, source));
+        // The fit is that of the poses; between them the blocks leave the way by up to the tolerance.
+        let source = ["ajuste del eje a la cara, más tol", "fit of the axis to the face, plus tol"];
+        list.push(quantity(symbol, es, en, error.rest + tolerance, mm, source));
     }
     if let Some(v_s) = told.splitter_from {
         let degrees = (v_s - HUB).to_degrees();

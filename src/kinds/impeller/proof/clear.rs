@@ -24,6 +24,7 @@ use crate::kinds::impeller::clearance::{Bounds, Stand, Until, WORK, Walls};
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::floor_depth::within;
 use crate::kinds::impeller::part::Part;
+use crate::kinds::impeller::proof::nose::Nose;
 use crate::kinds::impeller::proof::rules::{
     ClearCutsBlade, ClearCutsSplitter, ClearMayCut, ClearPassesDiffer, FloorUnder,
 };
@@ -90,43 +91,98 @@ impl<'a> ClearCutting<'a> {
         for way in self.ways.iter().rev() {
             let seen = least.map_or(f64::INFINITY, |(bounds, _)| bounds.upper);
             // What is clear by more than was seen need not be known closer.
-            let mut bounds = walls.clearance(&way.stands, Until::Decided(seen.max(self.asked.cut.s / 2.0)), WORK);
-            if bounds.lower < seen.max(self.asked.cut.s / 2.0) {
+            let enough = seen.max(self.asked.cut.s / 2.0);
+            let mut bounds = walls.clearance(&way.stands, Until::Decided(enough), WORK);
+            if bounds.lower < enough {
                 bounds = walls.clearance(&way.stands, Until::Within(CLOSE), WORK);
             }
-            let Some(place) = bounds.place else { continue };
-            let at = way.at.get(motion(place.along)).copied().unwrap_or(At::line(0));
-            least = Some(match least {
-                Some((known, place)) if known.lower <= bounds.lower => {
-                    (Bounds { upper: known.upper.min(bounds.upper), ..known }, place)
-                }
-                Some((known, _)) => (Bounds { upper: known.upper.min(bounds.upper), ..bounds }, at),
-                None => (bounds, at),
-            });
+            let place = match bounds.place {
+                Some(place) => motion(place.along),
+                // Nothing of the walls ever counts.
+                None if bounds.lower == f64::INFINITY => continue,
+                // The work has ended before anything was seen: what is not known is not left out.
+                None => 0,
+            };
+            lower(&mut least, bounds, way.place(place));
         }
+        self.widened(least)
+    }
+
+    /// Bounds with what a rounded turn of C adds.
+    fn widened(&self, least: Option<(Bounds, At)>) -> Option<(Bounds, At)> {
         least.map(|(bounds, at)| {
             let turned = self.turned();
             (Bounds { lower: bounds.lower - turned, upper: bounds.upper + turned, ..bounds }, at)
         })
     }
 
-    fn walls(&self, offset: f64, from: f64, nose: bool) -> Walls {
-        let design = self.design;
-        let pitch = TAU / f64::from(design.N);
-        let turns: Vec<f64> = (0..design.N).map(|k| pitch * f64::from(k) + offset).collect();
+    /// The clearance to the middles of blades from some v on, where a way does not keep out of them: a tool thinner than a
+    /// blade would meet no face there.
+    fn inside(&self, offset: f64, from: f64) -> Option<(Bounds, At)> {
+        let (design, half) = (self.design, self.design.e / 2.0);
+        let middle = Part::with(design.torus, 0.0, design.a_p);
+        let walls = Walls::new(middle, design.machine, 0.0, self.turns(offset), from);
         let radius = design.mill(self.which).d / 2.0;
-        let make = if nose { Walls::noses } else { Walls::new };
-        make(Part::new(design), design.machine, radius, turns, from)
+        let mut least = None;
+        for way in &self.ways {
+            let bounds = walls.clearance(&way.stands, Until::Decided(half), WORK);
+            // A tool beside a face that it may enter by the limit keeps its axis farther off.
+            if bounds.lower >= half {
+                continue;
+            }
+            let deep = |distance: f64| distance - half - radius;
+            let found = Bounds { lower: deep(bounds.lower), upper: deep(bounds.upper), ..bounds };
+            lower(&mut least, found, way.place(bounds.place.map_or(0, |place| motion(place.along))));
+        }
+        self.widened(least)
     }
 
-    /// The half round and the faces of a splitter are not the same surface where they meet.
-    fn seam(&self, v_s: f64) -> f64 {
-        let circle = Part::new(self.design).circle;
-        // τ = k/(R·ρ): how fast the rulings turn about the mean line.
-        let tau = circle.k / (circle.torus.R * circle.torus.rho(v_s));
-        let turned = self.design.a_p * tau;
-        self.design.e / 2.0 * turned * turned / 2.0
+    /// The least clearance to the half rounds of the splitters from v_s on.
+    fn noses(&self, v_s: f64) -> Option<(Bounds, At)> {
+        let half = PI / f64::from(self.design.N);
+        let nose = Nose::new(self.design, v_s, self.design.mill(self.which).d / 2.0);
+        let mut least: Option<(Bounds, At)> = None;
+        for way in &self.ways {
+            let sweep = Sweep::through(0_usize, self.design.machine, &way.positions, nose.reach());
+            for turn in self.turns(half) {
+                let seen = least.map_or(f64::INFINITY, |(bounds, _)| bounds.upper);
+                let enough = seen.max(self.asked.cut.s / 2.0);
+                if let Some(bounds) = nose.clearance(&sweep.stretches, turn, [enough, CLOSE]) {
+                    let at = bounds.place.map_or(0, |place| motion(place.along));
+                    lower(&mut least, bounds, way.place(at));
+                }
+            }
+        }
+        self.widened(least)
     }
+
+    fn turns(&self, offset: f64) -> Vec<f64> {
+        let pitch = TAU / f64::from(self.design.N);
+        (0..self.design.N).map(|k| pitch * f64::from(k) + offset).collect()
+    }
+
+    fn walls(&self, offset: f64, from: f64) -> Walls {
+        let radius = self.design.mill(self.which).d / 2.0;
+        Walls::new(Part::new(self.design), self.design.machine, radius, self.turns(offset), from)
+    }
+}
+
+impl Way {
+    /// Where one of its motions is.
+    fn place(&self, motion: usize) -> At {
+        self.at.get(motion.min(self.at.len().saturating_sub(1))).copied().unwrap_or(At::line(0))
+    }
+}
+
+/// Takes bounds in beside those that are known; the place is that of the least lower one. What is no number stays.
+fn lower(least: &mut Option<(Bounds, At)>, bounds: Bounds, at: At) {
+    *least = Some(match *least {
+        Some((known, place)) if known.lower <= bounds.lower || known.lower.is_nan() => {
+            (Bounds { upper: known.upper.min(bounds.upper), ..known }, place)
+        }
+        Some((known, _)) => (Bounds { upper: known.upper.min(bounds.upper), ..bounds }, at),
+        None => (bounds, at),
+    });
 }
 
 /// The number of the motion at a position along a way.
@@ -190,7 +246,15 @@ impl Judge for ClearCutting<'_> {
         let limit = self.limit();
         let shown = Text::same(format!("≥ −{}", mm(limit)));
         let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
-        if let Some((bounds, at)) = self.least(&self.walls(0.0, f64::MIN, false)) {
+        let nearest = |found: [Option<(Bounds, At)>; 3]| {
+            found.into_iter().flatten().reduce(|one, two| {
+                let mut least = Some(one);
+                lower(&mut least, two.0, two.1);
+                least.unwrap_or(one)
+            })
+        };
+        let faces = self.least(&self.walls(0.0, f64::MIN));
+        if let Some((bounds, at)) = nearest([faces, self.inside(0.0, f64::MIN), None]) {
             let name = t("Holgura a las caras de todos los álabes", "Clearance to the faces of all blades");
             let asked = Question::new("faces", name, program)
                 .showing(bounded(bounds.lower, bounds.upper), shown.clone())
@@ -207,12 +271,8 @@ impl Judge for ClearCutting<'_> {
         }
         if let Some(v_s) = self.splitter {
             let half = PI / f64::from(self.design.N);
-            let seam = self.seam(v_s);
-            let faces = self.least(&self.walls(half, v_s, false));
-            let noses = self
-                .least(&self.walls(half, v_s, true))
-                .map(|(bounds, at)| (Bounds { lower: bounds.lower + seam, upper: bounds.upper + seam, ..bounds }, at));
-            let found = [faces, noses].into_iter().flatten().min_by(|one, two| one.0.lower.total_cmp(&two.0.lower));
+            let faces = self.least(&self.walls(half, v_s));
+            let found = nearest([faces, self.inside(half, v_s), self.noses(v_s)]);
             if let Some((bounds, at)) = found {
                 let name = t("Holgura a los álabes intermedios", "Clearance to the splitters");
                 let asked = Question::new("splitters", name, program)
@@ -238,11 +298,8 @@ impl Judge for ClearCutting<'_> {
         let d = self.design.mill(self.which).d;
         let at = self.ways.first().and_then(|way| way.at.first()).copied();
         if let Some(found) = within(self.design.torus, self.design.a_p, d, &sweeps, limit) {
-            let at = self
-                .ways
-                .get(found.track)
-                .and_then(|way| way.at.get(motion(found.x.max(0.0)).min(way.at.len().saturating_sub(1))).copied())
-                .or(at);
+            // A stretch counts its positions from the one after the first.
+            let at = self.ways.get(found.track).map(|way| way.place(motion((found.x + 1.0).max(0.0)))).or(at);
             let name = t("Fondo: lo más hondo por debajo", "Floor: the deepest below it");
             let value = Text::same(format!("≤ {}", mm(up(found.most))));
             let asked = Question::new("floor", name, program)

@@ -7,6 +7,7 @@
 //! | [`floor`], by [`cutting`] | how much deeper than the floor does the tool's rim cut |
 //! | [`flanks`], by [`cutting`] | does the tool keep clear of the other blades |
 //! | [`clear`] | of a clear cut: does the tool keep out of faces, splitters and floor |
+//! | [`tool_terms`] | of a clear cut: do tool, spindle and speed in force stand in the form |
 //! | [`stock`] | does it keep clear of the stock where it does not cut |
 //! | [`blank`] | does the turning program leave the torus, cut at the speeds and feeds asked for, and nowhere at rapid |
 
@@ -15,11 +16,13 @@ pub mod clear;
 pub mod cutting;
 pub mod flanks;
 pub mod floor;
+pub mod nose;
 pub mod passes;
 pub mod refinement;
 pub mod rules;
 pub mod stock;
 pub mod tip_path;
+pub mod tool_terms;
 pub mod track_step;
 
 use crate::gcode::interpreter::{Interpreter, Setting};
@@ -33,6 +36,7 @@ use crate::kinds::impeller::proof::clear::ClearCutting;
 use crate::kinds::impeller::proof::cutting::{Cutting, Known};
 use crate::kinds::impeller::proof::passes::{PassCount, Passes};
 use crate::kinds::impeller::proof::stock::Clear;
+use crate::kinds::impeller::proof::tool_terms::ToolTerms;
 use crate::kinds::impeller::splitter::Splitter;
 use crate::machine::rapids::Rapids;
 use crate::number::grid::Milli;
@@ -96,11 +100,24 @@ const FIRST: &[&str] = &[
 ];
 
 /// What is asked of the program of one tool of a clear cut.
-const CLEAR: &[&str] =
-    &["agreement", "passes", "closure", "travel", "turning", "feed", "faces", "floor", "clear-moves", "arcs", "rotary"];
+const CLEAR: &[&str] = &[
+    "agreement",
+    "tool",
+    "passes",
+    "closure",
+    "travel",
+    "turning",
+    "feed",
+    "faces",
+    "floor",
+    "clear-moves",
+    "arcs",
+    "rotary",
+];
 /// The same where there are splitters.
 const CLEAR_SPLITTERS: &[&str] = &[
     "agreement",
+    "tool",
     "passes",
     "closure",
     "travel",
@@ -143,6 +160,7 @@ pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Pro
         let mill = design.mill(which);
         return vec![
             Box::new(Agreement::of_the_tip(design.machine, program)),
+            Box::new(ToolTerms::new(design, mill)),
             Box::new(ClearCutting::new(design, asked, plan, which)),
             Box::new(Closure::new(turn(design, program))),
             Box::new(Axes::new(&design.travel)),

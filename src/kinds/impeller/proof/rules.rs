@@ -166,6 +166,12 @@ crate::finding::rule::rules! {
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "El cubo queda más delgado de lo diseñado.", "The hub comes out thinner than designed.";
         example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N160 G1 X0.445 Z3.999", to: "N160 G1 X0.445 Z3.899" };
+    "V0130" ClearTermsDiffer Stop { at: Text, found: Text, wanted: Text, program: Text }
+        es "en la {at} de «{program}» está en vigor {found}, y el formulario pide {wanted}"
+        en "at {at} of \"{program}\" {found} is in force, but the form asks for {wanted}"
+        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        why "Con la otra fresa la misma trayectoria corta las caras o deja metal.", "With the other tool the same path cuts into faces or leaves metal.";
+        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "T2 D2", to: "T1 D2" };
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} {found} is in force, but the form asks for {wanted}"
