@@ -129,7 +129,12 @@ fn its_volume_is_that_of_what_is_defined() {
         let found: f64 =
             triangles(&body).iter().map(|&[a, b, c]| corner(a).dot(&corner(b).cross(&corner(c))) / 6.0).sum();
         let defined = defined(&part, v_s);
-        assert!((found / defined - 1.0).abs() < 2e-3, "{part:?} {v_s:?}: {found} {defined}");
+        // The chords of a half round lie in it; its rulings are hardly longer than a_p.
+        let (n, half) = (f64::from(FINE.across), part.e / 2.0);
+        let chords = (FRAC_PI_2 - n / 2.0 * sin_cos(PI / n).0) * half * half * 1.1 * part.a_p;
+        let less = if v_s.is_some() { chords } else { 0.0 };
+        let off = found - defined;
+        assert!(off < 2e-3 * defined && off > -2e-3 * defined - less, "{part:?} {v_s:?}: {found} {defined}");
     }
 }
 
