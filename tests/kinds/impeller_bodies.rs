@@ -86,6 +86,11 @@ fn defined(part: &Part, v_s: Option<f64>) -> f64 {
     let counts = [1200_u16, 24, 160];
     let deep = [-0.1 * part.a_p - 0.1 * part.e, 1.6 * part.a_p];
     let cell = |at: u16, of: u16, [from, to]: [f64; 2]| from + (to - from) * (f64::from(at) + 0.5) / f64::from(of);
+    // Tops and floor cut all lines down the blade at nearly one depth: each line has its cells elsewhere, by the golden section.
+    let lower = |at: u16, of: u16, line: [u16; 2]| {
+        let phase = (0.618_033_988_75 * (f64::from(line[0]) * 61.0 + f64::from(line[1]))).fract();
+        deep[0] + (deep[1] - deep[0]) * (f64::from(at) + phase) / f64::from(of)
+    };
     let held = |point: &Vector3<f64>| part.trimmed(point) && (0.0..=part.a_p).contains(&part.depth(point));
     let (mut volume, step) = (0.0, 1e-5);
     for i in 0..counts[0] {
@@ -97,7 +102,7 @@ fn defined(part: &Part, v_s: Option<f64>) -> f64 {
         for j in 0..counts[1] {
             let y = cell(j, counts[1], [-half, half]);
             for k in 0..counts[2] {
-                let h = cell(k, counts[2], deep);
+                let h = lower(k, counts[2], [i, j]);
                 if held(&(P + frame.b * y - frame.N * h)) {
                     volume += along[0] + y * along[1] - h * along[2];
                 }
@@ -114,7 +119,7 @@ fn defined(part: &Part, v_s: Option<f64>) -> f64 {
         for j in 0..60_u16 {
             let (sin, cos) = sin_cos(cell(j, 60, [-FRAC_PI_2, FRAC_PI_2]));
             for k in 0..400_u16 {
-                let h = cell(k, 400, deep);
+                let h = lower(k, 400, [i, j]);
                 nose += if held(&(P + (frame.b * sin - frame.t * cos) * out - frame.N * h)) { out } else { 0.0 };
             }
         }
