@@ -27,6 +27,10 @@ const DESIGNS: u32 = 200;
 /// By how much the dense search may differ from the gap, mm: its rulings are some tenths of a millimetre apart, and its
 /// stations are not all places.
 const COARSE: f64 = 0.04;
+/// By how much smaller than the search finds the largest tool that is offered may be, mm.
+const SMALLER: f64 = 0.25;
+/// By which part of its thickness the greatest thickness may be too small.
+const THICK: f64 = 0.06;
 /// What the judges admit beside the tolerance, mm.
 const OVER: f64 = 0.001;
 /// How far above the tops the axis is looked at, mm: as the gap is defined.
@@ -234,7 +238,8 @@ fn refusal(design: &Design, cut: &Cut, refused: &DoesNotFit, grid: u32) -> Vec<S
     }
     if let Some(largest) = refused.largest {
         let (at, beyond) = (room(largest), room(largest + 0.06));
-        if at < -COARSE || beyond > COARSE {
+        // The tool runs out farther than the gap is looked at: the largest may be somewhat smaller.
+        if at < -COARSE || beyond > SMALLER {
             wrong.push(format!("{refused:?}: room {at} and at 0.06 more {beyond}"));
         }
     }
@@ -323,7 +328,8 @@ fn limits(design: &Design, d_t: f64, grid: u32) -> Vec<String> {
     }
     if let Some(e) = told.e_max {
         let at = room(Design { e, ..*design });
-        if at.abs() > COARSE {
+        // Of thick blades it is too small, never too large.
+        if at < -COARSE || at > COARSE + THICK * e {
             wrong.push(format!("e_max {e}: {at}"));
         }
     }

@@ -318,7 +318,8 @@ fn one_fault_at_a_time_in_the_text_of_a_clear_cut_is_caught() {
     let text = cut.text("finish");
     let line = middle(&cut, "obverse");
     let replaced = |from: &str, to: &str| {
-        let at = text.iter().position(|one| one.contains(from)).unwrap_or_else(|| panic!("{from}"));
+        let block = |one: &String| one.starts_with('N') && one.contains(from);
+        let at = text.iter().position(block).unwrap_or_else(|| panic!("{from}"));
         let mut lines = text.clone();
         lines[at] = lines[at].replacen(from, to, 1);
         lines

@@ -26,6 +26,8 @@ use crate::number::trig::sin_cos;
 
 /// How often a stretch is halved at most.
 const HALVINGS: u8 = 24;
+/// A ruling no steeper than this against the end's plane is level.
+const LEVEL: f64 = 1e-6;
 /// What the arithmetic may lose, mm.
 const ARITHMETIC: f64 = 1e-9;
 
@@ -100,14 +102,20 @@ impl Nose {
         let (along, up) = (self.N.dot(&axis), from.dot(&axis));
         let lean = (1.0 - along * along).max(0.0).sqrt();
         let end = out + self.half * lean;
-        let [top, bottom] = self.depths;
-        // Above the end: up − h·along ≥ −end.
-        let bottom = if along > 1e-6 { bottom.min((up + end) / along) } else { bottom };
+        let [mut top, mut bottom] = self.depths;
+        // Above the end: up − h·along ≥ −end. On the other side of the part the ruling stands the other way.
+        if along > LEVEL {
+            bottom = bottom.min((up + end) / along);
+        } else if along < -LEVEL {
+            top = top.max((up + end) / along);
+        } else if up + end + self.reach() * LEVEL < 0.0 {
+            return f64::INFINITY;
+        }
         let (first, second) = (from - axis * up, self.N - axis * along);
         let (ahead, slope) = (-self.t.dot(&from), self.t.dot(&axis));
         // On the side of −t: ahead + height·slope ≤ out, the height being that of the axis nearest to the ruling, up −
         // h·along, or that at which it goes through the plane across it, (N·from − h)/along.
-        let through = if along > 1e-6 { (self.N.dot(&from) / along, 1.0 / along) } else { (up, along) };
+        let through = if along.abs() > LEVEL { (self.N.dot(&from) / along, 1.0 / along) } else { (up, along) };
         [(up, along), through]
             .into_iter()
             .map(|(height, fall)| {

@@ -171,7 +171,7 @@ crate::finding::rule::rules! {
         en "at {at} of \"{program}\" {found} is in force, but the form asks for {wanted}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "Con la otra fresa la misma trayectoria corta las caras o deja metal.", "With the other tool the same path cuts into faces or leaves metal.";
-        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "T2 D2", to: "T1 D2" };
+        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N30 T2 D2", to: "N30 T1 D2" };
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} {found} is in force, but the form asks for {wanted}"
