@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod fields;
+mod impeller_clear;
 mod impeller_cut;
 mod impeller_shortfalls;
 mod laws;

@@ -20,6 +20,7 @@
 use std::f64::consts::TAU;
 
 use crate::geometry::torus::Torus;
+use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
 use crate::limits::FLOOR_BOXES;
@@ -49,19 +50,25 @@ pub fn law(Torus { R, r }: Torus, a_p: f64, e: f64, d_t: f64) -> f64 {
     hypot(r_f, d_t / 2.0 + (e + d_t) / 2.0 * cos_alpha) - r_f
 }
 
-/// The deepest point of the passes below the floor, its bound as close to what is found as it is asked for.
+/// The deepest point of the passes below the floor, its bound as close to what is found as it is asked for. The bounds of
+/// the sweeps hold up to the tool's corner radius above the tip.
+///
+/// # Derivation
+/// A rounded end is what a ball of the radius r_c holds whose centre goes over the disc of the radius a − r_c that far
+/// above the tip. No point of that ball is more than r_c farther from the circle than its centre; and where the centre has
+/// left the blank by δ, no point that is still in it more than √(r_c² − δ²).
 #[must_use]
 pub fn deepest<T: Copy>(
     Torus { R, r }: Torus,
     a_p: f64,
-    d_t: f64,
+    mill: Tool,
     sweeps: &[Sweep<T>],
     close: f64,
 ) -> Option<Deepest<T>> {
-    let (a, r_f) = (d_t / 2.0, r + a_p);
+    let (a, r_c, r_f) = (mill.flat_radius(), mill.r_c, r + a_p);
     let stretches: Vec<_> =
         sweeps.iter().flat_map(|sweep| sweep.stretches.iter().map(|stretch| (sweep.track, stretch))).collect();
-    let paces: Vec<Pace> = stretches.iter().map(|(_, stretch)| stretch.pace(0.0)).collect();
+    let paces: Vec<Pace> = stretches.iter().map(|(_, stretch)| stretch.pace(r_c)).collect();
     let cells = (0..stretches.len()).map(|sheet| Cell { sheet, s: [0.0, 1.0], t: [0.0, TAU] });
     let found = greatest(cells, close, FLOOR_BOXES, |cell| {
         let (_, stretch) = stretches[cell.sheet];
@@ -69,10 +76,10 @@ pub fn deepest<T: Copy>(
         let (speed, acceleration) = (pace.speed + pace.turn * a, pace.acceleration + pace.turn * pace.turn * a);
         // Distance from the axis of the part, height, depth below the floor.
         let rim = |s: f64, angle: f64| {
-            let (tip, _) = stretch.tool(s);
+            let (tip, axis) = stretch.tool(s);
             let [first, second] = stretch.across(s);
             let (sin, cos) = sin_cos(angle);
-            let point = tip + (first * cos + second * sin) * a;
+            let point = tip + axis * r_c + (first * cos + second * sin) * a;
             let rho = (point.x * point.x + point.y * point.y).sqrt();
             (rho, point.z, ((rho - R) * (rho - R) + point.z * point.z).sqrt() - r_f)
         };
@@ -82,9 +89,11 @@ pub fn deepest<T: Copy>(
         let (way, first) = (ways[0] + ways[1], ways[0] > ways[1]);
         let (rho, z, depth) = rim((s_0 + s_1) / 2.0, (low + high) / 2.0);
         // Outside the blank there is nothing to cut.
-        if z - way > stretch.slack || rho - way > R + stretch.slack {
+        let outside = (z.max(rho - R) - way - stretch.slack).max(0.0);
+        if outside > r_c {
             return Bounds { upper: f64::NEG_INFINITY, middle: f64::NEG_INFINITY, first };
         }
+        let round = (r_c * r_c - outside * outside).sqrt();
         let corners = [(s_0, low), (s_0, high), (s_1, low), (s_1, high)]
             .map(|(s, angle)| rim(s, angle).2)
             .into_iter()
@@ -97,13 +106,33 @@ pub fn deepest<T: Copy>(
         } else {
             f64::INFINITY
         };
-        let middle = if z <= 0.0 && rho <= R { depth } else { f64::NEG_INFINITY };
-        Bounds { upper: by_bend.min(depth + way) + stretch.slack, middle, first }
+        let middle = seen([rho - R, z], r_c, depth, r_f);
+        Bounds { upper: by_bend.min(depth + way) + stretch.slack + round, middle, first }
     })?;
     let (track, stretch) = stretches[found.at.sheet];
     let [low, high] = found.at.s;
     let x = stretch.index((low + high) / 2.0);
     Some(Deepest { most: found.upper.max(0.0), found: found.lower.max(0.0), track, x })
+}
+
+/// How deep a point of the blank lies in a ball of the radius r_c whose centre is at the depth given, `beside` the middle
+/// of the tube by as much outwards and upwards: the deepest one, or the one at the edge of the blank; none for a ball that
+/// has left it.
+fn seen([out, up]: [f64; 2], r_c: f64, depth: f64, r_f: f64) -> f64 {
+    let far = hypot(out, up);
+    let part = if far > 0.0 { r_c / far } else { 0.0 };
+    if up + up * part <= 0.0 && out + out * part <= 0.0 {
+        return depth + r_c;
+    }
+    let at_edge = |beyond: f64, along: f64| {
+        let left = r_c * r_c - beyond * beyond;
+        if left >= 0.0 { along.abs() + left.sqrt() - r_f } else { f64::NEG_INFINITY }
+    };
+    match (up > 0.0, out > 0.0) {
+        (true, true) => f64::NEG_INFINITY,
+        (true, false) => at_edge(up, out),
+        _ => at_edge(out, up),
+    }
 }
 
 /// How far a stretch of time may be from the straight line between its ends, mm.
@@ -116,11 +145,11 @@ const HALVINGS: u8 = 12;
 ///
 /// # Derivation
 /// At one time the disc at the tool's end lies in the ball about the point c of the tube's middle circle that is nearest to
-/// the axis: with c at the distance m from the axis and the end D below c, T ≤ √(D² + (a + m)²) all round, for T is no more than
+/// the axis: with c at the distance m from the axis and the end D below c, T ≤ √(D² + (a + m)²) all round (with a rounded end, r_c more of its disc), for T is no more than
 /// the distance from any point of the circle. Over time T exceeds the greater of both ends by no more than
 /// (V²/ρ + W)/8, as above, whatever the place on the rim.
 #[must_use]
-pub fn within<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], limit: f64) -> Option<Deepest<T>> {
+pub fn within<T: Copy>(torus: Torus, a_p: f64, mill: Tool, sweeps: &[Sweep<T>], limit: f64) -> Option<Deepest<T>> {
     let mut most: Option<Deepest<T>> = None;
     let mut take = |found: Deepest<T>| {
         if most.is_none_or(|known| found.most > known.most) {
@@ -130,8 +159,8 @@ pub fn within<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], li
     for sweep in sweeps {
         let mut left = Vec::new();
         for stretch in &sweep.stretches {
-            let pace = stretch.pace(0.0);
-            match ball(torus, a_p, d_t / 2.0, stretch, pace, limit) {
+            let pace = stretch.pace(mill.r_c);
+            match ball(torus, a_p, mill, stretch, pace, limit) {
                 Some(upper) => {
                     let x = stretch.index(0.5);
                     take(Deepest { most: upper.max(0.0), found: 0.0, track: sweep.track, x });
@@ -140,7 +169,7 @@ pub fn within<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], li
             }
         }
         let left = Sweep { track: sweep.track, stretches: left, height: sweep.height };
-        if let Some(found) = deepest(torus, a_p, d_t, &[left], SAG) {
+        if let Some(found) = deepest(torus, a_p, mill, &[left], SAG) {
             take(found);
         }
     }
@@ -148,11 +177,12 @@ pub fn within<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], li
 }
 
 /// The coarser bound of one stretch; `None` where it does not show that the stretch keeps to the limit.
-fn ball(Torus { R, r }: Torus, a_p: f64, a: f64, stretch: &Stretch, pace: Pace, limit: f64) -> Option<f64> {
-    let r_f = r + a_p;
+fn ball(Torus { R, r }: Torus, a_p: f64, mill: Tool, stretch: &Stretch, pace: Pace, limit: f64) -> Option<f64> {
+    let (a, r_c, r_f) = (mill.flat_radius(), mill.r_c, r + a_p);
     // Depth below the floor, at most, and the least distance of the disc from the axis of the part.
     let at = |s: f64| {
         let (tip, axis) = stretch.tool(s);
+        let tip = tip + axis * r_c;
         // The nearest point of the circle to the line of the axis, from the place of the axis at its height, by steps.
         let mut along = 0.0;
         let mut centre = tip;
@@ -164,7 +194,7 @@ fn ball(Torus { R, r }: Torus, a_p: f64, a: f64, stretch: &Stretch, pace: Pace, 
         }
         let m = (tip + axis * along - centre).norm();
         let rho = (tip.x * tip.x + tip.y * tip.y).sqrt() - a;
-        (hypot(along, a + m) - r_f, rho)
+        (hypot(along, a + m) + r_c - r_f, rho)
     };
     let (speed, acceleration) = (pace.speed + pace.turn * a, pace.acceleration + pace.turn * pace.turn * a);
     let mut pieces = vec![([0.0, 1.0], [at(0.0), at(1.0)], HALVINGS)];
