@@ -77,6 +77,11 @@ pub trait Method: Send + Sync + 'static {
     /// Where there is none.
     fn model(design: &Self::Design) -> Result<Self::Model, Vec<Finding>>;
 
+    /// How a run ends that these findings stop.
+    fn stopped(_: &[Finding]) -> Exit {
+        Exit::Refused
+    }
+
     /// What the form computes while it is being filled in.
     fn live() -> Option<LiveForm> {
         None
@@ -199,7 +204,7 @@ impl<M: Method> Kind for Of<M> {
 
     fn run(&self, fields: Fields, found: Vec<Finding>, source: Provenance, wants: Wants) -> Result<Outcome, Refusal> {
         let refused = |findings: Vec<Finding>| Refusal {
-            exit: Exit::Refused,
+            exit: M::stopped(&findings),
             findings: findings.into_iter().map(|finding| fields.locate(finding)).collect(),
         };
         let design = M::design(&fields).map_err(refused)?;

@@ -13,6 +13,7 @@ use rodete::kinds::impeller::clear::placement::Tolerance;
 use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::clear::tool::Tool;
 use rodete::kinds::impeller::clearance::Stand;
+use rodete::kinds::impeller::gap::{Limits, gap};
 use rodete::kinds::impeller::part::{Face, Part};
 use rodete::machine::rotary::Rotary;
 use rodete::number::trig::{atan2, cos, sin};
@@ -38,6 +39,8 @@ pub fn turned(a: Point, by: f64) -> Point {
 pub const L: f64 = 242.9;
 /// Steps between poses, mm.
 pub const STEP: f64 = 0.2;
+/// What they leave between them beside a tool that is 2 mm wide.
+const CUSP: f64 = 0.005;
 
 #[derive(Clone, Copy, Debug)]
 pub struct Design {
@@ -211,6 +214,26 @@ fn removed(design: &Design, v: f64, psi: f64, runs: &[Run], to: f64) -> [f64; 2]
         } else if up < 0.0 {
             continue;
         }
+        if pose.r_c > 0.0 && high > low {
+            // A rounded tool is convex, and so is the distance from it along a line.
+            let at = |T: f64| apart(add(c, out, T), pose);
+            let (mut from, mut to) = (low, high);
+            for _ in 0..50 {
+                let third = (to - from) / 3.0;
+                if at(from + third) < at(to - third) { to -= third } else { from += third }
+            }
+            if at(from) > 0.0 {
+                continue;
+            }
+            let edge = |mut inside: f64, mut outside: f64| {
+                for _ in 0..40 {
+                    let middle = f64::midpoint(inside, outside);
+                    if at(middle) <= 0.0 { inside = middle } else { outside = middle }
+                }
+                inside
+            };
+            (low, high) = (edge(from, low), edge(from, high));
+        }
         if high > low {
             spans.push((low, high));
         }
@@ -233,9 +256,9 @@ pub struct Found {
     pub undercut: f64,
     /// What is left of the faces farther above the floor than the root's height.
     pub face_rest: f64,
-    /// How far up the faces more than 0.02 mm is left.
+    /// How far up the faces more is left than the plan tells of, but for cusps.
     pub root_height: f64,
-    /// How far from the faces on the floor more than 0.03 mm is left.
+    /// How far from the faces on the floor, nearer than where its rest begins.
     pub root_width: f64,
     /// How deep the tool goes below the floor.
     pub too_deep: f64,
@@ -274,7 +297,7 @@ pub fn simulate(design: &Design, plan: &Plan, cut: &Cut, grid: [u32; 2], floor: 
         if design.a_p - depth > plan.told.root.height {
             found.face_rest = found.face_rest.max(apart);
         }
-        if apart > 0.02 {
+        if apart > plan.told.root.over + CUSP {
             found.root_height = found.root_height.max(design.a_p - depth);
         }
     }
@@ -331,10 +354,10 @@ pub fn simulate(design: &Design, plan: &Plan, cut: &Cut, grid: [u32; 2], floor: 
             if inside(top) || inside(x) {
                 continue;
             }
-            if design.a_p - depth > 0.03 {
-                found.root_width = found.root_width.max(wall);
-            }
-            if wall < 0.4 {
+            if wall < plan.told.floor.beside {
+                if design.a_p - depth > plan.told.root.over + CUSP {
+                    found.root_width = found.root_width.max(wall);
+                }
                 continue;
             }
             whole += rho * design.a_p;
@@ -422,15 +445,23 @@ fn judge(design: &Design, cut: &Cut, grid: [u32; 2], floor: [u32; 2]) -> (Plan, 
     assert!(found.undercut <= MOST && found.too_deep <= MOST && found.tops < 1e-9, "{design:?} {found:?}");
     let rest = told.faces.iter().map(|face| face.rest).fold(0.0, f64::max);
     // The cusps between the simulator's poses are left too, and where a face ends in the blank a little more.
-    assert!(found.face_rest <= rest + MOST + STEP * STEP / (4.0 * cut.finish.d), "{design:?} {found:?} {told:?}");
+    let faces = rest + MOST + STEP * STEP / (4.0 * cut.finish.d);
+    // Where ridges are higher, or an end is rounded, the corner is told from a larger rest on.
+    let corner = told.root.over > 0.03 + 1e-9 || cut.finish.r_c > 0.0;
+    let faces = if corner { faces.max(told.root.over + CUSP) } else { faces };
+    assert!(found.face_rest <= faces, "{design:?} {found:?} {told:?}");
     assert!(found.floor_rest <= 1.1 * told.floor.most + 0.005, "{design:?} {found:?} {told:?}");
+    assert!(found.root_height <= told.root.height, "{design:?} {found:?} {told:?}");
+    // Points of the walls' feet are a third of a millimetre apart at most: a place between two of them seems farther.
+    let width = (told.root.width * told.root.width + 0.17 * 0.17).sqrt() + 0.02;
+    assert!(found.root_width <= width, "{design:?} {found:?} {told:?}");
     if let Some(v_s) = told.splitter_from {
         let all = poses(&plan, cut);
         for (x, depth) in nose(design, v_s, 0.0).into_iter().map(|x| (x, design.depth(x))) {
             let apart = distance(x, &all);
             assert!(apart >= -MOST, "{design:?} the nose is cut into: {apart}");
             assert!(
-                apart < 0.02 || design.a_p - depth <= told.root.height,
+                apart <= told.root.over + CUSP || design.a_p - depth <= told.root.height,
                 "{design:?} {apart} of the nose at {depth}"
             );
         }
@@ -441,7 +472,7 @@ fn judge(design: &Design, cut: &Cut, grid: [u32; 2], floor: [u32; 2]) -> (Plan, 
 #[test]
 fn the_usual_cut_of_the_shipped_design_keeps_its_rests() {
     let (plan, found) = judge(&SHIPPED, &Cut::usual(6.0, 3.0), [30, 6], [24, 90]);
-    assert!(found.root_height <= 0.40 && found.root_width <= 0.35, "{found:?}");
+    assert!(plan.told.root.height <= 0.40 && plan.told.root.width <= 0.35, "{found:?} {:?}", plan.told.root);
     assert!(found.floor_rest <= 0.03 && plan.told.floor.most <= 0.03, "{found:?} {:?}", plan.told.floor);
     assert!(plan.told.dropped.is_empty());
     assert!(plan.all_blocks(Which::Rough) < 5_000 && plan.all_blocks(Which::Finish) < 12_000);
@@ -450,8 +481,8 @@ fn the_usual_cut_of_the_shipped_design_keeps_its_rests() {
 #[test]
 fn one_tool_cuts_the_check_designs_and_tells_what_it_leaves() {
     for (design, root) in [(SHIPPED, 1.46), (DEEP, 1.7), (LARGE, 0.71)] {
-        let (_, found) = judge(&design, &Cut::usual(6.0, 6.0), [16, 4], [12, 30]);
-        assert!(found.root_height <= root, "{design:?} {found:?}");
+        let (plan, _) = judge(&design, &Cut::usual(6.0, 6.0), [16, 4], [12, 30]);
+        assert!(plan.told.root.height <= root, "{design:?} {:?}", plan.told.root);
     }
 }
 
@@ -620,4 +651,126 @@ fn a_tool_that_does_not_fit_is_refused_with_the_largest_that_does() {
     assert!(Plan::new(&SHIPPED.job(), &coarse(largest + 0.05)).is_err());
     let wide = Plan::new(&SHIPPED.job(), &Cut::usual(40.0, 3.0)).unwrap_err();
     assert_eq!((wide.from, wide.uncut), (None, 1.0));
+}
+
+#[test]
+fn rounded_ends_leave_what_is_told() {
+    for (rough, finish) in [(Tool { d: 6.0, r_c: 1.0 }, Tool { d: 3.0, r_c: 0.5 }), (Tool::ball(6.0), Tool::ball(4.0))]
+    {
+        let cut = Cut { rough, finish, scallop: 0.05, ..Cut::usual(6.0, 3.0) };
+        let (plan, _) = judge(&SHIPPED, &cut, [16, 4], [12, 60]);
+        // Ridges as the law says; the corner as high as the round end leaves more than a ridge.
+        assert!(plan.told.floor.most <= 0.07 && plan.told.root.height >= finish.r_c / 3.0, "{:?}", plan.told);
+    }
+}
+
+#[test]
+fn a_tool_that_does_not_fit_at_the_hub_cuts_no_blade_and_leaves_the_share_told() {
+    let cut = Cut { partly: true, scallop: 0.1, ..Cut::usual(8.0, 3.0) };
+    let (plan, _) = judge(&SHIPPED, &cut, [16, 4], [12, 30]);
+    assert!(plan.told.rough_from > 0.1 && plan.told.finish_from == 0.0 && plan.told.uncut == 0.0);
+    assert!(plan.passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. })));
+    let cut = Cut { finish: Tool::flat(7.5), ..cut };
+    let plan = self::plan(&SHIPPED, &cut);
+    let found = simulate(&SHIPPED, &plan, &cut, [16, 4], [24, 40]);
+    assert!(found.undercut <= MOST && found.too_deep <= MOST && found.tops < 1e-9, "{found:?}");
+    assert!(plan.told.finish_from > 0.0 && (found.left - plan.told.uncut).abs() < 0.05, "{found:?} {:?}", plan.told);
+    assert!(plan.told.dropped.iter().any(|one| matches!(one.cutting, Cutting::Flank { .. })));
+}
+
+/// The largest tool that passes, its tip as deep as that of a tool of the radius a: the axis turned between points of both
+/// faces, some tenths apart. Before the hub plane stations are in parts of a length.
+fn widest(design: &Design, a: f64, run_out: f64) -> f64 {
+    let Design { R, r, a_p, e, .. } = *design;
+    let sin_alpha = r / R;
+    let beyond = ((e / 2.0 + a) * (1.0 - sin_alpha * sin_alpha).sqrt() / sin_alpha + a / sin_alpha + 0.5) / R;
+    let lines = ((FRAC_PI_2 + 2.0 * beyond) * R / 0.2).ceil();
+    // As deep as the floor is beside the tangent plane.
+    let bottom = a_p + e * e / (8.0 * (R - r - a_p));
+    let face = |side: f64| -> Vec<Point> {
+        (0..=4000_u32)
+            .take_while(|&line| f64::from(line) <= lines)
+            .flat_map(|line| {
+                let v = PI - beyond + (FRAC_PI_2 + 2.0 * beyond) * f64::from(line) / lines;
+                let [P, _, b, N] = design.frame(v);
+                let foot = add(P, b, side * e / 2.0);
+                // From where the torus comes up to it, beside the tangent plane.
+                let cos_v = cos(v.clamp(PI, 1.5 * PI));
+                let bent = (1.0 - sin_alpha * sin_alpha) / r + sin_alpha * sin_alpha * cos_v / (R + r * cos_v);
+                let head = e * e / 8.0 * bent;
+                (0..=16_u32).map(move |step| add(foot, N, head - (bottom + head) * f64::from(step) / 16.0))
+            })
+            .collect()
+    };
+    let walls = [face(1.0), face(-1.0)];
+    let width = |q: f64| {
+        let (out, v) = ((-q).max(0.0) * run_out, PI + q.max(0.0) * FRAC_PI_2);
+        let reach = (a - out).max(0.0);
+        // The end of a tool too wide for the tube stands above the blank.
+        let low = (r - ((r + a_p) * (r + a_p) - reach * reach).max(0.0).sqrt()).min(0.3);
+        let apart = |psi: f64, wall: &[Point]| {
+            let along = [-cos(v) * cos(psi), -cos(v) * sin(psi), -sin(v)];
+            let rho = R + r * cos(v);
+            let foot = [rho * cos(psi), rho * sin(psi), r * sin(v) + out];
+            let far = |x: &Point| {
+                let from = add(*x, foot, -1.0);
+                let up = dot(from, along).clamp(low, 0.3);
+                norm(add(from, along, -up))
+            };
+            wall.iter().map(far).fold(f64::INFINITY, f64::min)
+        };
+        let k = (R * R - r * r).sqrt();
+        let u = atan2(-(r + R * cos(v)), k * sin(v));
+        let u = if u < 0.0 { u + TAU } else { u };
+        let within = e / 2.0 / ((R + r * cos(v)) * sin_alpha);
+        let (mut low, mut high) = (u - design.pitch() + within, u - within);
+        let mut most: f64 = 0.0;
+        for _ in 0..24 {
+            let psi = f64::midpoint(low, high);
+            let both = [apart(psi, &walls[0]), apart(psi + design.pitch(), &walls[1])];
+            most = most.max(both[0].min(both[1]));
+            if both[0] > both[1] { low = psi } else { high = psi }
+        }
+        2.0 * most
+    };
+    let stations = [-0.4, -0.2, 0.0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1.0];
+    stations.into_iter().map(width).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn the_largest_tool_number_and_thickness_are_those_of_a_dense_search() {
+    let mut state = 7_u32;
+    let mut drawn = |low: f64, high: f64| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        low + (high - low) * f64::from(state >> 8) / f64::from(1_u32 << 24)
+    };
+    for N in [2, 3, 4, 5] {
+        let R = drawn(20.0, 80.0);
+        let r = R * drawn(0.4, 0.7);
+        let design = Design { R, r, N, e: drawn(0.8, 3.0), a_p: (R - r) * drawn(0.1, 0.25) };
+        let d = drawn(2.0, 5.0);
+        let found = gap(&design.job().part, N, d).width;
+        // Points of a face are somewhat farther than the face.
+        let dense = widest(&design, found / 2.0, d / 2.0);
+        assert!((-0.03..=0.005).contains(&(found - dense)), "{design:?} {found} {dense}");
+        let limits = Limits::of(&design.job().part, N, d);
+        let spare = |N: u32, e: f64| widest(&Design { N, e, ..design }, d / 2.0, d / 2.0) - 4.0 / 3.0 * d;
+        if let Some(most) = limits.N_max.filter(|most| *most > 1) {
+            assert!(spare(most, design.e) >= -0.005 && spare(most + 1, design.e) <= 0.03, "{design:?} {limits:?}");
+        }
+        if let Some(most) = limits.e_max {
+            let spare = [0.0, 0.04].map(|more| spare(N, most + more));
+            assert!(spare[0] >= -0.005 && spare[1] <= 0.03, "{design:?} {limits:?} {spare:?}");
+        }
+        // A clear cut is stopped only by a tool wider than the gap, with what it leaves on both walls; the lanes look farther
+        // above the blank than the gap does, which takes some thousandths of a wide tool.
+        let cut = |rough: f64| Cut { scallop: 0.5, tolerance: 0.05, ..Cut::usual(rough, 1.0) };
+        let least = found - 2.0 * cut(1.0).s;
+        if least > 1.2 && least < 1.9 * r {
+            let fits = Plan::new(&design.job(), &cut(least * 0.995 - 0.05)).map(|_| ());
+            assert!(fits.is_ok(), "{design:?} {least} {fits:?}");
+            let wide = Plan::new(&design.job(), &cut(least * 1.1 + 0.2)).map(|_| ());
+            assert!(wide.is_err(), "{design:?} {least}");
+        }
+    }
 }

@@ -4,6 +4,7 @@ use crate::common;
 
 use rodete::finding::{Finding, Grade};
 use rodete::kind::Outcome;
+use rodete::kinds::impeller::clear::tool::Tool;
 use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::floor_depth::{self, deepest};
 use rodete::kinds::impeller::part::Part;
@@ -161,7 +162,7 @@ fn the_widest_rib_at_the_rim_is_that_of_a_dense_search() {
 fn the_floor_beyond_a_p_is_not_told_less_than_it_is() {
     for (numbers, _, depth) in SIMULATED {
         let (design, sweeps) = sweeps(numbers);
-        let found = deepest(design.torus, design.a_p, design.d_t, &sweeps, floor_depth::CLOSE).unwrap();
+        let found = deepest(design.torus, design.a_p, Tool::flat(design.d_t), &sweeps, floor_depth::CLOSE).unwrap();
         assert!(found.most >= depth && found.most < depth * 1.035, "{numbers:?}: {found:?} against {depth}");
         assert!(found.most - found.found < 0.001, "{found:?}");
         let [_, _, _, e, a_p, d_t] = numbers;

@@ -6,6 +6,7 @@
 mod common;
 mod fields;
 mod impeller_bodies;
+mod impeller_clear;
 mod impeller_cut;
 mod impeller_designs;
 mod impeller_shortfalls;

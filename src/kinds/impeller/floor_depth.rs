@@ -22,6 +22,7 @@ use std::f64::consts::TAU;
 use nalgebra::Vector3;
 
 use crate::geometry::torus::Torus;
+use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
 use crate::limits::FLOOR_BOXES;
@@ -51,33 +52,39 @@ pub fn law(Torus { R, r }: Torus, a_p: f64, e: f64, d_t: f64) -> f64 {
     hypot(r_f, d_t / 2.0 + (e + d_t) / 2.0 * cos_alpha) - r_f
 }
 
-/// The deepest point of the passes below the floor, its bound as close to what is found as it is asked for.
+/// The deepest point of the passes below the floor, its bound as close to what is found as it is asked for. The bounds of
+/// the sweeps hold up to the tool's corner radius above the tip.
+///
+/// # Derivation
+/// A rounded end is what a ball of the radius r_c holds whose centre goes over the disc of the radius a − r_c that far
+/// above the tip. No point of that ball is more than r_c farther from the circle than its centre; and where the centre has
+/// left the blank by δ, no point that is still in it more than √(r_c² − δ²).
 #[must_use]
-pub fn deepest<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], close: f64) -> Option<Deepest<T>> {
-    deeper(torus, a_p, d_t, sweeps, close, f64::NEG_INFINITY)
+pub fn deepest<T: Copy>(torus: Torus, a_p: f64, mill: Tool, sweeps: &[Sweep<T>], close: f64) -> Option<Deepest<T>> {
+    deeper(torus, a_p, mill, sweeps, close, f64::NEG_INFINITY)
 }
 
 /// The same where only what is deeper than known so far is worth knowing: where nothing is, the answer is not deeper.
 fn deeper<T: Copy>(
     Torus { R, r }: Torus,
     a_p: f64,
-    d_t: f64,
+    mill: Tool,
     sweeps: &[Sweep<T>],
     close: f64,
     known: f64,
 ) -> Option<Deepest<T>> {
-    let (a, r_f) = (d_t / 2.0, r + a_p);
+    let (a, r_c, r_f) = (mill.flat_radius(), mill.r_c, r + a_p);
     let stretches: Vec<_> =
         sweeps.iter().flat_map(|sweep| sweep.stretches.iter().map(|stretch| (sweep.track, stretch))).collect();
-    let paces: Vec<Pace> = stretches.iter().map(|(_, stretch)| stretch.pace(0.0)).collect();
+    let paces: Vec<Pace> = stretches.iter().map(|(_, stretch)| stretch.pace(r_c)).collect();
     let cells = (0..stretches.len()).map(|sheet| Cell { sheet, s: [0.0, 1.0], t: [0.0, TAU] });
     let found = greatest_above(known, cells, close, FLOOR_BOXES, |cell| {
         let (_, stretch) = stretches[cell.sheet];
         let pace = paces[cell.sheet];
         let (speed, acceleration) = (pace.speed + pace.turn * a, pace.acceleration + pace.turn * pace.turn * a);
         // Distance from the axis of the part, height, depth below the floor.
-        let rim = |(tip, [first, second]): (Vector3<f64>, [Vector3<f64>; 2]), (sin, cos): (f64, f64)| {
-            let point = tip + (first * cos + second * sin) * a;
+        let rim = |(center, [first, second]): (Vector3<f64>, [Vector3<f64>; 2]), (sin, cos): (f64, f64)| {
+            let point = center + (first * cos + second * sin) * a;
             let rho = (point.x * point.x + point.y * point.y).sqrt();
             (rho, point.z, ((rho - R) * (rho - R) + point.z * point.z).sqrt() - r_f)
         };
@@ -85,12 +92,17 @@ fn deeper<T: Copy>(
         let (along, around) = (s_1 - s_0, high - low);
         let ways = [speed * along / 2.0, a * around / 2.0];
         let (way, first) = (ways[0] + ways[1], ways[0] > ways[1]);
-        let end = |s: f64| (stretch.tool(s).0, stretch.across(s));
+        let end = |s: f64| {
+            let (tip, axis) = stretch.tool(s);
+            (tip + axis * r_c, stretch.across(s))
+        };
         let (rho, z, depth) = rim(end((s_0 + s_1) / 2.0), sin_cos((low + high) / 2.0));
         // Outside the blank there is nothing to cut.
-        if z - way > stretch.slack || rho - way > R + stretch.slack {
+        let outside = (z.max(rho - R) - way - stretch.slack).max(0.0);
+        if outside > r_c {
             return Bounds { upper: f64::NEG_INFINITY, middle: f64::NEG_INFINITY, first };
         }
+        let round = (r_c * r_c - outside * outside).sqrt();
         let turned = cell.t.map(sin_cos);
         let corners = cell.s.into_iter().map(end).flat_map(|end| turned.map(|turned| rim(end, turned).2));
         let corners = corners.fold(f64::NEG_INFINITY, f64::max);
@@ -102,13 +114,33 @@ fn deeper<T: Copy>(
         } else {
             f64::INFINITY
         };
-        let middle = if z <= 0.0 && rho <= R { depth } else { f64::NEG_INFINITY };
-        Bounds { upper: by_bend.min(depth + way) + stretch.slack, middle, first }
+        let middle = seen([rho - R, z], r_c, depth, r_f);
+        Bounds { upper: by_bend.min(depth + way) + stretch.slack + round, middle, first }
     })?;
     let (track, stretch) = stretches[found.at.sheet];
     let [low, high] = found.at.s;
     let x = stretch.index((low + high) / 2.0);
     Some(Deepest { most: found.upper.max(0.0), found: found.lower.max(0.0), track, x })
+}
+
+/// How deep a point of the blank lies in a ball of the radius r_c whose centre is at the depth given, `beside` the middle
+/// of the tube by as much outwards and upwards: the deepest one, or the one at the edge of the blank; none for a ball that
+/// has left it.
+fn seen([out, up]: [f64; 2], r_c: f64, depth: f64, r_f: f64) -> f64 {
+    let far = hypot(out, up);
+    let part = if far > 0.0 { r_c / far } else { 0.0 };
+    if up + up * part <= 0.0 && out + out * part <= 0.0 {
+        return depth + r_c;
+    }
+    let at_edge = |beyond: f64, along: f64| {
+        let left = r_c * r_c - beyond * beyond;
+        if left >= 0.0 { along.abs() + left.sqrt() - r_f } else { f64::NEG_INFINITY }
+    };
+    match (up > 0.0, out > 0.0) {
+        (true, true) => f64::NEG_INFINITY,
+        (true, false) => at_edge(up, out),
+        _ => at_edge(out, up),
+    }
 }
 
 /// How far a stretch of time may be from the straight line between its ends, mm.
@@ -121,18 +153,18 @@ const HALVINGS: u8 = 12;
 ///
 /// # Derivation
 /// At one time the disc at the tool's end lies in the ball about the point c of the tube's middle circle that is nearest to
-/// the axis: with c at the distance m from the axis and the end D below c, T ≤ √(D² + (a + m)²) all round, for T is no more than
+/// the axis: with c at the distance m from the axis and the end D below c, T ≤ √(D² + (a + m)²) all round (with a rounded end, r_c more of its disc), for T is no more than
 /// the distance from any point of the circle. Over time T exceeds the greater of both ends by no more than
 /// (V²/ρ + W)/8, as above, whatever the place on the rim.
 #[must_use]
-pub fn within<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], limit: f64) -> Option<Deepest<T>> {
+pub fn within<T: Copy>(torus: Torus, a_p: f64, mill: Tool, sweeps: &[Sweep<T>], limit: f64) -> Option<Deepest<T>> {
     let mut most: Option<Deepest<T>> = None;
     let mut left = Vec::new();
     for sweep in sweeps {
         let mut open = Vec::new();
         for stretch in &sweep.stretches {
-            let pace = stretch.pace(0.0);
-            match ball(torus, a_p, d_t / 2.0, stretch, pace, limit) {
+            let pace = stretch.pace(mill.r_c);
+            match ball(torus, a_p, mill, stretch, pace, limit) {
                 Some(upper) => {
                     let found = upper.max(0.0);
                     if most.is_none_or(|known| found > known.most) {
@@ -147,7 +179,7 @@ pub fn within<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], li
     // Mostly run-outs: as deep as the floor outside of the blank, and hardly deeper than the rest inside.
     for sweep in left {
         let known = most.map_or(f64::NEG_INFINITY, |most| most.most);
-        if let Some(found) = deeper(torus, a_p, d_t, &[sweep], SAG, known)
+        if let Some(found) = deeper(torus, a_p, mill, &[sweep], SAG, known)
             && most.is_none_or(|known| found.most > known.most)
         {
             most = Some(found);
@@ -157,11 +189,12 @@ pub fn within<T: Copy>(torus: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep<T>], li
 }
 
 /// The coarser bound of one stretch; `None` where it does not show that the stretch keeps to the limit.
-fn ball(Torus { R, r }: Torus, a_p: f64, a: f64, stretch: &Stretch, pace: Pace, limit: f64) -> Option<f64> {
-    let r_f = r + a_p;
+fn ball(Torus { R, r }: Torus, a_p: f64, mill: Tool, stretch: &Stretch, pace: Pace, limit: f64) -> Option<f64> {
+    let (a, r_c, r_f) = (mill.flat_radius(), mill.r_c, r + a_p);
     // Depth below the floor, at most, and the least distance of the disc from the axis of the part.
     let at = |s: f64| {
         let (tip, axis) = stretch.tool(s);
+        let tip = tip + axis * r_c;
         // The nearest point of the circle to the line of the axis, from the place of the axis at its height, by steps.
         let mut along = 0.0;
         let mut centre = tip;
@@ -173,7 +206,7 @@ fn ball(Torus { R, r }: Torus, a_p: f64, a: f64, stretch: &Stretch, pace: Pace, 
         }
         let m = (tip + axis * along - centre).norm();
         let rho = (tip.x * tip.x + tip.y * tip.y).sqrt() - a;
-        (hypot(along, a + m) - r_f, rho)
+        (hypot(along, a + m) + r_c - r_f, rho)
     };
     let (speed, acceleration) = (pace.speed + pace.turn * a, pace.acceleration + pace.turn * pace.turn * a);
     let mut pieces = vec![([0.0, 1.0], [at(0.0), at(1.0)], HALVINGS)];

@@ -73,29 +73,34 @@ impl Limits {
     /// The limits of a design.
     #[must_use]
     pub fn new(design: &Design) -> Self {
-        let (torus, a_p, d_t) = (design.torus, design.a_p, design.d_t);
+        Self::of(&Part::new(design), design.N, design.d_t)
+    }
+
+    /// The limits of N blades of a part with a tool of the diameter d_t.
+    #[must_use]
+    pub fn of(part: &Part, count: u32, d_t: f64) -> Self {
+        let (torus, e, a_p) = (part.circle.torus, part.e, part.a_p);
         let least = least_gap(d_t);
-        let part = Part::new(design);
         let mut near = STATIONS.to_vec();
-        let beside = Channel::new(&part, design.N, d_t).least(&mut near);
+        let beside = Channel::new(part, count, d_t).least(&mut near);
         // Thickness changes the widths of all stations alike.
         let spare = |e: f64| {
             let part = Part::with(torus, e, a_p);
-            Channel::new(&part, design.N, d_t).least(&mut near.clone()).width - least
+            Channel::new(&part, count, d_t).least(&mut near.clone()).width - least
         };
         let fits = |N: u32| {
-            let channel = Channel::new(&part, N, d_t);
+            let channel = Channel::new(part, N, d_t);
             STATIONS.iter().skip(2).chain(STATIONS.iter().take(2)).all(|&q| channel.width(q) >= least)
         };
         // The gap is narrower than the arc on the parallel, so that the published limits are upper bounds.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held within the form's limits")]
-        let most = N_max(torus, a_p, design.e, d_t).clamp(0.0, 1e6) as u32;
+        let most = N_max(torus, a_p, e, d_t).clamp(0.0, 1e6) as u32;
         Self {
-            gap: gap(&part, design.N, d_t),
+            gap: gap(part, count, d_t),
             least,
             kept: beside.width >= least,
             N_max: greatest(most, fits),
-            e_max: thickest(e_max(torus, a_p, design.N, d_t), spare),
+            e_max: thickest(e_max(torus, a_p, count, d_t), spare),
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::gcode::program::{Part, Program};
 use crate::gcode::word::Distance;
 use crate::kinds::impeller::clear::asked::Mill;
 use crate::kinds::impeller::clear::cut::Which;
+use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::number::grid::Milli;
 use crate::number::shown;
@@ -43,10 +44,22 @@ pub fn header(
     let mut comments = identity(design, program, origin);
     let Mill { T, D, d, F, S } = design.mill(which);
     let diameter = fixed(d);
+    let end = design.clear.as_ref().map_or(Tool::flat(d), |asked| asked.cut.tool(which));
+    let [es, en] = if end.r_c == 0.0 {
+        ["FRESA FRONTAL", "FLAT END MILL"]
+    } else if end.flat_radius() > 0.0 {
+        ["FRESA TORICA", "BULL NOSE END MILL"]
+    } else {
+        ["FRESA ESFERICA", "BALL END MILL"]
+    };
     comments.line(
-        &format!("HERRAMIENTA T{T} D{D} FRESA FRONTAL DIAM. {diameter}"),
-        &format!("TOOL T{T} D{D} FLAT END MILL DIAM. {diameter}"),
+        &format!("HERRAMIENTA T{T} D{D} {es} DIAM. {diameter}"),
+        &format!("TOOL T{T} D{D} {en} DIAM. {diameter}"),
     );
+    if end.r_c > 0.0 {
+        let r_c = fixed(end.r_c);
+        comments.line(&format!("RADIO DE ESQUINA {r_c}"), &format!("CORNER RADIUS {r_c}"));
+    }
     if let Some([out, back]) = full_from {
         comments.line(
             &format!("INTERMEDIO ENTERO DESDE PUNTO {out} IDA Y {back} VUELTA"),

@@ -48,7 +48,7 @@ pub mod track;
 pub mod undercut;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Place, Raise, Rule};
+use crate::finding::{Exit, Finding, Place, Raise, Rule};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
@@ -63,7 +63,7 @@ use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least
 use crate::kinds::impeller::clear::cut::Job;
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::remarks as remarks_of;
-use crate::kinds::impeller::clear::rules::PublishedLeavesMetal;
+use crate::kinds::impeller::clear::rules::{PublishedLeavesMetal, TooManyClearBlocks};
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::figures::figures;
@@ -188,6 +188,11 @@ impl Method for Impeller {
         Ok(Model { blade, passes, splitter, calibration, limits: Limits::new(design), tracks, clear })
     }
 
+    fn stopped(findings: &[Finding]) -> Exit {
+        // Nothing is wrong with a design whose programs are too long for a control.
+        if findings.iter().all(|finding| finding.is(TooManyClearBlocks::RULE)) { Exit::Limit } else { Exit::Refused }
+    }
+
     fn tables(design: &Design, model: &Model) -> Vec<Table> {
         let Model { blade, passes, splitter, calibration, clear, .. } = model;
         let mut tables = tables::annexes(blade, passes);
@@ -213,9 +218,17 @@ impl Method for Impeller {
         if let (Some(plan), Some(asked)) = (&model.clear, &design.clear) {
             let made = clear::programs::programs(design, plan, origin)
                 .map_err(|error| vec![out_of_format(error, vec!["R", "R_B", "H"])])?;
+            let long: Vec<Finding> = made
+                .programs
+                .iter()
+                .filter_map(|program| remarks_of::too_long(program.title.clone(), program.blocks()))
+                .collect();
+            if !long.is_empty() {
+                return Err(long);
+            }
             let mut findings = remarks(design, &made, model.calibration.as_ref().map(|(_, axis)| *axis));
             findings.extend(too_narrow(design, &model.limits));
-            findings.extend(remarks_of::remarks(asked, plan));
+            findings.extend(remarks_of::remarks(&Job::of(design), asked, plan));
             return Ok(Written { programs: made.programs, findings });
         }
         let made = match &model.tracks {
@@ -419,7 +432,7 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
         for beta in list.iter_mut().filter(|one| one.symbol == "beta") {
             *beta = beta.clone().by("derived_beta", "DEGREES(ASIN(meridian_r/torus_R))");
         }
-        list.extend(clear::tables::quantities(plan, asked.tolerance));
+        list.extend(clear::tables::quantities(asked, plan));
     }
     list.extend(splitter.as_ref().map(crossings).into_iter().flatten());
     if let Some(program) = programs

@@ -1,6 +1,7 @@
 //! What the plan of an impeller leaves or spoils, reported with figures and places: for a person to judge before the work.
 
 use crate::finding::{Finding, Place, Raise, Said, Size};
+use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::floor_depth::{self, deepest};
 use crate::kinds::impeller::gap::Limits;
@@ -45,7 +46,7 @@ fn left_standing(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Findi
 }
 
 fn too_deep(design: &Design, sweeps: &[Sweep]) -> Option<Finding> {
-    let deepest = deepest(design.torus, design.a_p, design.d_t, sweeps, floor_depth::CLOSE)?;
+    let deepest = deepest(design.torus, design.a_p, Tool::flat(design.d_t), sweeps, floor_depth::CLOSE)?;
     if deepest.most <= UNSAID {
         return None;
     }

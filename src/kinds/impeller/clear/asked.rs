@@ -45,6 +45,8 @@ pub struct Asked {
     pub stick_out: [Option<f64>; 2],
     /// d_h.
     pub holder: Option<f64>,
+    /// h_r, the height of rest that is allowed in the corners; `None` where it is not asked about.
+    pub root: Option<f64>,
 }
 
 /// How far rounding to the output grid may move a point of the tool: 0.0005 mm in each of X, Y and Z, and 0.0005° of B
@@ -71,10 +73,11 @@ impl Asked {
             S: fields.get(&fields::S_F).or(plain.S),
         };
         let tolerance = plain.tol.unwrap_or(TOLERANCE);
+        let (r_c, r_cf) = (fields.get(&fields::CORNER), fields.get(&fields::CORNER_F));
         let counterclockwise = plain.start_codes.contains(&Word::whole('M', 4));
         let cut = Cut {
-            rough: Tool::flat(plain.d_t),
-            finish: Tool::flat(finish.d),
+            rough: Tool { d: plain.d_t, r_c },
+            finish: Tool { d: finish.d, r_c: if given.0.is_some() { r_cf.unwrap_or(0.0) } else { r_c } },
             s: fields.get(&fields::ALLOWANCE),
             level: fields.get(&fields::LEVEL),
             step: fields.get(&fields::STEP),
@@ -83,12 +86,14 @@ impl Asked {
             feed: fields.get(&fields::FEED_CHANGE),
             d_s: plain.d_s,
             spindle: if counterclockwise { Spindle::Counterclockwise } else { Spindle::Clockwise },
+            partly: fields.get(&fields::PARTLY),
             splitters: plain.splitters,
             splitter_from: None,
             stages: Vec::new(),
         };
         let stick_out = [fields.get(&fields::STICK_OUT), fields.get(&fields::STICK_OUT_F)];
-        Some(Self { cut, tolerance, finish, given, stick_out, holder: fields.get(&fields::HOLDER) })
+        let root = fields.get(&fields::ROOT);
+        Some(Self { cut, tolerance, finish, given, stick_out, holder: fields.get(&fields::HOLDER), root })
     }
 
     /// The holder behind a tool; of any width where its diameter is not given, `None` where its stick-out is not.

@@ -60,6 +60,8 @@ pub struct Cut {
     pub d_s: f64,
     /// Which way the spindle turns.
     pub spindle: Spindle,
+    /// A tool that does not fit all the way to the hub cuts as far as it fits.
+    pub partly: bool,
     /// Splitters are wanted.
     pub splitters: bool,
     /// v_s where the splitters are to begin; at the earliest where the finishing tool
@@ -84,6 +86,7 @@ impl Cut {
             feed: None,
             d_s: 5.0,
             spindle: Spindle::Clockwise,
+            partly: false,
             splitters: false,
             splitter_from: None,
             stages: Vec::new(),

@@ -36,8 +36,8 @@ pub(in crate::kinds::impeller) static D_F: Field<f64, Optional> = Field::real(
     [0.2, 100.0],
     t("Diámetro de la fresa de acabado", "Diameter of the finishing tool"),
     t(
-        "Solo con method = clear; d_t es entonces la de desbaste. Fresa cilíndrica frontal; vacía: la misma herramienta, T y D",
-        "Only with method = clear; d_t is then the roughing tool. Flat end mill; empty: the same tool, T and D",
+        "Solo con method = clear; d_t es entonces la de desbaste. Fresa frontal si r_cf está vacía; vacía: la misma herramienta, T y D",
+        "Only with method = clear; d_t is then the roughing tool. Flat end mill if r_cf is empty; empty: the same tool, T and D",
     ),
 );
 pub(in crate::kinds::impeller) static T_F: Field<u32, Optional> = Field::whole(
@@ -155,6 +155,54 @@ pub(in crate::kinds::impeller) static HOLDER: Field<f64, Optional> = Field::real
     t("Con l_t o l_f; vacía: cualquiera", "With l_t or l_f; empty: any"),
 );
 
+pub(in crate::kinds::impeller) static CORNER: Field<f64, Usual> = Field::real_or(
+    0.0,
+    "r_c",
+    "corner_radius_r_c",
+    MM,
+    [0.0, 50.0],
+    t("Radio de esquina de la fresa d_t", "Corner radius of the tool d_t"),
+    t(
+        "Solo con method = clear; vacía: 0, fresa frontal; d_t/2 es una esférica, entre ambos una tórica",
+        "Only with method = clear; empty: 0, a flat end mill; d_t/2 is a ball end mill, between them a bull-nose one",
+    ),
+);
+pub(in crate::kinds::impeller) static CORNER_F: Field<f64, Optional> = Field::real(
+    "r_cf",
+    "finish_corner_radius_r_cf",
+    MM,
+    [0.0, 50.0],
+    t("Radio de esquina de la fresa de acabado", "Corner radius of the finishing tool"),
+    t(
+        "Con d_f; vacía: 0, fresa frontal. Sin d_f vale r_c",
+        "With d_f; empty: 0, a flat end mill. Without d_f, r_c holds",
+    ),
+);
+pub(in crate::kinds::impeller) static ROOT: Field<f64, Optional> = Field::real(
+    "h_r",
+    "root_height_h_r",
+    MM,
+    [0.01, 100.0],
+    t(
+        "Altura de resto admitida en la esquina de cara y fondo",
+        "Height of rest allowed in the corner of face and floor",
+    ),
+    t(
+        "Solo con method = clear; se dice la mayor fresa frontal que no deja más. Vacía: no se pregunta",
+        "Only with method = clear; the largest flat end mill that leaves no more is told. Empty: not asked",
+    ),
+);
+pub(in crate::kinds::impeller) static PARTLY: Field<bool, Usual> = Field::choice_or(
+    false,
+    "partly",
+    "cut_partly",
+    t("Cortar hasta donde quepa la fresa", "Cut as far as the tool fits"),
+    t(
+        "Solo con method = clear; yes: si la fresa no llega al cubo, se corta desde el borde hasta donde cabe y se dice cuánto queda. Vacía: no, se rechaza",
+        "Only with method = clear; yes: if a tool does not fit as far as the hub, it cuts from the rim to where it fits, and what is left is told. Empty: no, it is rejected",
+    ),
+);
+
 /// The section of the form.
 pub(in crate::kinds::impeller) const CELLS: &[&Parameter] = &[
     &METHOD.row,
@@ -171,4 +219,8 @@ pub(in crate::kinds::impeller) const CELLS: &[&Parameter] = &[
     &STICK_OUT.row,
     &STICK_OUT_F.row,
     &HOLDER.row,
+    &CORNER.row,
+    &CORNER_F.row,
+    &ROOT.row,
+    &PARTLY.row,
 ];

@@ -211,15 +211,6 @@ impl FlankWay {
         self.r_f
     }
 
-    /// How far above the floor the tool touches the face lowest, at v.
-    #[must_use]
-    pub fn above_floor(&self, v: f64) -> f64 {
-        let axis = self.axis(v);
-        let lowest = axis.foot + axis.along * (axis.range[0] + self.tool.r_c);
-        let nearest = self.flank.nearest(&lowest, v, Beyond::Straight);
-        self.part.a_p - self.part.depth(&(lowest - nearest.out * nearest.distance))
-    }
-
     /// Between which v the face may be in the blank.
     #[must_use]
     pub fn in_blank(&self) -> [f64; 2] {

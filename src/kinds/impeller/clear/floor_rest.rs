@@ -3,7 +3,7 @@
 //! # Derivation
 //! The law of the ridges says what lanes leave between them. Beside the walls and round a splitter it says nothing: a floor
 //! point at v is touched from the stations v ± θ alone, and where both are shut by a wall it stays higher. So along each
-//! line from K through a floor point the lowest place is looked for that the tools of the passes hold, three to a block; what
+//! line from K through a floor point the lowest place is looked for that the tools of the passes hold, close to each other; what
 //! is left is the greatest of what is lacking to a_p. It is a greatest of samples, not a bound: between them it may be a little more.
 //!
 //! # Units
@@ -13,6 +13,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
+use crate::geometry::torus::Torus;
 use crate::kinds::impeller::clear::body::Body;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
@@ -32,6 +33,8 @@ const STEPS: u8 = 8;
 const HALVINGS: u8 = 12;
 /// Halvings for the place at a distance from a wall.
 const EDGES: u8 = 8;
+/// Poses of one block at most.
+const MOST: f64 = 400.0;
 
 /// What is left on the floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,12 +129,47 @@ fn clear_of(row: &[Vector3<f64>], apart: f64, point: &Vector3<f64>, asked: f64) 
 }
 
 /// A tool in the part.
-#[derive(Clone, Copy)]
-struct Pose {
-    tip: Vector3<f64>,
-    along: Vector3<f64>,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Its tip.
+    pub tip: Vector3<f64>,
+    /// Its axis, out of the metal.
+    pub along: Vector3<f64>,
     /// The angle of its axis to the axis of the part.
-    B: f64,
+    pub B: f64,
+}
+
+/// How far apart the poses of a block are at most, mm at the tip: on a flank 3 mm wide that leaves cusps of 0.003 mm.
+const APART: f64 = 0.2;
+
+/// The poses of passes, given by their points: both ends of each block and some between, those with the least B first.
+#[must_use]
+pub fn poses<'p>(machine: Rotary, passes: impl Iterator<Item = &'p [Stand]>) -> Vec<Pose> {
+    let pose = |stand: Stand| {
+        let [tip, along] = machine.tool(&stand.at, stand.B, stand.C);
+        Pose { tip, along, B: stand.B }
+    };
+    let mut poses = Vec::new();
+    for pair in passes.flat_map(|points| points.windows(2)) {
+        let tips = [0, 1].map(|end: usize| pose(pair[end]).tip);
+        let steps = ((tips[1] - tips[0]).norm() / APART).ceil().clamp(2.0, MOST);
+        let mut step = 0.0;
+        while step <= steps {
+            poses.push(pose(pair[0].towards(&pair[1], step / steps)));
+            step += 1.0;
+        }
+    }
+    poses.sort_by(|one, other| one.B.total_cmp(&other.B));
+    poses
+}
+
+/// The poses, in the order of their B, of a tool of the radius a that may reach a point of the floor or of a face at v.
+#[must_use]
+pub fn near(poses: &[Pose], torus: Torus, a: f64, v: f64) -> &[Pose] {
+    // The axis of a tool that reaches a point is turned from its normal by no more.
+    let turn = 1.2 * asin((a / torus.r).min(1.0)) + 0.1;
+    let B = RIM - v;
+    &poses[poses.partition_point(|pose| pose.B < B - turn)..poses.partition_point(|pose| pose.B <= B + turn)]
 }
 
 /// The lowest place along the line from c, between r and r_f, that a tool holds; r where it holds none.
@@ -169,39 +207,24 @@ fn reach(tool: Tool, pose: &Pose, c: &Vector3<f64>, out: &Vector3<f64>, [r, r_f]
     low
 }
 
-/// The rest that passes of a tool leave, given by their points, farther from the walls than `beside`; in a channel of the
-/// pitch, with a splitter from v_s on, looked at in so many places across.
+/// The rest that the poses of a tool leave, farther from the walls than `beside`, from v on; in a channel of the pitch, with
+/// a splitter from v_s on, looked at in so many places across.
 #[must_use]
-pub fn floor_rest<'p>(
+pub fn floor_rest(
     part: &Part,
     [pitch, beside]: [f64; 2],
     v_s: Option<f64>,
-    (tool, machine): (Tool, Rotary),
-    passes: impl Iterator<Item = &'p [Stand]>,
+    tool: Tool,
+    (poses, from): (&[Pose], f64),
     across: u32,
 ) -> FloorRest {
     let torus = part.circle.torus;
     let (r, r_f) = (torus.r, torus.r + part.a_p);
-    let pose = |stand: &Stand| {
-        let [tip, along] = machine.tool(&stand.at, stand.B, stand.C);
-        Pose { tip, along, B: stand.B }
-    };
-    let mut poses: Vec<Pose> = passes
-        .flat_map(|points| {
-            points.windows(2).flat_map(|pair| [0.0, 0.5, 1.0].map(|part| pair[0].towards(&pair[1], part)))
-        })
-        .map(|stand| pose(&stand))
-        .collect();
-    poses.sort_by(|one, other| one.B.total_cmp(&other.B));
     let floor = Floor::new(part, pitch, tool.a(), v_s);
-    // The axis of a tool that reaches a point is turned from its normal by no more.
-    let turn = 1.2 * asin((tool.a() / r).min(1.0)) + 0.1;
-    let mut rest = FloorRest { beside, most: 0.0, v: HUB };
-    for station in 0..ALONG {
-        let v = HUB + (RIM - HUB) * (f64::from(station) + 0.5) / f64::from(ALONG);
-        let B = RIM - v;
-        let near =
-            &poses[poses.partition_point(|pose| pose.B < B - turn)..poses.partition_point(|pose| pose.B <= B + turn)];
+    let mut rest = FloorRest { beside, most: 0.0, v: from };
+    for look in 0..ALONG {
+        let v = from + (RIM - from) * (f64::from(look) + 0.5) / f64::from(ALONG);
+        let near = near(poses, torus, tool.a(), v);
         let (sin_v, cos_v) = sin_cos(v);
         let [high, low] = [0, 1].map(|side: usize| psi_at(&floor.sides[side], v));
         let place = |psi: f64| {
@@ -263,7 +286,6 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::*;
-    use crate::geometry::torus::Torus;
 
     #[test]
     fn a_tool_is_left_through_its_side_or_its_end() {
@@ -295,8 +317,7 @@ mod tests {
     #[test]
     fn without_a_pass_the_whole_depth_is_left() {
         let part = Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, 2.0);
-        let set = (Tool::flat(3.0), Rotary { L: 242.9 });
-        let rest = floor_rest(&part, [PI / 2.0, 0.4], None, set, std::iter::empty(), 20);
+        let rest = floor_rest(&part, [PI / 2.0, 0.4], None, Tool::flat(3.0), (&[], HUB), 20);
         assert_eq!(rest.most, 2.0);
     }
 }

@@ -20,14 +20,14 @@ use crate::kinds::impeller::clear::contour::{self, Contour};
 use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Spindle, Which};
 use crate::kinds::impeller::clear::fit::{FADES, Flank};
 use crate::kinds::impeller::clear::flank::FlankWay;
-use crate::kinds::impeller::clear::floor_rest::{FloorRest, floor_rest};
+use crate::kinds::impeller::clear::floor_rest::{FloorRest, floor_rest, poses};
 use crate::kinds::impeller::clear::holder::{clearance, stick_out};
 use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
 use crate::kinds::impeller::clear::link::{End, link, up};
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
 use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
-use crate::kinds::impeller::clear::root::{Root, root};
+use crate::kinds::impeller::clear::root::{Root, face_lines, nose_lines, root};
 use crate::kinds::impeller::clear::round::Round;
 use crate::kinds::impeller::clear::scallop::Ridge;
 use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, Told, ToolTold};
@@ -38,13 +38,13 @@ use crate::kinds::impeller::gap::gap;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, RIM};
 use crate::limits::CLEAR_BLOCKS;
-use crate::number::trig::{pow, sin_cos};
+use crate::number::trig::{atan2, hypot, pow, sin_cos};
 
 /// Above the tops the tool counts as far as this, mm.
 const OVER: f64 = 0.3;
 /// The feed into the full.
 const SLOT_FEED: f64 = 0.5;
-/// The rest of the floor is told farther from the walls than this, mm.
+/// The rest of the floor is told farther from the walls than this and the corner radius, mm.
 pub const BESIDE: f64 = 0.4;
 /// How often a splitter's beginning is moved on at most, and by how much, radians of v.
 const STARTS: u8 = 40;
@@ -87,12 +87,17 @@ impl Plan {
         let part = &job.part;
         let pitch = TAU / f64::from(job.N);
         let [rough, finish] = [Which::Rough, Which::Finish].map(|which| contacts(job, cut, which));
-        let (rough, finish) = (rough?, finish?);
+        let ((rough, rough_from), (finish, finish_from)) = (rough?, finish?);
         // What the finishing tool roughs where the roughing tool has no room.
-        let rest = if cut.splitters { contacts_of(job, cut.finish, part.a_p - cut.s, cut.s) } else { None };
+        let wanted = cut.splitters || rough_from > 0.0;
+        let rest = if wanted { contacts_of(job, cut.finish, part.a_p - cut.s, cut.s) } else { None };
+        let rest_from = rest.as_ref().and_then(Contacts::fits_from).unwrap_or(rough_from);
+        // It finishes nothing that is not roughed.
+        let finish_from = finish_from.max(rough_from.min(rest_from));
         let ways = ways(job, cut);
         let v_s = match (&rest, cut.splitter_from) {
             (None, _) => None,
+            (Some(_), _) if !cut.splitters => None,
             (Some(_), Some(from)) => Some(from),
             (Some(rest), None) => splitter_start(job, cut, rest, &ways),
         };
@@ -101,6 +106,7 @@ impl Plan {
             cut,
             pitch,
             v_s,
+            finish_from,
             Z_r: job.machine.swing(part.circle.torus.R) + cut.d_s,
             passes: Vec::new(),
             blocks: 0,
@@ -109,12 +115,15 @@ impl Plan {
             dropped: Vec::new(),
             feed_error: [0.0; 2],
         };
-        let (rough_lanes, levels) = draft.rough(&rough, Which::Rough, f64::NEG_INFINITY);
+        let (rough_lanes, levels) = draft.rough(&rough, Which::Rough, begin(rough_from));
         draft.done();
-        if let (Some(v_s), Some(rest)) = (v_s, &rest)
-            && contour::room(part, &rough, cut.s, v_s) < 0.0
-        {
-            draft.rough(rest, Which::Finish, draft.left_from(v_s));
+        if let Some(rest) = &rest {
+            let beside =
+                v_s.filter(|&v_s| contour::room(part, &rough, cut.s, v_s) < 0.0).map(|v_s| draft.left_from(v_s));
+            let at_hub = (rough_from > rest_from).then(|| begin(rest_from));
+            if let Some(from) = [beside, at_hub].into_iter().flatten().min_by(f64::total_cmp) {
+                draft.rough(rest, Which::Finish, from.max(begin(rest_from)));
+            }
         }
         let floor_lanes = draft.floor(&finish);
         for ways in &ways {
@@ -127,16 +136,20 @@ impl Plan {
         draft.done();
 
         let steps = f64::from(floor_lanes);
+        let (floor, root) = draft.rests(floor_lanes);
         let told = Told {
             gap: gap(part, job.N, cut.finish.d).width,
             rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels, 0.0),
             finish: draft.tool(Which::Finish, &finish.lane, floor_lanes + 1, 1, widest(&ways)),
-            scallop: finish.greatest(|q| ridge(&finish, q).height(finish.room(q) / steps)),
-            floor: draft.floor_rest(floor_lanes),
-            root: draft.root(&ways),
+            scallop: finish.greatest(|q| ridge(&finish, q).height(finish.room(q).max(0.0) / steps)),
+            floor,
+            root,
             faces: [face_error(&ways[0]), face_error(&ways[1])],
             splitter_from: v_s,
             no_splitter: cut.splitters && v_s.is_none(),
+            rough_from,
+            finish_from,
+            uncut: if finish_from > 0.0 { uncut::share(part, &finish, Some(finish_from)) } else { 0.0 },
             dropped: draft.dropped,
         };
         Ok(Self { passes: draft.passes, channels: job.N, Z_r: draft.Z_r, told })
@@ -178,14 +191,19 @@ fn contacts_of(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<Contacts> {
     Some(Contacts::new(&job.part, job.N, lane, s))
 }
 
-/// The contacts of a tool of the cut, where it fits.
-fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<Contacts, DoesNotFit> {
+/// The station at which lanes begin that are run from another one on: out of the hub where they go all the way.
+fn begin(from: f64) -> f64 {
+    if from > 0.0 { from } else { f64::NEG_INFINITY }
+}
+
+/// The contacts of a tool of the cut, where it fits: all the way, or, if the cut admits it, from a station on.
+fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<(Contacts, f64), DoesNotFit> {
     let (tool, s, depth) = (cut.tool(which), cut.allowance(which), depth(job, cut, which));
     let contacts = contacts_of(job, tool, depth, s);
     let from = contacts.as_ref().and_then(Contacts::fits_from);
-    match contacts {
-        Some(contacts) if from == Some(0.0) => Ok(contacts),
-        contacts => Err(DoesNotFit {
+    match (contacts, from) {
+        (Some(contacts), Some(from)) if from == 0.0 || cut.partly => Ok((contacts, from)),
+        (contacts, from) => Err(DoesNotFit {
             tool: which,
             d: tool.d,
             largest: largest(job, tool, depth, s),
@@ -220,6 +238,11 @@ fn largest(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<f64> {
 fn ridge(contacts: &Contacts, q: f64) -> Ridge {
     let tan = slope(contacts, 0.5, q);
     Ridge::at(&contacts.lane, v_at(q), tan / (1.0 + tan * tan).sqrt())
+}
+
+/// The steps between lanes that leave ridges no higher than c.
+fn ridges(contacts: &Contacts, c: f64) -> u32 {
+    steps(contacts.greatest(|q| contacts.room(q) / ridge(contacts, q).turn(c)) - 1e-9)
 }
 
 /// The ways along both faces: one each, or as many as it takes to keep their errors within the tolerance.
@@ -293,12 +316,21 @@ fn face_error(ways: &[FlankWay]) -> FaceError {
     error
 }
 
+/// The station of a tool's tip.
+fn q_of(axis: &Axis, R: f64) -> f64 {
+    let tip = axis.foot + axis.along * axis.range[0];
+    let v = atan2(tip.z, hypot(tip.x, tip.y) - R);
+    (if v < 0.0 { v + TAU } else { v } - HUB) / FRAC_PI_2
+}
+
 /// A plan in the making.
 struct Draft<'a> {
     job: &'a Job,
     cut: &'a Cut,
     pitch: f64,
     v_s: Option<f64>,
+    /// The station from which on the finishing tool cuts; 0 where it does all the way.
+    finish_from: f64,
     Z_r: f64,
     passes: Vec<Pass>,
     /// How many blocks they take.
@@ -555,6 +587,8 @@ impl Draft<'_> {
         let across = contacts
             .greatest(|q| contacts.room(q) * (torus.R + contacts.lane.below(q) * sin_cos(v_at(q)).1) * sin_alpha);
         let K = steps(across / (self.cut.step * mill.d));
+        // A round end leaves ridges on the level: no more of them than there is to finish.
+        let K = if mill.r_c > 0.0 { K.max(ridges(contacts, s.max(self.cut.scallop))) } else { K };
         let depth = contacts.lane.r_f - torus.r;
         if depth <= 0.0 {
             return (K, 0);
@@ -584,9 +618,8 @@ impl Draft<'_> {
 
     /// Cuts the floor; the steps between its lanes.
     fn floor(&mut self, contacts: &Contacts) -> u32 {
-        let c = self.cut.scallop;
-        let K = steps(contacts.greatest(|q| contacts.room(q) / ridge(contacts, q).turn(c)) - 1e-9);
-        let lanes = Lanes { tool: Which::Finish, K, s: 0.0, roughing: false, from: f64::NEG_INFINITY };
+        let K = ridges(contacts, self.cut.scallop);
+        let lanes = Lanes { tool: Which::Finish, K, s: 0.0, roughing: false, from: begin(self.finish_from) };
         self.lanes(contacts, &lanes, |lane| Cutting::Floor { lane });
         K
     }
@@ -620,16 +653,19 @@ impl Draft<'_> {
             }
             let face = way.face();
             let turn = if face == Face::Obverse { 0.0 } else { -self.pitch };
-            let from_blade = |axis: &Axis| match face {
-                Face::Obverse => obstacles.keeps_reverse(axis, a),
-                Face::Reverse => obstacles.keeps_obverse(axis, a),
+            let from_blade = |axis: &Axis| {
+                let long = self.finish_from <= 0.0 || q_of(axis, self.job.part.circle.torus.R) >= self.finish_from;
+                long && match face {
+                    Face::Obverse => obstacles.keeps_reverse(axis, a),
+                    Face::Reverse => obstacles.keeps_obverse(axis, a),
+                }
             };
             let axis = |v: f64| turned(&way.axis(v), turn);
             let kept = parts(&way.v, |v| {
                 let axis = axis(v);
                 from_blade(&axis) && obstacles.keeps_splitter(&axis, a)
             });
-            let by = if parts(&way.v, |v| from_blade(&axis(v))).len() == 1 { By::Splitter } else { By::Blade };
+            let by = if parts(&way.v, |v| from_blade(&axis(v))) == [way.v] { By::Splitter } else { By::Blade };
             self.flank(way, Cutting::Flank { face, level }, turn, way.v[0], &kept, by);
         }
     }
@@ -711,30 +747,27 @@ impl Draft<'_> {
         self.run(&wanted, &way, kept, by);
     }
 
-    /// What the finishing tool leaves of the floor; nothing is known of a plan that is refused.
-    fn floor_rest(&self, lanes: u32) -> FloorRest {
+    /// What the finishing tool leaves of the floor, and in the corners.
+    fn rests(&self, lanes: u32) -> (FloorRest, Root) {
+        let (part, machine, tool) = (&self.job.part, self.job.machine, self.cut.finish);
+        let (beside, over) = (BESIDE + tool.r_c, self.cut.scallop + self.cut.tolerance);
+        // Nothing is known of a plan that is refused.
         if self.full() {
-            return FloorRest { beside: BESIDE, most: self.job.part.a_p, v: HUB };
+            let (most, v) = (part.a_p, HUB);
+            return (FloorRest { beside, most, v }, Root { over, height: most, v, width: most, width_v: v });
         }
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
+        let poses = poses(machine, passes);
         let across = (LOOKS_A_LANE * lanes).clamp(ACROSS[0], ACROSS[1]);
-        let set = (self.cut.finish, self.job.machine);
-        floor_rest(&self.job.part, [self.pitch, BESIDE], self.v_s, set, passes, across)
-    }
-
-    /// What is left in the corners: by the law, or by where the flanks' tool ends, where that is more.
-    fn root(&self, ways: &[Vec<FlankWay>; 2]) -> Root {
-        let law = root(&self.job.part, self.cut.finish);
-        let torus = self.job.part.circle.torus;
-        // What the tool touches lies ahead of its v by its tilt.
-        let tilt = self.cut.finish.a() * ((torus.R + torus.r) / (torus.R - torus.r)).sqrt() / torus.R / 2.0;
-        let ahead = tilt * self.job.part.a_p / torus.R;
-        let ends = ways.iter().filter_map(|ways| ways.last()).flat_map(|way| {
-            let [begin, end] = way.in_blank();
-            let (begin, whole) = (begin - ahead, end - begin + 2.0 * ahead);
-            (0..=LOOKS).map(move |look| way.above_floor(begin + whole * f64::from(look) / f64::from(LOOKS)))
-        });
-        Root { height: ends.fold(law.height, f64::max), ..law }
+        let floor = floor_rest(part, [self.pitch, beside], self.v_s, tool, (&poses, v_at(self.finish_from)), across);
+        let mut lines = face_lines(part, Face::Obverse, 0.0, HUB - 1.0);
+        lines.extend(face_lines(part, Face::Reverse, -self.pitch, HUB - 1.0));
+        if let Some(v_s) = self.v_s {
+            let turn = -self.pitch / 2.0;
+            lines.extend(Face::ALL.into_iter().flat_map(|face| face_lines(part, face, turn, v_s)));
+            lines.extend(nose_lines(part, v_s, turn));
+        }
+        (floor, root(part, &lines, &poses, tool, over))
     }
 
     fn tool(&self, which: Which, lane: &OwnNormal, lanes: u32, levels: u32, m: f64) -> ToolTold {

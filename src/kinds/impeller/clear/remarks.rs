@@ -2,10 +2,12 @@
 
 use crate::finding::{Finding, Place, Raise, Size};
 use crate::kinds::impeller::clear::asked::{Asked, rounding};
-use crate::kinds::impeller::clear::cut::{DoesNotFit, Which};
+use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
 use crate::kinds::impeller::clear::holder::clearance;
-use crate::kinds::impeller::clear::plan::{BESIDE, Plan};
+use crate::kinds::impeller::clear::pass::Cutting;
+use crate::kinds::impeller::clear::plan::Plan;
+use crate::kinds::impeller::clear::root::largest;
 use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
 use crate::kinds::impeller::clear::told::{By, Dropped, ToolTold};
@@ -45,6 +47,13 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
             findings.push(told.at(at(&["d_f", "d_t"])));
         }
     }
+    let corners = [(fields::CORNER.key(), asked.cut.rough), (fields::CORNER_F.key(), asked.cut.finish)];
+    for (symbol, tool) in corners.into_iter().take(if d_f.is_some() { 2 } else { 1 }) {
+        if tool.flat_radius() < 0.0 {
+            let told = CornerBeyondRadius { symbol, r_c: Size::mm(tool.r_c), half: Size::mm(tool.a()) };
+            findings.push(told.at(at(&[symbol, if symbol == fields::CORNER.key() { "d_t" } else { "d_f" }])));
+        }
+    }
     let least = rounding(design.machine.L, design.torus.R) + LEFT;
     if asked.tolerance < least {
         let least = Size::mm((least * 1000.0).ceil() / 1000.0);
@@ -78,6 +87,12 @@ pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
     told.at(at(&[key, "N", "e"]))
 }
 
+/// A program with more blocks than any may have.
+pub(in crate::kinds::impeller) fn too_long(program: Text, blocks: u64) -> Option<Finding> {
+    let told = TooManyClearBlocks { program, blocks, most: CLEAR_BLOCKS };
+    (blocks > CLEAR_BLOCKS).then(|| told.at(at(&["tol", "c_s", "delta", "a_k"])))
+}
+
 /// What stops a plan that was made.
 pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
@@ -85,11 +100,7 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
         findings.push(NoRoomForClearSplitter {}.at(at(&["splitters", "d_f", "N", "e"])));
     }
     for (which, key) in [(Which::Rough, "l_t"), (Which::Finish, "l_f")] {
-        let blocks = plan.all_blocks(which);
-        if blocks as u64 > CLEAR_BLOCKS {
-            let told = TooManyClearBlocks { program: tool_name(which), blocks, most: CLEAR_BLOCKS };
-            findings.push(told.at(at(&["tol", "c_s", "delta", "a_k"])));
-        }
+        findings.extend(too_long(tool_name(which), plan.all_blocks(which) as u64));
         let Some(stage) = asked.stage(which) else { continue };
         let tool = of(plan, which);
         let r_t = tool.t + design.torus.r;
@@ -121,7 +132,7 @@ fn at_most(value: f64) -> Size {
 }
 
 /// What a person should know of a plan.
-pub(in crate::kinds::impeller) fn remarks(asked: &Asked, plan: &Plan) -> Vec<Finding> {
+pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let told = &plan.told;
     let mut findings = Vec::new();
     let both = [(Which::Rough, "l_t"), (Which::Finish, "l_f")];
@@ -135,16 +146,50 @@ pub(in crate::kinds::impeller) fn remarks(asked: &Asked, plan: &Plan) -> Vec<Fin
             findings.push(FeedChangesInBlock { tool: tool_name(which), change }.at(at(&["delta"])));
         }
     }
-    let (height, width) = (at_most(told.root.height), at_most(told.root.width));
-    findings.push(RestAtTheRoot { height, width }.at(at(&["d_f"])));
-    let told_floor = RidgesOfTheFloor { most: at_most(told.floor.most), beside: at_most(BESIDE) };
-    findings.push(told_floor.at(at(&["c_s", "d_f"])));
-    // What a splitter stands in the way of is cut by the passes round it.
-    let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == By::Blade).collect();
+    let share = |v: f64, digits| Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), digits);
+    let root = &told.root;
+    let (over, height, width) = (at_most(root.over), at_most(root.height), at_most(root.width));
+    findings.push(RestAtTheRoot { over, height, width }.at(at(&["d_f"])));
+    if root.height >= job.part.a_p {
+        findings.push(FacesUnfinished { share: share(root.v, 0) }.at(at(&["r_c", "r_cf", "a_p"])));
+    }
+    if let Some(allowed) = asked.root {
+        // The ways are exact there; blocks leave them by the tolerance.
+        let tool = largest(job, allowed, asked.cut.rough.d, asked.cut.scallop).map_or_else(
+            || t("ninguna fresa deja tan poco", "no tool leaves as little"),
+            |d| {
+                let d = shown(d, 2);
+                Text::new(
+                    format!("la mayor fresa frontal es de {d} mm"),
+                    format!("the largest flat end mill is {d} mm"),
+                )
+            },
+        );
+        findings.push(LargestForTheRoot { height: Size::mm(allowed), tool, left: height }.at(at(&["h_r", "d_f"])));
+    }
+    if told.finish_from > 0.0 {
+        let from = Size::number((told.finish_from * 1000.0).ceil() / 10.0, 1);
+        let uncut = Size::number((told.uncut * 1000.0).ceil() / 10.0, 1);
+        findings.push(CutPartly { from, uncut }.at(at(&["partly", "d_f", "d_t"])));
+    }
+    if told.rough_from > told.finish_from {
+        let from = Size::number((told.rough_from * 1000.0).ceil() / 10.0, 1);
+        findings.push(FinishingToolRoughs { from }.at(at(&["partly", "d_t"])));
+    }
+    let (most, beside, here) = (at_most(told.floor.most), at_most(told.floor.beside), share(told.floor.v, 0));
+    let floor = at(&["c_s", "d_f"]);
+    findings.push(if told.floor.most <= asked.cut.scallop + asked.tolerance {
+        RidgesOfTheFloor { most, beside, share: here }.at(floor)
+    } else {
+        FloorAboveRidges { most, wanted: Size::mm(asked.cut.scallop), beside, share: here }.at(floor)
+    });
+    // What a splitter stands in the way of is cut by the passes round it, what the roughing tool leaves beside it by the other.
+    let rest = plan.passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. }));
+    let cut = |one: &Dropped| rest && one.tool == Which::Rough;
+    let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == By::Blade && !cut(one)).collect();
     let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])));
     if let Some(longest) = longest {
-        let share = |v: f64| Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), 0);
-        let [from, to] = longest.v.map(share);
+        let [from, to] = longest.v.map(|v| share(v, 0));
         let left_out = PassesLeftOut { count: left.len(), what: longest.cutting.name(), from, to };
         findings.push(left_out.at(at(&["d_t", "d_f", "splitters"])));
     }

@@ -1,37 +1,181 @@
-//! What a flat end leaves in the corner between a face and the floor, and the largest tool that leaves no more than is
-//! allowed.
+//! What is left in the corner between faces and floor: looked for on a grid, with the blocks as they are; and the largest
+//! tool that leaves no more than is allowed.
 //!
 //! # Derivation
 //! On a flank the axis is parallel to the face and the end lies in the ball of radius r_f. At the rim, where the tube is
 //! bent the most across the blade, the end so stands above the floor at the face by
 //!
-//! > c_r ≤ √(r_f² − ((e/2)·cos α)²) − √(r_f² − (a + w·cos α)²), w = e/2 + a;
+//! > c_r = √(r_f² − ((e/2)·cos α)²) − √(r_f² − (a + w·cos α)²), w = e/2 + a.
 //!
-//! a corner radius takes the ends of the flat nearer to the axis and adds itself. Own-normal lanes reach the floor but lean
-//! against the top edge by about w·κ_b: they stay away from the root by a_p·w·κ_b at most. Both passes leave only what both
-//! miss.
+//! Own-normal lanes reach the floor but lean against the top edge by about w·κ_b; where κ_b < 0 they touch the root first.
+//! Both passes leave only what both miss. That law is no bound: at the hub end of the obverse more may be left. So the rest
+//! is looked for: down each line of a face, from the tops, as far as no more than a limit is left to the nearest pose of
+//! the finishing tool; and on the floor towards each foot likewise. The poses are some of those that the tool takes, and
+//! each line is left a step above the last place that holds, so that what is told of a line is no less than what is left on
+//! it. Between the lines it is not looked at.
 //!
 //! # Units
-//! Millimetres.
+//! Millimetres and radians.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use nalgebra::Vector3;
+
+use crate::kinds::impeller::clear::contact::{ABOVE, Beside};
+use crate::kinds::impeller::clear::cut::Job;
+use crate::kinds::impeller::clear::flank::FlankWay;
+use crate::kinds::impeller::clear::floor_rest::{Pose, near};
+use crate::kinds::impeller::clear::lane::OwnNormal;
+use crate::kinds::impeller::clear::plan::BESIDE;
 use crate::kinds::impeller::clear::tool::Tool;
-use crate::kinds::impeller::part::{Part, RIM};
+use crate::kinds::impeller::nearest::Axis;
+use crate::kinds::impeller::part::{Face, HUB, Part, RIM, Ruling};
+use crate::number::trig::{atan2, hypot, sin_cos};
 
-/// What is left in the corner, at most.
+/// Lines of a face, and of a half-round nose, that are looked at.
+const LINES: u16 = 160;
+const NOSE_LINES: u16 = 24;
+/// Steps down a line, and along the floor, mm.
+const DOWN: f64 = 0.01;
+const ALONG: f64 = 0.02;
+/// Stations from which a tool's rest is known before there is a plan.
+const STATIONS: u16 = 240;
+/// The largest tool is sought in whole hundredths, from the smallest on.
+const SMALLEST: u32 = 10;
+
+/// What is left in the corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Root {
-    /// Up the face.
+    /// Where more than this is left, mm.
+    pub over: f64,
+    /// Up the face, from the floor.
     pub height: f64,
-    /// Along the floor.
+    /// v where that is.
+    pub v: f64,
+    /// Along the floor, from the face.
     pub width: f64,
+    /// v where that is.
+    pub width_v: f64,
 }
 
-/// The smallest tool that is offered.
-const SMALLEST: f64 = 0.1;
+/// A line of a face down to the floor.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    ruling: Ruling,
+    /// From which depth on.
+    top: f64,
+    /// Out of the face.
+    out: Vector3<f64>,
+    v: f64,
+    /// By how much it is turned about the axis of the part.
+    turn: f64,
+}
 
-/// What a tool leaves.
+/// The lines of a face of a blade turned about the axis of the part, from v on, as far as it is in the blank.
 #[must_use]
-pub fn root(part: &Part, tool: Tool) -> Root {
+pub fn face_lines(part: &Part, face: Face, turn: f64, from: f64) -> Vec<Line> {
+    let pieces = part.pieces(face);
+    let begin = pieces.first().map_or(HUB, |piece| piece.v[0]).max(from);
+    let end = pieces.last().map_or(RIM, |piece| piece.v[1]);
+    (0..=LINES)
+        .map(|line| begin + (end - begin) * f64::from(line) / f64::from(LINES))
+        .map(|v| {
+            let out = part.frame(v).1.b * face.side();
+            Line { ruling: part.ruling(face, v), top: part.top(v), out, v, turn }
+        })
+        .collect()
+}
+
+/// The lines of the half-round nose of a splitter that begins at v_s.
+#[must_use]
+pub fn nose_lines(part: &Part, v_s: f64, turn: f64) -> Vec<Line> {
+    let (P, frame) = part.frame(v_s);
+    (0..=NOSE_LINES)
+        .map(|line| {
+            let (sin, cos) = sin_cos(PI * f64::from(line) / f64::from(NOSE_LINES) - FRAC_PI_2);
+            let out = frame.b * sin - frame.t * cos;
+            let ruling = Ruling { foot: P + out * (part.e / 2.0), N: frame.N };
+            Line { ruling, top: part.top(v_s), out, v: v_s, turn }
+        })
+        .collect()
+}
+
+/// How far a point is from a tool; negative inside.
+fn apart(tool: Tool, pose: &Pose, point: &Vector3<f64>) -> f64 {
+    let from = point - pose.tip;
+    let up = from.dot(&pose.along);
+    let out = (from.norm_squared() - up * up).max(0.0).sqrt() - tool.flat_radius();
+    let down = tool.r_c - up;
+    out.max(down).min(0.0) + hypot(out.max(0.0), down.max(0.0)) - tool.r_c
+}
+
+/// What the poses of a tool, in the order of their B, leave along some lines: where it is more than `over`.
+#[must_use]
+pub fn root(part: &Part, lines: &[Line], poses: &[Pose], tool: Tool, over: f64) -> Root {
+    let torus = part.circle.torus;
+    let r_f = torus.r + part.a_p;
+    let mut root = Root { over, height: 0.0, v: HUB, width: 0.0, width_v: HUB };
+    for line in lines {
+        let near = near(poses, torus, tool.a(), line.v);
+        let (sin, cos) = sin_cos(line.turn);
+        let mut last = 0;
+        // The pose that has held the last place usually holds the next one.
+        let mut held = |point: &Vector3<f64>| {
+            let point = Vector3::new(point.x * cos - point.y * sin, point.x * sin + point.y * cos, point.z);
+            let holds = |pose: &Pose| apart(tool, pose, &point) <= over;
+            if near.get(last).is_some_and(holds) {
+                return true;
+            }
+            let found = near.iter().position(holds);
+            last = found.unwrap_or(last);
+            found.is_some()
+        };
+        let bottom = part.floor(&line.ruling, line.top);
+        let mut height = None;
+        let mut h = line.top;
+        while h < bottom {
+            let point = line.ruling.at(h);
+            let depth = part.depth(&point);
+            if depth >= 0.0 && part.trimmed(&point) && !held(&point) {
+                height = Some((part.a_p - depth + DOWN).min(part.a_p));
+                break;
+            }
+            h += DOWN;
+        }
+        if let Some(height) = height.filter(|height| *height > root.height) {
+            root = Root { height, v: line.v, ..root };
+        }
+        let foot = line.ruling.at(bottom);
+        // Along the floor, out of the face.
+        let mut clear = |aside: f64| {
+            let place = foot + line.out * aside;
+            let rho = hypot(place.x, place.y);
+            let c = Vector3::new(place.x / rho, place.y / rho, 0.0) * torus.R;
+            let point = c + (place - c).normalize() * r_f;
+            !part.trimmed(&point) || held(&point)
+        };
+        // Farther out than `BESIDE` it is the floor's rest; where the corner's goes on beyond, it counts as the corner's.
+        let mut width = BESIDE + tool.r_c;
+        if clear(width) {
+            while width > 0.0 && clear(width) {
+                width -= ALONG;
+            }
+            width = if width > 0.0 { width + ALONG } else { 0.0 };
+        } else {
+            while width < BESIDE + tool.a() && !clear(width) {
+                width += ALONG;
+            }
+        }
+        if width > root.width {
+            root = Root { width, width_v: line.v, ..root };
+        }
+    }
+    root
+}
+
+/// c_r, how high the end of a flank's tool stands above the floor at the face at the rim.
+#[must_use]
+pub fn law(part: &Part, tool: Tool) -> f64 {
     let torus = part.circle.torus;
     let (r_f, cos_alpha) = (torus.r + part.a_p, part.circle.k / torus.R);
     let w = part.e / 2.0 + tool.a();
@@ -39,26 +183,59 @@ pub fn root(part: &Part, tool: Tool) -> Root {
     let (ball, reach) = (r_f - tool.r_c, tool.flat_radius() + w * cos_alpha);
     let floor = (r_f * r_f - inner * inner).max(0.0).sqrt();
     let end = (ball * ball - reach * reach).max(0.0).sqrt() + tool.r_c;
-    Root { height: (floor - end).max(0.0) + tool.r_c, width: (part.a_p * w * part.across(RIM)).max(0.0) + tool.r_c }
+    (floor - end).max(0.0) + tool.r_c
 }
 
-/// The largest flat end mill up to a diameter that leaves no more than `height` up the face; `None` where even the
-/// smallest leaves more.
+/// What a tool leaves in the corners of a blade, by its ways along both faces and the lanes that touch them.
+fn left(job: &Job, tool: Tool, over: f64) -> Option<f64> {
+    let part = &job.part;
+    let torus = part.circle.torus;
+    let lane = OwnNormal::new(torus, tool, torus.r + part.a_p)?;
+    let beside = Beside::new(part, lane, 0.0);
+    let pose = |axis: Axis| Pose {
+        tip: axis.foot + axis.along * axis.range[0],
+        along: axis.along,
+        B: atan2(hypot(axis.along.x, axis.along.y), axis.along.z),
+    };
+    let mut most: f64 = 0.0;
+    for face in Face::ALL {
+        let way = FlankWay::new(part, face, tool, [0.0, part.a_p], 0.0);
+        let part_of = |station: u16| f64::from(station) / f64::from(STATIONS);
+        let mut poses: Vec<Pose> = (0..=STATIONS)
+            .flat_map(|station| {
+                let q = -tool.a() + (1.0 + 2.0 * tool.a()) * part_of(station);
+                // The run-outs are longer than what lies between them: it is looked at as often as they are.
+                let inside = part_of(station);
+                let at = |q: f64| pose(lane.axis(q, beside.psi(face, q), ABOVE));
+                [pose(way.axis(way.v[0] + (way.v[1] - way.v[0]) * part_of(station))), at(q), at(inside)]
+            })
+            .collect();
+        poses.sort_by(|one, other| one.B.total_cmp(&other.B));
+        most = most.max(root(part, &face_lines(part, face, 0.0, f64::NEG_INFINITY), &poses, tool, over).height);
+    }
+    Some(most)
+}
+
+/// The largest flat end mill up to a diameter that leaves more than `over` nowhere higher up a face than `height`, in whole
+/// hundredths; `None` where even the smallest leaves more.
 #[must_use]
-pub fn largest(part: &Part, height: f64, up_to: f64) -> Option<f64> {
-    let leaves = |d: f64| root(part, Tool::flat(d)).height;
-    if leaves(SMALLEST) > height {
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held from 0 to 10⁶")]
+pub fn largest(job: &Job, height: f64, up_to: f64, over: f64) -> Option<f64> {
+    let d = |hundredths: u32| f64::from(hundredths) / 100.0;
+    let keeps = |hundredths: u32| left(job, Tool::flat(d(hundredths)), over).is_some_and(|left| left <= height);
+    let most = (up_to * 100.0).floor().clamp(0.0, 1e6) as u32;
+    if most < SMALLEST || !keeps(SMALLEST) {
         return None;
     }
-    let (mut low, mut high) = (SMALLEST, up_to.max(SMALLEST));
-    if leaves(high) <= height {
-        return Some(high);
+    if keeps(most) {
+        return Some(d(most));
     }
-    for _ in 0..50 {
-        let middle = f64::midpoint(low, high);
-        if leaves(middle) <= height { low = middle } else { high = middle }
+    let (mut good, mut bad) = (SMALLEST, most);
+    while bad - good > 1 {
+        let middle = good + (bad - good) / 2;
+        if keeps(middle) { good = middle } else { bad = middle }
     }
-    Some(low)
+    Some(d(good))
 }
 
 #[cfg(test)]
@@ -71,19 +248,8 @@ mod tests {
         for (R, r, e, a_p, height) in
             [(25.0, 15.0, 2.0, 2.0, 1.152_079), (25.0, 17.0, 1.0, 4.0, 0.747_925), (50.0, 30.0, 2.0, 3.0, 0.577_958)]
         {
-            let part = Part::with(Torus { R, r }, e, a_p);
-            let found = root(&part, Tool::flat(6.0));
-            assert!((found.height - height).abs() < 5.1e-7, "{found:?}");
-            // The largest that leaves as much is the same again.
-            assert!((largest(&part, found.height, 20.0).unwrap() - 6.0).abs() < 1e-9);
-            assert_eq!(largest(&part, found.height, 4.0), Some(4.0));
-            assert_eq!(largest(&part, 1e-9, 4.0), None);
+            let found = law(&Part::with(Torus { R, r }, e, a_p), Tool::flat(6.0));
+            assert!((found - height).abs() < 5.1e-7, "{found:?}");
         }
-    }
-
-    #[test]
-    fn the_usual_finishing_tool_keeps_the_usual_rest() {
-        let found = root(&Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, 2.0), Tool::flat(3.0));
-        assert!(found.height <= 0.40 && found.width <= 0.35, "{found:?}");
     }
 }

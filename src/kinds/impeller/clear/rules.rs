@@ -40,7 +40,7 @@ rules! {
     "P1206" ToolDoesNotFit Stop { tool: Text, d: Size, largest: Text, uncut: Size }
         es "{tool} de {d} no pasa entre los álabes: {largest}; dejaría sin cortar el {uncut} % de los canales"
         en "{tool} of {d} does not pass between the blades: {largest}; it would leave {uncut} % of the channels uncut"
-        remedy "use una herramienta menor, menos álabes o álabes más delgados", "use a smaller tool, fewer blades, or thinner blades";
+        remedy "use una herramienta menor, menos álabes o álabes más delgados; con partly = yes se corta hasta donde cabe", "use a smaller tool, fewer blades, or thinner blades; with partly = yes it cuts as far as it fits";
         why "Una herramienta más ancha que el canal corta los dos álabes.", "A tool wider than the channel cuts into both blades.";
         example book!("impeller", "N" = "6");
     "P1207" AllowanceUsesUpDepth Stop { s: Size, a_p: Size }
@@ -60,16 +60,16 @@ rules! {
         en "stick-out that is enough for {tool} with any holder: {enough}"
         remedy "mídalo al montar la herramienta, o escriba l_t, l_f y d_h para que rodete lo compruebe", "measure it when you set the tool, or fill in l_t, l_f and d_h to have it checked";
         why "Cuenta el bruto, no las mordazas ni el plato.", "The blank is counted, clamps and chuck are not.";
-        example book!("impeller", "splitters" = "no");
-    "P1210" RestAtTheRoot Note { height: Size, width: Size }
-        es "en la esquina entre cara y fondo quedan unos {height} de alto por {width} de ancho; en el extremo del cubo puede ser más"
-        en "in the corner of face and floor about {height} high by {width} wide is left; at the hub end it may be more"
+        example book!("impeller", "splitters" = "no", "l_t" = "");
+    "P1210" RestAtTheRoot Note { over: Size, height: Size, width: Size }
+        es "en la esquina entre cara y fondo quedan más de {over} hasta {height} de alto y {width} de ancho"
+        en "in the corner of face and floor more than {over} is left, up to {height} high and {width} wide"
         remedy "una fresa de acabado menor deja menos", "a smaller finishing tool leaves less";
         why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");
-    "P1211" RidgesOfTheFloor Note { most: Size, beside: Size }
-        es "en el fondo quedan unos {most}, a más de {beside} de las caras; junto a los álabes intermedios puede ser más"
-        en "on the floor about {most} is left, farther than {beside} from the faces; beside splitters it may be more"
+    "P1211" RidgesOfTheFloor Note { most: Size, beside: Size, share: Size }
+        es "en el fondo quedan unos {most} como mucho, a más de {beside} de las caras, al {share} % del camino del cubo al borde"
+        en "on the floor about {most} is left at most, farther than {beside} from the faces, at {share} % of the way from hub to rim"
         remedy "elija una c_s menor o una fresa de acabado menor", "choose a smaller c_s or a smaller finishing tool";
         why "Las pasadas del fondo dejan crestas entre ellas.", "Floor lanes leave ridges between them.";
         example book!("impeller", "splitters" = "no");
@@ -91,9 +91,9 @@ rules! {
         remedy "escriba delta, o una menor, para limitarlo: habrá más bloques", "fill in delta, or a smaller one, to limit it: there will be more blocks";
         why "Sin TCP los ejes se mueven por igual y la punta no.", "Without TCP the axes move evenly and the tip does not.";
         example book!("impeller", "splitters" = "no", "delta" = "");
-    "P1215" TooManyClearBlocks Stop { program: Text, blocks: usize, most: u64 }
-        es "«{program}» tendría {blocks} bloques; el límite es {most}"
-        en "\"{program}\" would have {blocks} blocks; the limit is {most}"
+    "P1215" TooManyClearBlocks Stop { program: Text, blocks: u64, most: u64 }
+        es "«{program}» tendría al menos {blocks} bloques; el límite es {most}"
+        en "\"{program}\" would have at least {blocks} blocks; the limit is {most}"
         remedy "elija una tol, una c_s o una delta mayor, o menos niveles (a_k)", "choose a larger tol, c_s or delta, or fewer levels (a_k)";
         why "Un programa tan largo no cabe en la memoria de muchos controles.", "So long a program does not fit the memory of many controls.";
         example book!("impeller", "tol" = "0.0045", "delta" = "0.005");
@@ -103,4 +103,40 @@ rules! {
         remedy "elija method = clear, que corta la pieza diseñada; published es para repetir los programas publicados", "choose method = clear, which cuts the part as designed; published is for repeating the published programs";
         why "El método publicado no desbasta ni acaba el fondo.", "The published method neither roughs the channel nor finishes the floor.";
         example book!("impeller", "method" = "");
+    "P1217" CornerBeyondRadius Stop { symbol: &'static str, r_c: Size, half: Size }
+        es "el radio de esquina {symbol} de {r_c} es mayor que el radio de su fresa: {half}"
+        en "the corner radius {symbol} of {r_c} is larger than the radius of its tool: {half}"
+        remedy "escriba {half} para una fresa esférica, menos para una tórica, 0 para una frontal", "give {half} for a ball end mill, less for a bull-nose one, 0 for a flat one";
+        why "El radio de esquina no cabe en la punta de la fresa.", "The corner radius does not fit into the end of the tool.";
+        example book!("impeller --case full", "method" = "clear", "r_c" = "4");
+    "P1218" FacesUnfinished Caution { share: Size }
+        es "la punta redondeada de la fresa de acabado deja resto en las caras hasta la cara torneada, al {share} % del camino del cubo al borde"
+        en "the rounded end of the finishing tool leaves a rest on the faces up to the turned surface, at {share} % of the way from hub to rim"
+        remedy "elija un radio de esquina bastante menor que la profundidad a_p", "choose a corner radius well below the depth a_p";
+        why "La cara solo se acaba por encima del radio de esquina.", "A face is finished only above the corner radius.";
+        example book!("impeller --case full", "method" = "clear", "splitters" = "no", "c_s" = "0.1", "r_c" = "3");
+    "P1219" CutPartly Caution { from: Size, uncut: Size }
+        es "los canales se cortan del borde hasta el {from} % del camino desde el cubo; queda sin cortar el {uncut} %"
+        en "the channels are cut from the rim to {from} % of the way from the hub; {uncut} % is left uncut"
+        remedy "corte el resto con una herramienta menor", "cut the rest with a smaller tool";
+        why "Más cerca del cubo la herramienta no cabe entre los álabes.", "Nearer to the hub the tool does not fit between the blades.";
+        example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8");
+    "P1220" FinishingToolRoughs Note { from: Size }
+        es "la fresa de desbaste cabe desde el {from} % del camino del cubo al borde; más adentro desbasta la de acabado"
+        en "the roughing tool fits from {from} % of the way from hub to rim on; farther in the finishing tool roughs"
+        remedy "una fresa de desbaste menor ahorra tiempo a la de acabado", "a smaller roughing tool spares the finishing tool";
+        why "Con partly = yes cada fresa corta hasta donde cabe.", "With partly = yes each tool cuts as far as it fits.";
+        example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8", "d_f" = "3", "T_f" = "2", "D_f" = "2");
+    "P1221" LargestForTheRoot Note { height: Size, tool: Text, left: Size }
+        es "para un resto de {height} como mucho en la esquina: {tool}; la fresa de acabado dada deja hasta {left}"
+        en "for a rest of {height} at most in the corner: {tool}; the finishing tool given leaves up to {left}"
+        remedy "elija d_f según el resto que admita", "choose d_f by the rest that you allow";
+        why "Se prueban fresas frontales menores con sus pasadas junto a las caras.", "Smaller flat end mills are tried with their passes along the faces.";
+        example book!("impeller --case full", "method" = "clear", "splitters" = "no", "h_r" = "0.4");
+    "P1222" FloorAboveRidges Caution { most: Size, wanted: Size, beside: Size, share: Size }
+        es "en el fondo quedan unos {most} al {share} % del camino del cubo al borde, a más de {beside} de las caras: más que la cresta c_s de {wanted} y la tolerancia"
+        en "on the floor about {most} is left at {share} % of the way from hub to rim, farther than {beside} from the faces: more than the ridge c_s of {wanted} and the tolerance"
+        remedy "una fresa de acabado menor deja menos donde el canal es apenas más ancho que ella, también junto a un álabe intermedio", "a smaller finishing tool leaves less where the channel is hardly wider than the tool, beside a splitter, too";
+        why "Una fresa frontal en un fondo cóncavo solo toca con el borde: en medio de un canal estrecho no llega a tocar.", "A flat end on a hollow floor touches with its edge only: in the middle of a narrow channel it does not reach down.";
+        example book!("impeller --case full", "method" = "clear", "splitters" = "no");
 }

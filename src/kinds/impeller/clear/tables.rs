@@ -1,5 +1,6 @@
 //! The tables of a clear cut: its passes in order, and where the axes stand along each.
 
+use crate::kinds::impeller::clear::asked::Asked;
 use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Pass};
 use crate::kinds::impeller::clear::plan::Plan;
@@ -152,14 +153,22 @@ pub const fn tool_name(which: Which) -> Text {
     }
 }
 
-/// What a plan comes to, its blocks being within a tolerance, mm.
+/// What a plan comes to, its blocks being within the tolerance that is asked for.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-pub(in crate::kinds::impeller) fn quantities(plan: &Plan, tolerance: f64) -> Vec<Quantity> {
+pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<Quantity> {
     let (mm, count, told) = (Unit::Millimetre, Unit::Count, &plan.told);
     let lane =
         ["√((r + a_p)² − (d/2)²) − r, menos s_w en desbaste", "√((r + a_p)² − (d/2)²) − r, less s_w in roughing"];
     let mut list = vec![
+        quantity(
+            "d_t_max",
+            "Mayor fresa de desbaste que pasa entre los álabes",
+            "Largest roughing tool that passes between the blades",
+            (told.gap - 2.0 * asked.cut.s).max(0.0),
+            mm,
+            ["separación real − 2·s_w", "true gap − 2·s_w"],
+        ),
         quantity(
             "t_rough",
             "Profundidad de la punta en las pasadas de desbaste, bajo la cara torneada",
@@ -210,24 +219,24 @@ pub(in crate::kinds::impeller) fn quantities(plan: &Plan, tolerance: f64) -> Vec
         ),
         quantity(
             "root_height",
-            "Resto en la esquina de cara y fondo, altura aproximada",
-            "Rest in the corner of face and floor, approximate height",
+            "Resto en la esquina de cara y fondo, altura",
+            "Rest in the corner of face and floor, height",
             told.root.height,
             mm,
-            ["disco en la bola de radio r + a_p", "disc within the ball of radius r + a_p"],
+            ["líneas de las caras, más de c_s + tol", "lines of the faces, more than c_s + tol"],
         ),
         quantity(
             "root_width",
-            "Resto en la esquina de cara y fondo, ancho aproximado",
-            "Rest in the corner of face and floor, approximate width",
+            "Resto en la esquina de cara y fondo, ancho",
+            "Rest in the corner of face and floor, width",
             told.root.width,
             mm,
-            ["a_p·(e + d_f)/2·κ_b en el borde", "a_p·(e + d_f)/2·κ_b at the rim"],
+            ["fondo junto a las caras, más de c_s + tol", "floor beside the faces, more than c_s + tol"],
         ),
         quantity(
             "floor_rest",
-            "Resto en el fondo, a más de 0.4 mm de las caras, aproximado",
-            "Rest on the floor, farther than 0.4 mm from the faces, approximate",
+            "Resto en el fondo, a más de 0.4 mm y r_c de las caras, aproximado",
+            "Rest on the floor, farther than 0.4 mm and r_c from the faces, approximate",
             told.floor.most,
             mm,
             ["crestas entre pasadas", "ridges between lanes"],
@@ -239,7 +248,7 @@ pub(in crate::kinds::impeller) fn quantities(plan: &Plan, tolerance: f64) -> Vec
     ] {
         // The fit is that of the poses; between them the blocks leave the way by up to the tolerance.
         let source = ["ajuste del eje a la cara, más tol", "fit of the axis to the face, plus tol"];
-        list.push(quantity(symbol, es, en, error.rest + tolerance, mm, source));
+        list.push(quantity(symbol, es, en, error.rest + asked.cut.tolerance, mm, source));
     }
     if let Some(v_s) = told.splitter_from {
         let degrees = (v_s - HUB).to_degrees();

@@ -84,6 +84,12 @@ pub struct Told {
     pub splitter_from: Option<f64>,
     /// Splitters are wanted, but nowhere is there room for them.
     pub no_splitter: bool,
+    /// The station from which on the roughing tool cuts; 0 where it does all the way.
+    pub rough_from: f64,
+    /// The station from which on the finishing tool does.
+    pub finish_from: f64,
+    /// The share of the channels, from 0 to 1, that is left uncut on the hub's side of it.
+    pub uncut: f64,
     /// What is not run of the passes.
     pub dropped: Vec<Dropped>,
 }

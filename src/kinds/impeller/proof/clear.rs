@@ -6,7 +6,8 @@
 //! counted in.
 //!
 //! All faces of all blades count, those that the pass is meant to cut among them: the tool may enter them by no more than
-//! the tolerance ε and 0.001 mm. Bounds, no samples ([`clearance`](crate::kinds::impeller::clearance),
+//! the tolerance ε and 0.001 mm. Against faces a rounded end counts as a flat one of the same diameter, which holds it;
+//! against the floor its true shape counts. Bounds, no samples ([`clearance`](crate::kinds::impeller::clearance),
 //! [`floor_depth`](crate::kinds::impeller::floor_depth)).
 //!
 //! # Units
@@ -289,15 +290,15 @@ impl Judge for ClearCutting<'_> {
                 }));
             }
         }
+        let mill = self.asked.cut.tool(self.which);
         let sweeps: Vec<Sweep<usize>> = self
             .ways
             .iter()
             .enumerate()
-            .map(|(number, way)| Sweep::through(number, self.design.machine, &way.positions, 0.0))
+            .map(|(number, way)| Sweep::through(number, self.design.machine, &way.positions, mill.r_c))
             .collect();
-        let d = self.design.mill(self.which).d;
         let at = self.ways.first().and_then(|way| way.at.first()).copied();
-        if let Some(found) = within(self.design.torus, self.design.a_p, d, &sweeps, limit) {
+        if let Some(found) = within(self.design.torus, self.design.a_p, mill, &sweeps, limit) {
             // A stretch counts its positions from the one after the first.
             let at = self.ways.get(found.track).map(|way| way.place(motion((found.x + 1.0).max(0.0)))).or(at);
             let name = t("Fondo: lo más hondo por debajo", "Floor: the deepest below it");

@@ -1,0 +1,75 @@
+//! What a workbook may ask of a clear cut beside the usual: other ends of the tools, a cut as far as a tool fits, the
+//! largest tool for a rest; and where the programs would be too long.
+
+use rodete::finding::Exit;
+use rodete::kind::{End, Outcome};
+use rodete::kinds;
+use rodete::kinds::impeller::parameters::FORM;
+use rodete::parameter::Value;
+
+use crate::common;
+
+fn outcome(changes: &[(&'static str, Value)]) -> Outcome {
+    let quick = [("splitters", Value::Choice("no")), ("c_s", Value::Real(0.1)), ("tol", Value::Real(0.03))];
+    let quick = quick.into_iter().filter(|(key, _)| changes.iter().all(|change| change.0 != *key));
+    common::outcome("clear", &quick.chain(changes.iter().cloned()).collect::<Vec<_>>())
+}
+
+fn told<'a>(outcome: &'a Outcome, words: &str) -> Option<&'a str> {
+    outcome.findings.iter().map(|finding| &*finding.what.en).find(|what| what.contains(words))
+}
+
+#[test]
+fn rounded_ends_are_judged_and_their_rests_told() {
+    for (r_c, r_cf, end) in [(0.0, 0.5, "BULL NOSE"), (3.0, 1.5, "BALL")] {
+        let outcome = outcome(&[("r_c", Value::Real(r_c)), ("r_cf", Value::Real(r_cf))]);
+        assert_eq!(End::of(&outcome.findings, false), End::Whole, "{:?}", outcome.findings);
+        let root = outcome.quantities.iter().find(|one| one.symbol == "root_height").unwrap().value;
+        assert!(root >= r_cf / 3.0, "{root}");
+        assert_eq!(told(&outcome, "rounded end").is_some(), root >= 2.0);
+        let finish = common::program(&outcome, "finish");
+        assert!(finish.contains(end) && finish.contains("CORNER RADIUS"), "{}", &finish[..600]);
+        assert_eq!(common::program(&outcome, "rough").contains("FLAT END MILL"), r_c == 0.0);
+    }
+}
+
+#[test]
+fn the_largest_tool_for_a_rest_is_told_when_it_is_asked_for() {
+    assert!(told(&outcome(&[]), "at most in the corner").is_none());
+    let asked = outcome(&[("h_r", Value::Real(0.6))]);
+    let what = told(&asked, "at most in the corner").unwrap();
+    let d: f64 = what.split("end mill is ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!((2.0..6.0).contains(&d), "{what}");
+    // With that tool the plan leaves no more: the plan has these passes, and others.
+    let with = outcome(&[("d_f", Value::Real(d))]);
+    let root = with.quantities.iter().find(|one| one.symbol == "root_height").unwrap().value;
+    assert!(root <= 0.62, "{root} {what}");
+}
+
+#[test]
+fn a_tool_that_does_not_fit_at_the_hub_cuts_as_far_as_it_fits_where_the_form_admits_it() {
+    let wide = [("d_t", Value::Real(8.0)), ("partly", Value::Choice("yes"))];
+    let two = outcome(&wide);
+    assert_eq!(End::of(&two.findings, false), End::Whole, "{:?}", two.findings);
+    assert!(told(&two, "farther in the finishing tool roughs").is_some() && told(&two, "is left uncut").is_none());
+    let one = outcome(&[wide[0].clone(), wide[1].clone(), ("d_f", Value::Real(7.5))]);
+    assert_eq!(End::of(&one.findings, false), End::Whole, "{:?}", one.findings);
+    let what = told(&one, "is left uncut").unwrap();
+    let share: f64 = what.split("; ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!((1.0..30.0).contains(&share), "{what}");
+}
+
+#[test]
+fn programs_that_would_be_too_long_end_at_a_limit() {
+    let changes = [("tol", Value::Real(0.0045)), ("delta", Value::Real(0.005)), ("c_s", Value::Real(0.0005))];
+    let refusal = match kinds::run(&FORM, common::values("clear", &changes), common::source()) {
+        Ok(_) => panic!("not refused"),
+        Err(refusal) => refusal,
+    };
+    assert_eq!(refusal.exit, Exit::Limit);
+    assert!(refusal.findings.iter().all(|finding| finding.remedy.en.contains("larger tol")), "{refusal:?}");
+    // What is wrong, too, is refused.
+    let changes = [&changes[..], &[("s_w", Value::Real(3.0))]].concat();
+    let refusal = kinds::run(&FORM, common::values("clear", &changes), common::source()).err().unwrap();
+    assert_eq!(refusal.exit, Exit::Refused);
+}
