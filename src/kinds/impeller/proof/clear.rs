@@ -97,6 +97,11 @@ impl<'a> ClearCutting<'a> {
             if bounds.lower < enough {
                 bounds = walls.clearance(&way.stands, Until::Within(CLOSE), WORK);
             }
+            // Where the limit lies between both bounds, they are brought closer.
+            let limit = self.turned() - self.limit();
+            if bounds.lower < limit && bounds.upper >= limit {
+                bounds = walls.clearance(&way.stands, Until::Within(CLOSE / 10.0), WORK);
+            }
             let place = match bounds.place {
                 Some(place) => motion(place.along),
                 // Nothing of the walls ever counts.
