@@ -264,7 +264,7 @@ fn any_finishing_block_shifted_by_a_twentieth_into_the_metal_is_caught() {
         let into = match one.check {
             "floor" => {
                 let sweep = Sweep::through(0, design.machine, &at, 0.0);
-                within(design.torus, design.a_p, 2.0 * radius, &[sweep], LIMIT).unwrap().most
+                within(design.torus, design.a_p, design.mill(Which::Finish), &[sweep], LIMIT).unwrap().most
             }
             "faces" => -blades.clearance(&stands, Until::Within(0.0005), WORK).lower,
             _ => {
