@@ -8,7 +8,7 @@ use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::{Case, FieldKind, Value};
 use rodete::text::Language;
-use rodete::workbook::{Filled, read, template};
+use rodete::workbook::{Filled, read, sweep_sheet, template};
 use zip::write::SimpleFileOptions;
 
 /// The part of the first sheet.
@@ -18,6 +18,40 @@ pub const CALIBRATION: &str = "xl/worksheets/sheet2.xml";
 
 /// A sound workbook: the shipped case, with an empty calibration sheet.
 pub fn sound(language: Language) -> Vec<u8> {
+    sound_book(language).save_to_buffer().unwrap()
+}
+
+/// The sound workbook with a sheet of variants: settings by their symbols, inputs by the columns of their list, and a sheet of designs
+/// where there are any. What reads as a number is one.
+pub fn with_variants(settings: &[(&str, &str)], inputs: &[[&str; 6]], designs: &[&[&str]]) -> Vec<u8> {
+    let mut workbook = sound_book(Language::En);
+    let put = |sheet: &mut rust_xlsxwriter::Worksheet, row: u32, column: u16, text: &str| match text.parse::<f64>() {
+        Ok(number) => drop(sheet.write(row, column, number).unwrap()),
+        Err(_) if text.is_empty() => {}
+        Err(_) => drop(sheet.write(row, column, text).unwrap()),
+    };
+    let sheet = workbook.add_worksheet().set_name("SWEEP").unwrap();
+    for (row, (symbol, value)) in (1..).zip(settings) {
+        put(sheet, row, 0, symbol);
+        put(sheet, row, 2, value);
+    }
+    let head = u32::try_from(settings.len()).unwrap() + 2;
+    for (column, heading) in (0..).zip(["input", "from", "to", "step", "values", "distribution"]) {
+        put(sheet, head, column, heading);
+    }
+    for (row, input) in (head + 1..).zip(inputs) {
+        (0..).zip(input).for_each(|(column, text)| put(sheet, row, column, text));
+    }
+    if !designs.is_empty() {
+        let sheet = workbook.add_worksheet().set_name("DESIGNS").unwrap();
+        for (row, design) in (0..).zip(designs) {
+            (0..).zip(*design).for_each(|(column, text)| put(sheet, row, column, text));
+        }
+    }
+    workbook.save_to_buffer().unwrap()
+}
+
+fn sound_book(language: Language) -> rust_xlsxwriter::Workbook {
     let values = CASES[0].values(language);
     let mut workbook = rust_xlsxwriter::Workbook::new();
     for described in FORM.sheets {
@@ -47,7 +81,7 @@ pub fn sound(language: Language) -> Vec<u8> {
             row += 2;
         }
     }
-    workbook.save_to_buffer().unwrap()
+    workbook
 }
 
 /// A case of a kind as the command for new workbooks writes it: validation, groups, a drawing, defined names and all.
@@ -55,6 +89,16 @@ pub fn written(kind: &dyn Kind, case: &Case, language: Language) -> Vec<u8> {
     let mut out = Cursor::new(Vec::new());
     let (values, lists) = (case.values(language), (case.listed)(language));
     template::write(kind, &values, &lists, &case.note, language, &mut out).unwrap();
+    out.into_inner()
+}
+
+/// The usual case of a kind with the sheet of variants that it suggests, as `new --sweep` writes it.
+pub fn written_with_variants(kind: &dyn Kind, language: Language) -> Vec<u8> {
+    let mut out = Cursor::new(Vec::new());
+    let case = &kind.cases()[0];
+    let (values, lists) = (case.values(language), (case.listed)(language));
+    let variants = sweep_sheet::suggested(kind.suggested(), language);
+    template::write_with_variants(kind, (&values, &lists), &variants, &case.note, language, &mut out).unwrap();
     out.into_inner()
 }
 
