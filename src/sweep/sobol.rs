@@ -99,7 +99,7 @@ fn directions(coordinate: usize) -> [u64; DIGITS as usize] {
         let mut next = m[at - degree];
         for back in 1..=degree {
             let coefficient = u64::from(polynomial >> (degree - back) & 1);
-            next ^= coefficient * m[at - back] << back;
+            next ^= (coefficient * m[at - back]) << back;
         }
         m[at] = next;
     }
