@@ -252,7 +252,8 @@ fn stopped(design: &Design, cut: &Cut, plan: &Plan) -> Option<&'static str> {
     let turns: Vec<f64> = (0..design.N).map(|k| design.pitch() * f64::from(k)).collect();
     let limit = cut.tolerance + OVER;
     for pass in &plan.passes {
-        let d = cut.tool(pass.tool).d;
+        let tool = cut.tool(pass.tool);
+        let d = tool.d;
         let walls = Walls::new(job.part, job.machine, d / 2.0, turns.clone(), f64::MIN);
         if walls.clearance(&pass.points, Until::Decided(-limit), WORK).lower < -limit {
             return Some("cuts into a face");
@@ -260,7 +261,7 @@ fn stopped(design: &Design, cut: &Cut, plan: &Plan) -> Option<&'static str> {
         let positions: Vec<_> = pass.points.iter().map(|at| position(at).unwrap()).collect();
         let sweep = Sweep::through(0, job.machine, &positions, 0.0);
         let limit = limit + rounding(job.machine.L, design.R);
-        if within(job.part.circle.torus, design.a_p, d, &[sweep], limit).is_some_and(|found| found.most > limit) {
+        if within(job.part.circle.torus, design.a_p, tool, &[sweep], limit).is_some_and(|found| found.most > limit) {
             return Some("goes below the floor");
         }
     }
