@@ -282,6 +282,7 @@ impl PipeWall {
 
 /// What the branch's end is cut along.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "there is one of them in a design, and it is copied")]
 pub enum Seat {
     /// One curve of the branch, of radius r: equation 9 of the published source.
     Edge(PipePair),

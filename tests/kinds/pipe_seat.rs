@@ -21,6 +21,7 @@ use rodete::machine::axis::Axis;
 use rodete::number::trig::{hypot, sin_cos};
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
+use rodete::proof::rules::NotEnclosed;
 use rodete::table::Entry;
 use rodete::text::Language;
 
@@ -332,9 +333,14 @@ proptest! {
         }
         // Discs 0.02 of the kerf apart leave ridges of 0.0001 of it.
         let ridge = 1e-3;
-        prop_assert!(deep <= tolerance * (outside / design.branch.D * 2.0).max(1.0) + 0.0025, "{deep} {tolerance}");
+        // Where the bound could not be brought close to what is found, a caution says so, and what is told is more.
+        let enclosed = !outcome.findings.iter().any(|one| one.is(NotEnclosed::RULE));
+        prop_assert!(
+            !enclosed || deep <= tolerance * (outside / design.branch.D * 2.0).max(1.0) + 0.0025,
+            "{deep} {tolerance}"
+        );
         prop_assert!(most[0] <= deep + ridge, "{most:?} {deep}");
         prop_assert!(most[1] <= inner + ridge && most[2] <= outer + ridge, "{most:?} {inner} {outer}");
-        prop_assert!(deep <= most[0].max(0.0) + tolerance + 0.003, "{most:?} {deep}");
+        prop_assert!(!enclosed || deep <= most[0].max(0.0) + tolerance + 0.003, "{most:?} {deep}");
     }
 }

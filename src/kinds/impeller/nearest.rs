@@ -295,7 +295,7 @@ mod tests {
                 let v = HUB - 0.1 + f64::from(step) * 0.08;
                 let (P, frame) = part.frame(v);
                 let tilt = f64::from(step % 5) * 0.15 - 0.3;
-                let along = (frame.N + frame.t * tilt + frame.b * (tilt / 2.0)).normalize();
+                let along = (frame.N + frame.t * tilt + frame.b * (tilt / 2.0)).try_normalize(1e-9).unwrap();
                 let axis =
                     Axis { foot: P + frame.b * (e / 2.0 + 2.0 + f64::from(step % 3)), along, range: [-a_p * 0.9, 1.0] };
                 let seen = wall.seen(Face::Obverse, &axis);

@@ -264,7 +264,15 @@ fn any_finishing_block_shifted_by_a_twentieth_into_the_metal_is_caught() {
         let into = match one.check {
             "floor" => {
                 let sweep = Sweep::through(0, design.machine, &at, 0.0);
-                within(design.torus, design.a_p, design.mill(Which::Finish), &[sweep], LIMIT).unwrap().most
+                within(
+                    design.torus,
+                    design.a_p,
+                    design.clear.as_ref().unwrap().cut.tool(Which::Finish),
+                    &[sweep],
+                    LIMIT,
+                )
+                .unwrap()
+                .most
             }
             "faces" => -blades.clearance(&stands, Until::Within(0.0005), WORK).lower,
             _ => {
@@ -360,7 +368,8 @@ fn one_fault_at_a_time_in_the_text_of_a_clear_cut_is_caught() {
         ("another tool", replaced("T2 D2", "T1 D2"), &["tool"]),
         ("the spindle the other way", replaced("M3", "M4"), &["tool"]),
         ("a tenth of the speed", replaced("S12000", "S1200"), &["tool"]),
-        ("a length offset", replaced("G44", "G43"), &["tool"]),
+        // The control's own page: the reading rejects it already.
+        ("a length offset", replaced("G44", "G43"), &["reading"]),
         ("C a turn too far", moved(&text, line, &[('C', 360.0)]), &["agreement", "turning"]),
         ("a cut at rapid", rapid, &["agreement"]),
         ("a millimetre too deep", moved(&text, line, &[('Z', -1.0)]), &["agreement", "floor"]),

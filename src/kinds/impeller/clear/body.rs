@@ -133,7 +133,7 @@ mod tests {
         for across in -20..=20_i8 {
             for along in 0..=12_u8 {
                 let (P, frame) = part.frame(3.9 + f64::from(along) * 0.07);
-                let along = (frame.N + frame.b * (f64::from(across) * 0.01)).normalize();
+                let along = (frame.N + frame.b * (f64::from(across) * 0.01)).try_normalize(1e-9).unwrap();
                 let foot = P + frame.b * (f64::from(across) * 0.25);
                 let axis = turned(&Axis { foot, along, range: [-1.7, 1.0] }, -0.4);
                 let apart = body.apart(&axis);

@@ -150,7 +150,7 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     let root = &told.root;
     let (over, height, width) = (at_most(root.over), at_most(root.height), at_most(root.width));
     findings.push(RestAtTheRoot { over, height, width }.at(at(&["d_f"])));
-    if root.height >= job.part.a_p {
+    if asked.cut.finish.r_c > 0.0 && root.height >= job.part.a_p {
         findings.push(FacesUnfinished { share: share(root.v, 0) }.at(at(&["r_c", "r_cf", "a_p"])));
     }
     if let Some(allowed) = asked.root {

@@ -151,7 +151,7 @@ pub fn root(part: &Part, lines: &[Line], poses: &[Pose], tool: Tool, over: f64) 
             let place = foot + line.out * aside;
             let rho = hypot(place.x, place.y);
             let c = Vector3::new(place.x / rho, place.y / rho, 0.0) * torus.R;
-            let point = c + (place - c).normalize() * r_f;
+            let point = c + (place - c).try_normalize(1e-9).unwrap_or(line.out) * r_f;
             !part.trimmed(&point) || held(&point)
         };
         // Farther out than `BESIDE` it is the floor's rest; where the corner's goes on beyond, it counts as the corner's.

@@ -78,7 +78,7 @@ rules! {
         en "stretches not cut because the tool does not fit there: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
         remedy "use una herramienta menor o menos álabes; quite a mano lo que quede", "use a smaller tool or fewer blades; remove by hand what is left";
         why "Una pasada que no cabe cortaría otro álabe: se deja y se dice.", "A pass that does not fit would cut another blade: it is left out and told.";
-        example book!("impeller");
+        example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8");
     "P1213" NoRoomForClearSplitter Stop {}
         es "no hay sitio para álabes intermedios: la fresa de acabado no pasa alrededor de ellos en ningún punto"
         en "there is no room for splitters: the finishing tool cannot pass around them anywhere"

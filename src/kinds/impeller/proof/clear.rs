@@ -85,6 +85,12 @@ impl<'a> ClearCutting<'a> {
         0.0005_f64.to_radians() * self.design.torus.R
     }
 
+    /// True where the limit lies between both bounds: then they are brought closer.
+    fn straddles(&self, bounds: Bounds) -> bool {
+        let limit = self.turned() - self.limit();
+        bounds.lower < limit && bounds.upper >= limit
+    }
+
     /// The least clearance of all ways to some walls, and where.
     fn least(&self, walls: &Walls) -> Option<(Bounds, At)> {
         let mut least: Option<(Bounds, At)> = None;
@@ -97,9 +103,7 @@ impl<'a> ClearCutting<'a> {
             if bounds.lower < enough {
                 bounds = walls.clearance(&way.stands, Until::Within(CLOSE), WORK);
             }
-            // Where the limit lies between both bounds, they are brought closer.
-            let limit = self.turned() - self.limit();
-            if bounds.lower < limit && bounds.upper >= limit {
+            if self.straddles(bounds) {
                 bounds = walls.clearance(&way.stands, Until::Within(CLOSE / 10.0), WORK);
             }
             let place = match bounds.place {
@@ -153,7 +157,14 @@ impl<'a> ClearCutting<'a> {
             for turn in self.turns(half) {
                 let seen = least.map_or(f64::INFINITY, |(bounds, _)| bounds.upper);
                 let enough = seen.max(self.asked.cut.s / 2.0);
-                if let Some(bounds) = nose.clearance(&sweep.stretches, turn, [enough, CLOSE]) {
+                let found = nose.clearance(&sweep.stretches, turn, [enough, CLOSE]);
+                let bounds = match found {
+                    Some(bounds) if self.straddles(bounds) => {
+                        nose.clearance(&sweep.stretches, turn, [enough, CLOSE / 10.0])
+                    }
+                    found => found,
+                };
+                if let Some(bounds) = bounds {
                     let at = bounds.place.map_or(0, |place| motion(place.along));
                     lower(&mut least, bounds, way.place(at));
                 }
