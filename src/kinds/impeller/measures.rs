@@ -51,6 +51,7 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::derived("X_e", MM),
     Measure::derived("N_max_true", COUNT),
     Measure::derived("e_max_true", MM),
+    Measure::derived("d_t_max", MM),
     Measure::derived("t_rough", MM),
     Measure::derived("t_floor", MM),
     Measure::derived("lanes_rough", COUNT),

@@ -27,6 +27,13 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::derived("y_min", MM),
     Measure::derived("y_max", MM),
     Measure::derived("e_max", MM),
+    Measure::derived("r_i", MM),
+    Measure::derived("r_o", MM),
+    Measure::derived("d_w", MM),
+    Measure::derived("a_w", MM),
+    Measure::derived("g_i", MM),
+    Measure::derived("g_o", MM),
+    Measure::derived("k_i", MM),
     Measure::read_back("t_c", Unit::Second),
 ];
 
