@@ -139,8 +139,8 @@ mod tests {
                 let mut filled = [false; 256];
                 for index in 0..256 {
                     let at = (sobol.at(index, coordinate) * 256.0).floor();
-                    let slot = (0..256).find(|slot| f64::from(*slot) == at).unwrap();
-                    assert!(!std::mem::replace(&mut filled[slot as usize], true), "{seed} {coordinate} {index}");
+                    let slot = (0..256_u32).position(|slot| f64::from(slot) == at).unwrap();
+                    assert!(!std::mem::replace(&mut filled[slot], true), "{seed} {coordinate} {index}");
                 }
             }
         }

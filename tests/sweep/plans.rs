@@ -75,7 +75,7 @@ fn the_points_of_sobol_are_those_of_scipy() {
 fn a_latin_plan_uses_every_slice_once_and_a_seed_gives_one_plan() {
     let latin = points("latin", "64", "3");
     for axis in 0..4 {
-        let slices: BTreeSet<i64> = latin.iter().map(|point| (point[axis] * 64.0).floor() as i64).collect();
+        let slices: BTreeSet<u64> = latin.iter().map(|point| (point[axis] * 64.0).floor().to_bits()).collect();
         assert_eq!(slices.len(), 64, "axis {axis}");
     }
     assert_eq!(latin, points("latin", "64", "3"));
