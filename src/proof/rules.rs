@@ -121,8 +121,8 @@ crate::finding::rule::rules! {
             "A torch lit during a rapid marks the part; a torch off during the cut leaves it uncut.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "N60 M3", to: "N60 M5" };
     "V0019" ChecksPassed Note { program: Text }
-        es "comprobaciones superadas por «{program}»: vea la tabla Verificación"
-        en "checks passed by \"{program}\": see the table Verification"
+        es "comprobaciones superadas por «{program}», en la tabla Verificación"
+        en "checks passed by \"{program}\", in the table Verification"
         remedy "", "";
         why "La tabla da cada comprobación con su valor y su límite.",
             "The table gives each check with its value and limit.";
