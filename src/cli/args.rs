@@ -251,9 +251,9 @@ pub(super) struct New {
     /// Put the form into this workbook, behind its own sheets; it is kept once as <BOOK>.bak
     #[arg(long, value_name = "BOOK", conflicts_with = "file")]
     pub(super) into: Option<PathBuf>,
-    /// Language of the workbook
-    #[arg(long, value_name = "LANGUAGE", value_parser = language(), default_value = "en")]
-    pub(super) lang: Language,
+    /// Language of the workbook [default: the locale's]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
+    pub(super) lang: Option<Language>,
     /// Values to start from; each kind has its own [default: the first of the kind; of an impeller with --sweep: full]
     #[arg(long)]
     pub(super) case: Option<String>,

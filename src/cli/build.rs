@@ -145,6 +145,11 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
 #[expect(clippy::disallowed_methods, reason = "the door to the environment: the compiler that is asked for")]
 pub(super) fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
     let named = named.or_else(|| env::var_os(TYPST).filter(|path| !path.is_empty()).map(PathBuf::from));
+    // It is started in a folder of its own: a path is seen from here. A mere name is looked up as a command.
+    let named = named.map(|program| match program.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => std::path::absolute(&program).unwrap_or(program),
+        _ => program,
+    });
     let typst = match (named, env::current_exe()) {
         (Some(program), _) => Typst::installed(program),
         (None, Ok(rodete)) if cfg!(feature = "embedded-typst") => Typst::embedded(rodete),

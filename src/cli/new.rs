@@ -4,6 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::args::New;
+use super::locale::spoken;
 use super::rules::*;
 use super::terminal::Terminal;
 use super::{fault, finding, into, refused, show};
@@ -18,9 +19,10 @@ use crate::workbook::{self, sweep_sheet, template};
 /// Writes the workbook and says what to do next.
 pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     super::interrupt::listen();
-    match write(arguments, kinds) {
+    let language = spoken(arguments.lang, None);
+    match write(arguments, language, kinds) {
         Ok((written, told)) => {
-            finding::general(&told, arguments.lang, terminal);
+            finding::general(&told, language, terminal);
             for file in written {
                 let path = show::path(&file.path);
                 let word = if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.clone() };
@@ -30,15 +32,15 @@ pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal)
                     format!("{path} está listo para rellenar; después: rodete {command} {word}\n"),
                     format!("{path} is ready to edit; then: rodete {command} {word}\n"),
                 );
-                terminal.out(text.get(arguments.lang));
+                terminal.out(text.get(language));
             }
             Exit::Done
         }
-        Err(refusal) => refused(&refusal, arguments.lang, terminal),
+        Err(refusal) => refused(&refusal, language, terminal),
     }
 }
 
-fn write(arguments: &New, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Vec<Finding>), Refusal> {
+fn write(arguments: &New, language: Language, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Vec<Finding>), Refusal> {
     let Some((form, kind)) = kinds.iter().map(|kind| (kind.form(), kind)).find(|(form, _)| form.kind == arguments.kind)
     else {
         return Err(fault::refusal("a kind without a form"));
@@ -50,20 +52,20 @@ fn write(arguments: &New, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Vec<Find
         NoSuchCase { kind, case, cases }.refused(Exit::CommandLine, Place::File)
     })?;
     if let Some(book) = &arguments.into {
-        return put(book, *kind, case, arguments.lang);
+        return put(book, *kind, case, language);
     }
     let file = arguments.file.clone().unwrap_or_else(|| PathBuf::from(format!("{}.xlsx", form.kind)));
     let name = workbook_name(&file)?;
     let folder = Folder::open(file.parent().unwrap_or(Path::new("")))?;
     let mut set = Set::new(&folder, &[], Existing::Keep);
-    let (values, lists) = (case.values(arguments.lang), (case.listed)(arguments.lang));
+    let (values, lists) = (case.values(language), (case.listed)(language));
     set.write(name, |out| {
         if arguments.sweep {
-            let variants = sweep_sheet::suggested(kind.suggested(), arguments.lang);
+            let variants = sweep_sheet::suggested(kind.suggested(), language);
             let held = (values.as_slice(), lists.as_slice());
-            template::write_with_variants(*kind, held, &variants, &case.note, arguments.lang, out)
+            template::write_with_variants(*kind, held, &variants, &case.note, language, out)
         } else {
-            template::write(*kind, &values, &lists, &case.note, arguments.lang, out)
+            template::write(*kind, &values, &lists, &case.note, language, out)
         }
     })?;
     Ok((set.commit()?, folder.settled().cloned().into_iter().collect()))

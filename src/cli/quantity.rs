@@ -7,8 +7,24 @@ use crate::escape::printable;
 use crate::table::{Quantity, Unit};
 use crate::text::Language;
 
-/// Decimals shown; the results workbook has the values whole.
-const DECIMALS: usize = 4;
+/// Decimals shown: those that mean something in a shop, and one more. The results workbook has the values whole.
+const fn decimals(unit: Unit) -> usize {
+    match unit {
+        Unit::Count | Unit::RevolutionPerMinute | Unit::CubicMillimetre => 0,
+        Unit::MetrePerMinute
+        | Unit::CubicCentimetrePerMinute
+        | Unit::MillimetrePerMinute
+        | Unit::DegreePerMinute
+        | Unit::Second => 1,
+        Unit::Millimetre
+        | Unit::Degree
+        | Unit::MillimetrePerRevolution
+        | Unit::Radian
+        | Unit::Step
+        | Unit::One
+        | Unit::None => 4,
+    }
+}
 
 /// The quantities as lines, symbols, decimal points and meanings under one another.
 pub(super) fn table(quantities: &[Quantity], language: Language, width: Option<usize>) -> String {
@@ -45,7 +61,7 @@ fn end(one: &Quantity, decimals: &str) -> String {
 
 /// A value as digits before the point, and the point with what follows it: rounded, without needless zeros.
 fn number(value: f64, unit: Unit) -> (String, String) {
-    let decimals = if unit == Unit::Count { 0 } else { DECIMALS };
+    let decimals = decimals(unit);
     let text = format!("{value:.decimals$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     let text = if text == "-0" { "0" } else { text };
@@ -74,12 +90,16 @@ mod tests {
             quantity("L", 242.9, Unit::Millimetre),
             quantity("β", 36.869_897_6, Unit::Degree),
             quantity("x", -0.000_01, Unit::One),
+            quantity("t", 144.0647, Unit::Second),
+            quantity("V", 78_444.6, Unit::CubicMillimetre),
         ];
         let expected = [
-            "  N_max =   4        what it is",
-            "  L     = 242.9 mm   what it is",
-            "  β     =  36.8699°  what it is",
-            "  x     =   0        what it is",
+            "  N_max =     4        what it is",
+            "  L     =   242.9 mm   what it is",
+            "  β     =    36.8699°  what it is",
+            "  x     =     0        what it is",
+            "  t     =   144.1 s    what it is",
+            "  V     = 78445 mm³    what it is",
         ];
         assert_eq!(table(&quantities, Language::En, None), expected.join("\n") + "\n");
     }

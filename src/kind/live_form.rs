@@ -13,6 +13,8 @@ pub struct LiveForm {
     pub inputs: &'static [&'static str],
     /// What must hold between them before anything is computed, and the words for it where it does not.
     pub sound: (&'static str, Text),
+    /// When limits stand here that do not decide, and what is said then in place of their holding.
+    pub undecided: Option<(&'static str, Text)>,
     /// The derived values, one a row.
     pub rows: Vec<LiveRow>,
     /// The view of the part.
@@ -36,6 +38,8 @@ pub struct LiveRow {
     pub always: bool,
     /// When something is wrong with it; the first one that is true is told.
     pub wrong: Vec<Wrong>,
+    /// When it decides nothing, and what is said then: it is not green, whether it is wrong or not.
+    pub undecided: Option<(&'static str, Text)>,
 }
 
 impl LiveRow {
@@ -43,7 +47,7 @@ impl LiveRow {
     #[must_use]
     pub fn length(symbol: &'static str, name: &'static str, meaning: Text, formula: impl Into<Formula>) -> Self {
         let (formula, unit) = (formula.into(), Unit::Millimetre);
-        Self { symbol, name, unit, meaning, formula, always: false, wrong: Vec::new() }
+        Self { symbol, name, unit, meaning, formula, always: false, wrong: Vec::new(), undecided: None }
     }
 
     /// The same in another unit.
@@ -63,6 +67,12 @@ impl LiveRow {
     pub fn wrong(mut self, when: impl Into<Formula>, words: Text, input: &'static str) -> Self {
         self.wrong.push(Wrong { when: when.into(), words, input });
         self
+    }
+
+    /// The same where it decides nothing under some condition, with the words that say so.
+    #[must_use]
+    pub fn undecided(self, when: &'static str, words: Text) -> Self {
+        Self { undecided: Some((when, words)), ..self }
     }
 }
 

@@ -109,6 +109,9 @@ pub trait Method: Send + Sync + 'static {
     /// What is known before the first program is judged.
     fn memo(design: &Self::Design, model: &Self::Model) -> Self::Memo;
 
+    /// Which cells, changed how, give a program fewer blocks.
+    fn fewer(design: &Self::Design, program: &Program) -> Text;
+
     /// What a program is read with.
     fn setting(_: &Self::Design, program: &Program) -> Setting {
         program.setting()
@@ -252,7 +255,7 @@ impl<M: Method> Kind for Of<M> {
             let judged =
                 proof::of(program, setting, plan, judges, M::due(&design, program), M::rapids(&design, program));
             accounts.push(judged.account.clone());
-            verification.add(program, judged);
+            verification.add(program, judged, M::fewer(&design, program));
         }
         tables.extend(M::lines(&design, &model, &programs));
         tables.push(verification.table(&programs, M::PROVED));

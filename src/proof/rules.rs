@@ -21,11 +21,11 @@ crate::finding::rule::rules! {
         why "Cada programa tiene una lista de comprobaciones: la que no tiene respuesta no se ha hecho.",
             "Every program has a list of checks: a check without an answer was not made.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N60 G0 X0.000 Y0.000", to: "N60 M30" };
-    "V0005" MemoryExceeded Caution { program: Text, bytes: u64 }
+    "V0005" MemoryExceeded Caution { program: Text, bytes: u64, fewer: Text }
         es "el programa «{program}» ocupa {bytes} bytes, más que la memoria habitual del control"
         en "program \"{program}\" takes {bytes} bytes, more than the control's usual memory"
-        remedy "ejecútelo desde disco o red, o pida menos puntos: un n menor; con method = clear, una tol o una c_s mayor",
-            "run it from disk or network, or ask for fewer points: a smaller n; with method = clear, a larger tol or c_s";
+        remedy "ejecútelo desde disco o red, o pida menos bloques: {fewer}",
+            "run it from disk or network, or ask for fewer blocks: {fewer}";
         why "El control corta un programa que no cabe en su memoria, o no lo carga.",
             "The control cuts off a program that does not fit into its memory, or does not load it.";
         example Example::Made { key: "program-beyond-memory", how: t("un programa de más de 1 MiB para el Fagor 8055: un rodete con n = 1500", "a program of more than 1 MiB for the Fagor 8055: an impeller with n = 1500") };
@@ -121,8 +121,8 @@ crate::finding::rule::rules! {
             "A torch lit during a rapid marks the part; a torch off during the cut leaves it uncut.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "N60 M3", to: "N60 M5" };
     "V0019" ChecksPassed Note { program: Text }
-        es "comprobaciones superadas por «{program}»: vea la tabla Verificación"
-        en "checks passed by \"{program}\": see the table Verification"
+        es "comprobaciones superadas por «{program}», en la tabla Verificación"
+        en "checks passed by \"{program}\", in the table Verification"
         remedy "", "";
         why "La tabla da cada comprobación con su valor y su límite.",
             "The table gives each check with its value and limit.";

@@ -44,17 +44,19 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refus
 }
 
 /// The caution for a program that its control may not hold.
-fn too_long(program: &Program, bytes: u64) -> Option<Finding> {
+fn too_long(program: &Program, bytes: u64, fewer: Text) -> Option<Finding> {
     let memory = program.control.text.memory;
     (bytes > memory).then(|| {
         let place = Place::Block { program: program.key, line: 1 };
-        MemoryExceeded { program: program.title.clone(), bytes }.at(place).with(bytes.to_string(), memory.to_string())
+        let told = MemoryExceeded { program: program.title.clone(), bytes, fewer }.at(place);
+        told.with(bytes.to_string(), memory.to_string())
     })
 }
 
 impl Verification {
-    /// Takes in what came of a program. Stops are said for each program; what else there is to say, once.
-    pub fn add(&mut self, program: &Program, judged: Judged) {
+    /// Takes in what came of a program. Stops are said for each program; what else there is to say, once. `fewer` is what makes
+    /// it shorter.
+    pub fn add(&mut self, program: &Program, judged: Judged, fewer: Text) {
         let Judged { checks, bytes, .. } = judged;
         let stopped = checks.iter().any(|check| check.grade() == Some(Grade::Stop));
         let held = checks.iter().filter(|check| check.grade().is_none()).count();
@@ -72,7 +74,7 @@ impl Verification {
             self.findings.push(passed.with(held.to_string(), ""));
         }
         self.checks.extend(checks);
-        self.findings.extend(too_long(program, bytes));
+        self.findings.extend(too_long(program, bytes, fewer));
     }
 
     /// The table of the verification: a row for each check of each program.

@@ -71,7 +71,10 @@ impl LiveRow {
 
     /// The formula of what is said of it.
     fn words(&self, language: Language) -> String {
-        let meaning = format!("\"{}\"", self.meaning.get(language));
+        let mut meaning = format!("\"{}\"", self.meaning.get(language));
+        if let Some((when, words)) = &self.undecided {
+            meaning = format!("IF({when},\"{}\",{meaning})", words.get(language));
+        }
         if self.wrong.is_empty() {
             return meaning;
         }
@@ -111,19 +114,26 @@ impl LivePart<'_> {
         let language = self.language;
         let (count, all) = (self.count(), self.form.inputs.len());
         let unsound = self.form.sound.1.get(language);
+        let mut hold = format!("\"{}\"", HOLD.get(language));
+        if let Some((when, words)) = &self.form.undecided {
+            hold = format!("IF({when},\"{}\",{hold})", words.get(language));
+        }
         let formula = format!(
-            "IF(live_wrong>0,\"{}\"&live_wrong,IF({count}<{all},\"{}\"&({all}-{count}),IF(live_ok,\"{}\",\"{unsound}\")))",
+            "IF(live_wrong>0,\"{}\"&live_wrong,IF({count}<{all},\"{}\"&({all}-{count}),IF(live_ok,{hold},\"{unsound}\")))",
             BROKEN.get(language),
             MISSING.get(language),
-            HOLD.get(language),
         );
         sheet.merge_range(row, first, row, last, "", &styles.source)?;
         sheet.write_formula_with_format(row, first, uncomputed(&formula), &styles.source)?;
         let rule = |when: &str, format: &Format| {
             ConditionalFormatFormula::new().set_rule(format!("={when}").as_str()).set_format(format.clone())
         };
+        let holds = self.form.undecided.as_ref().map_or_else(
+            || "AND(live_ok,live_wrong=0)".to_owned(),
+            |(when, _)| format!("AND(live_ok,live_wrong=0,NOT({when}))"),
+        );
         sheet.add_conditional_format(row, first, row, last, &rule("OR(NOT(live_ok),live_wrong>0)", &styles.stale))?;
-        sheet.add_conditional_format(row, first, row, last, &rule("AND(live_ok,live_wrong=0)", &styles.holds))?;
+        sheet.add_conditional_format(row, first, row, last, &rule(&holds, &styles.holds))?;
         Ok(())
     }
 
@@ -165,7 +175,8 @@ impl LivePart<'_> {
             names.push((one.name.to_owned(), place(row)));
             let Some(broken) = one.broken() else { continue };
             // What has no value holds nothing.
-            let holds = one.once(&format!("AND(LEN({})>0,NOT({broken}))", one.name), "FALSE");
+            let undecided = one.undecided.as_ref().map_or_else(String::new, |(when, _)| format!(",NOT({when})"));
+            let holds = one.once(&format!("AND(LEN({})>0,NOT({broken}){undecided})", one.name), "FALSE");
             for (rule, format) in [(&broken, &styles.stale), (&holds, &styles.holds)] {
                 let rule =
                     ConditionalFormatFormula::new().set_rule(format!("={rule}").as_str()).set_format(format.clone());

@@ -44,6 +44,8 @@ const ONE_PAGE: RowNum = 66;
 
 /// More columns than this are printed across.
 const UPRIGHT: usize = 6;
+/// More columns of text than this, too: they are wide.
+const TEXTS: usize = 3;
 
 /// A table on its way to a sheet.
 #[derive(Clone, Copy, Debug)]
@@ -116,7 +118,9 @@ impl<'a> TableSheet<'a> {
         sheet.set_freeze_panes(FIRST, self.offset())?;
         let last = self.last_row()?;
         sheet.set_print_area(0, 0, last, self.printed()?)?;
-        let landscape = self.table.columns.len() > UPRIGHT;
+        let columns = &self.table.columns;
+        let texts = columns.iter().filter(|column| matches!(column.values, Cells::Texts(_))).count();
+        let landscape = columns.len() > UPRIGHT || texts > TEXTS;
         let single = last < ONE_PAGE;
         Page { repeat: (0, UNITS), landscape, single, ..*page }.set_up(sheet, self.language)?;
         Ok(())

@@ -22,7 +22,10 @@ use rodete::proof::account::Account;
 use rodete::proof::step::Plan;
 use rodete::proof::verification::Verification;
 use rodete::proof::{self, Judged};
-use rodete::text::Language;
+use rodete::text::{Language, Text, t};
+
+/// What makes a program of a test shorter.
+const FEWER: Text = t("una arc_tolerance mayor", "a larger arc_tolerance");
 
 /// The values of a kind's case, or of its usual one, some cells changed.
 fn values(cases: &'static [Case], case: Option<&str>, cells: &[(&'static str, &'static str)]) -> Values {
@@ -90,7 +93,7 @@ fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, [from, t
                 due(&design, program),
                 Rapids::default(),
             );
-            verification.add(&text, judged);
+            verification.add(&text, judged, FEWER);
         }
         "pipe-insert" => {
             let design = insert::design::Design::new(
@@ -104,7 +107,11 @@ fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, [from, t
             let judges = insert::proof::judges(&design, &moves, &mut curve);
             let setting = insert::proof::setting(&design, &program);
             let due = insert::proof::due(&design);
-            verification.add(&text, proof::of(&text, setting, moves.plan(design.mode), judges, due, Rapids::default()));
+            verification.add(
+                &text,
+                proof::of(&text, setting, moves.plan(design.mode), judges, due, Rapids::default()),
+                FEWER,
+            );
         }
         "pipe-hole" => {
             let design = hole::design::Design::new(
@@ -116,8 +123,11 @@ fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, [from, t
             let (text, mut curve) = (slipped(&program, from, to), Vec::new());
             let judges = hole::proof::judges(&design, &cut, &mut curve);
             let plan = hole::proof::plan(&design, &cut);
-            verification
-                .add(&text, proof::of(&text, program.setting(), plan, judges, hole::proof::CHECKS, Rapids::default()));
+            verification.add(
+                &text,
+                proof::of(&text, program.setting(), plan, judges, hole::proof::CHECKS, Rapids::default()),
+                FEWER,
+            );
         }
         _ => panic!("{kind} is not judged"),
     }
@@ -166,6 +176,6 @@ pub fn beyond_memory() -> Vec<Finding> {
     let program = hole::program::full(&design, &cut, &origin).unwrap();
     let bytes = program.control.text.memory + 1;
     let mut verification = Verification::default();
-    verification.add(&program, Judged { checks: Vec::new(), account: Account::default(), bytes });
+    verification.add(&program, Judged { checks: Vec::new(), account: Account::default(), bytes }, FEWER);
     verification.findings
 }

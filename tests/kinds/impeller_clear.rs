@@ -73,3 +73,48 @@ fn programs_that_would_be_too_long_end_at_a_limit() {
     let refusal = kinds::run(&FORM, common::values("clear", &changes), common::source()).err().unwrap();
     assert_eq!(refusal.exit, Exit::Refused);
 }
+
+#[test]
+fn each_program_has_a_number_of_its_own_and_the_last_number_is_rejected() {
+    for (dialect, opening) in [("fagor-8055", "%0042-FINISH,MX--,"), ("fagor-8070", "%0042-FINISH")] {
+        let made = outcome(&[
+            ("program", Value::Whole(41)),
+            ("dialect", Value::Choice(dialect)),
+            ("retract", Value::Line(String::new())),
+        ]);
+        let (rough, finish) = (common::program(&made, "rough"), common::program(&made, "finish"));
+        assert!(rough.contains("PROGRAM 0041 ") && finish.contains("PROGRAM 0042 "), "{}", &finish[..200]);
+        assert_eq!(finish.lines().next(), Some(opening));
+    }
+    assert!(common::program(&outcome(&[("program", Value::Whole(9998))]), "finish").contains("PROGRAM 9999 "));
+    let refusal = kinds::run(&FORM, common::values("clear", &[("program", Value::Whole(9999))]), common::source());
+    let findings = refusal.err().unwrap().findings;
+    assert_eq!(findings.iter().map(|one| one.code()).collect::<Vec<_>>(), ["P1223"]);
+    assert!(kinds::run(&FORM, common::values("full", &[("program", Value::Whole(9999))]), common::source()).is_ok());
+}
+
+#[test]
+fn a_program_too_large_for_the_control_is_shortened_by_the_cells_of_its_method() {
+    let remedies = |made: &Outcome| -> Vec<String> {
+        let large = made.findings.iter().filter(|finding| finding.code() == "V0005");
+        large.map(|finding| finding.remedy.en.to_string()).collect()
+    };
+    let large = common::outcome("clear", &[("c_s", Value::Real(0.02)), ("delta", Value::Real(0.08))]);
+    let told = remedies(&large);
+    assert!(
+        !told.is_empty() && told.iter().all(|one| one.contains("larger tol") && !one.contains("smaller n")),
+        "{told:?}"
+    );
+    let told = remedies(&common::outcome("full", &[("n", Value::Whole(3500)), ("splitters", Value::Choice("no"))]));
+    assert!(!told.is_empty() && told.iter().all(|one| one.contains("smaller n") && !one.contains("tol")), "{told:?}");
+}
+
+/// Where a reader looks for the tools: behind the first tool.
+#[test]
+fn the_method_of_cutting_is_filled_in_next_to_the_tool() {
+    let holds = |key: &str| {
+        let sections = FORM.sheets[0].sections;
+        sections.iter().position(|one| one.parameters.iter().any(|parameter| parameter.key == key)).unwrap()
+    };
+    assert_eq!((holds("method"), holds("d_f")), (holds("d_t") + 1, holds("d_t") + 1));
+}

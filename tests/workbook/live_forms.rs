@@ -111,7 +111,8 @@ fn number_or_none(cell: &Data) -> Option<f64> {
 /// which `rodete check` rejects it.
 type Broken = (&'static str, &'static str, &'static [(&'static str, &'static str)], [&'static str; 2], &'static str);
 
-const BROKEN: [Broken; 19] = [
+const BROKEN: [Broken; 20] = [
+    ("impeller", "", &[("thickness_e", "11")], ["narrower than the tool", "más estrecha que la herramienta"], "P1206"),
     ("impeller", "tfg-2021", &[("torus_R", "x")], ["no numbers: 1", "no son números: 1"], "W0"),
     ("pipe-hole", "", &[("groove_gamma", ""), ("height_d0", "x")], ["no numbers: 2", "no son números: 2"], "W0"),
     ("lathe", "shaft", &[("stock_D", "")], ["no numbers: 1", "no son números: 1"], "W0"),
@@ -219,6 +220,87 @@ fn a_form_says_what_is_wrong_where_the_engine_rejects_it() {
             assert!(codes.iter().any(|one| one.starts_with(code)) || code.is_empty(), "{kind} {changes:?}: {codes:?}");
         }
     }
+}
+
+/// The formulas by which a cell turns green.
+fn green(parts: &Parts, cell: (u32, u32)) -> Vec<String> {
+    let styles = parts.text("xl/styles.xml");
+    let greens: Vec<usize> = styles
+        .split("<dxf>")
+        .skip(1)
+        .enumerate()
+        .filter(|(_, one)| one.contains("FF1E5B22"))
+        .map(|(at, _)| at)
+        .collect();
+    assert!(!greens.is_empty(), "no green");
+    let sheet = parts.text("xl/worksheets/sheet1.xml");
+    let formulas = sheet.split("<conditionalFormatting sqref=\"").skip(1).filter_map(|one| {
+        let (range, rest) = one.split_once('"')?;
+        let (first, last) = range.split_once(':').unwrap_or((range, range));
+        let ((top, left), (bottom, right)) = (place_of(first), place_of(last));
+        let inside = (top..=bottom).contains(&cell.0) && (left..=right).contains(&cell.1);
+        Some(rest.split("<cfRule").skip(1).filter(move |_| inside).collect::<Vec<_>>())
+    });
+    let of = |rule: &str| {
+        let dxf = rule.split("dxfId=\"").nth(1)?.split('"').next()?.parse::<usize>().ok()?;
+        let formula = rule.split("<formula>").nth(1)?.split("</formula>").next()?;
+        greens.contains(&dxf).then(|| formula.to_owned())
+    };
+    formulas.flatten().filter_map(of).collect()
+}
+
+/// Under `method = clear` the published limits decide nothing, and no formula knows whether the tools pass.
+#[test]
+fn the_limits_of_the_published_method_are_never_green_where_the_part_is_cut_clear() {
+    if !libreoffice() {
+        return;
+    }
+    const LIMITS: [&str; 4] = ["live_gap", "live_N_max", "live_e_max", "live_reach"];
+    for language in Language::ALL {
+        let folder = tempfile::tempdir().expect("a folder");
+        let plain = form("impeller", "clear", language);
+        let parts = Parts::of(&plain);
+        let mut rules: Vec<String> = green(&parts, (0, 2));
+        for name in LIMITS {
+            rules.extend(green(&parts, place_of(&cell_of(&plain, name))));
+        }
+        assert_eq!(rules.len(), 1 + LIMITS.len(), "{rules:?}");
+        // What decides on green is written over the units, so that LibreOffice computes it.
+        let written = |changes: &[(&str, &str)]| {
+            let first = place_of(&cell_of(&plain, "torus_R")).0;
+            let asked = rules.iter().enumerate().fold(plain.clone(), |book, (at, rule)| {
+                let row = first + 1 + u32::try_from(at).expect("a row");
+                with_on(&book, sheet(language), &format!("D{row}"), &format!("><f>{rule}</f>"))
+            });
+            changes.iter().fold(asked, |book, (name, value)| {
+                with_on(&book, sheet(language), &cell_of(&plain, name), &typed(value))
+            })
+        };
+        let books = [
+            ("clear".to_owned(), written(&[])),
+            ("thick".to_owned(), written(&[("thickness_e", "3")])),
+            ("published".to_owned(), written(&[("method", "published")])),
+        ];
+        let mut computed = recalculated(folder.path(), language == Language::Es, &books);
+        let mut greens = |at: usize| -> Vec<bool> {
+            let data = range(&mut computed[at], sheet(language));
+            let first = place_of(&cell_of(&plain, "torus_R")).0;
+            let of = |row: u32| match data.get_value((first + row, 3)) {
+                Some(Data::Bool(green)) => *green,
+                other => panic!("{other:?}"),
+            };
+            (0..u32::try_from(rules.len()).expect("a count")).map(of).collect()
+        };
+        assert_eq!(greens(0), vec![false; rules.len()], "clear");
+        assert_eq!(greens(1), vec![false; rules.len()], "clear, and rejected");
+        assert_eq!(greens(2), vec![true; rules.len()], "published");
+    }
+    let thick = common::values("clear", &[("e", Value::Real(3.0))]);
+    let Err(refusal) = rodete::kinds::run(kind_of("impeller").form(), thick, common::source()) else {
+        panic!("not rejected")
+    };
+    let codes: Vec<_> = refusal.findings.iter().map(Finding::code).collect();
+    assert_eq!(codes, ["P1206"]);
 }
 
 #[test]

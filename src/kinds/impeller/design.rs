@@ -114,6 +114,15 @@ impl Design {
         self.clear.as_ref().filter(|_| which == Which::Finish).map_or(own, |asked| asked.finish)
     }
 
+    /// The number of a milling program: of a clear cut the finishing program has the one after the form's.
+    #[must_use]
+    pub const fn number(&self, which: Which) -> u32 {
+        match which {
+            Which::Rough => self.program,
+            Which::Finish => self.program + 1,
+        }
+    }
+
     /// How much of the tool over its tip is looked at, mm: from a tip within d_s of the stock no longer tool reaches more
     /// of it, for no two points of the stock are farther apart than 2·R + L_b. How long the tool is, is not asked.
     #[must_use]

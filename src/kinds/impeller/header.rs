@@ -18,8 +18,8 @@ fn fixed(value: f64) -> String {
     format!("{value:.3}")
 }
 
-fn identity(design: &Design, program: &Program, origin: &Origin<'_>) -> Header {
-    let work = Work { part: &design.part, material: &design.material, number: design.program };
+fn identity(design: &Design, program: &Program, number: u32, origin: &Origin<'_>) -> Header {
+    let work = Work { part: &design.part, material: &design.material, number };
     Header::new(program.control, program.key, &program.title, work, origin)
 }
 
@@ -41,7 +41,7 @@ pub fn header(
     full_from: Option<[usize; 2]>,
     origin: &Origin<'_>,
 ) -> Vec<Part> {
-    let mut comments = identity(design, program, origin);
+    let mut comments = identity(design, program, design.number(which), origin);
     let Mill { T, D, d, F, S } = design.mill(which);
     let diameter = fixed(d);
     let end = design.clear.as_ref().map_or(Tool::flat(d), |asked| asked.cut.tool(which));
@@ -134,7 +134,7 @@ pub fn header(
 /// The header of the turning program, its opening line included.
 #[must_use]
 pub fn blank_header(design: &Design, program: &Program, origin: &Origin<'_>) -> Vec<Part> {
-    let mut comments = identity(design, program, origin);
+    let mut comments = identity(design, program, design.program, origin);
     let blank = &design.blank;
     let (diameter, length) = (fixed(2.0 * design.torus.R), fixed(blank.L_b));
     comments

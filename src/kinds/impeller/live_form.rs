@@ -4,6 +4,9 @@ use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
 use crate::table::{Formula, Unit};
 use crate::text::t;
 
+/// True where the part is cut clear: then the published limits decide nothing, and no formula tells whether the tools pass.
+const CLEAR: &str = "method=\"clear\"";
+
 /// The points of one face of a blade in the view, less one.
 const STEPS: usize = 8;
 /// So many blades are drawn at most.
@@ -33,6 +36,13 @@ pub fn live() -> LiveForm {
             "AND(torus_R*(1-0.000001)>meridian_r,meridian_r>0,torus_R-meridian_r>depth_a_p,blades_N>=1,intervals_n>=1)",
             t("R ha de ser mayor que r, y R − r mayor que a_p", "R must be greater than r, and R − r greater than a_p"),
         ),
+        undecided: Some((
+            CLEAR,
+            t(
+                "method = clear: si pasan las fresas, lo juzga rodete check",
+                "method = clear: rodete check judges whether the tools pass",
+            ),
+        )),
         rows: rows(),
         view: view(),
     }
@@ -40,6 +50,8 @@ pub fn live() -> LiveForm {
 
 fn rows() -> Vec<LiveRow> {
     let row = LiveRow::length;
+    let told = t("regla publicada; clear lo juzga rodete check", "published rule; rodete check judges clear");
+    let published = |wrong: &str| format!("AND(method<>\"clear\",{wrong})");
     vec![
         row("L", "live_L", t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H"),
         row("k", "live_k", t("√(R² − r²)", "√(R² − r²)"), "SQRT((torus_R-meridian_r)*(torus_R+meridian_r))"),
@@ -57,7 +69,8 @@ fn rows() -> Vec<LiveRow> {
             t("Semiancho de álabe y herramienta", "Half width of blade and tool"),
             "(thickness_e+tool_diameter_d_t)/2",
         ),
-        row("d", "live_d", t("Separación mínima entre álabes", "Least gap between blades"), "tool_diameter_d_t*4/3"),
+        row("d", "live_d", t("Separación mínima entre álabes", "Least gap between blades"), "tool_diameter_d_t*4/3")
+            .undecided(CLEAR, told.clone()),
         row(
             "gap",
             "live_gap",
@@ -65,10 +78,16 @@ fn rows() -> Vec<LiveRow> {
             "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-thickness_e",
         )
         .wrong(
-            "live_gap<live_d",
+            published("live_gap<live_d"),
             t("demasiado estrecha para la herramienta", "too narrow for the tool"),
             "tool_diameter_d_t",
-        ),
+        )
+        .wrong(
+            format!("AND({CLEAR},cut_partly<>\"yes\",cut_partly<>\"sí\",live_gap<tool_diameter_d_t)"),
+            t("más estrecha que la herramienta", "narrower than the tool"),
+            "tool_diameter_d_t",
+        )
+        .undecided(CLEAR, t("por el paralelo; la real es menor", "along the parallel; the true gap is smaller")),
         row(
             "N_max",
             "live_N_max",
@@ -76,14 +95,16 @@ fn rows() -> Vec<LiveRow> {
             "INT(2*PI()*(torus_R-meridian_r-depth_a_p)/(thickness_e+live_d))",
         )
         .unit(Unit::Count)
-        .wrong("blades_N>live_N_max", t("N es demasiado grande", "N is too large"), "blades_N"),
+        .wrong(published("blades_N>live_N_max"), t("N es demasiado grande", "N is too large"), "blades_N")
+        .undecided(CLEAR, told.clone()),
         row(
             "e_max",
             "live_e_max",
             t("Espesor máximo del álabe", "Greatest blade thickness"),
             "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-live_d",
         )
-        .wrong("thickness_e>live_e_max", t("e es demasiado grande", "e is too large"), "thickness_e"),
+        .wrong(published("thickness_e>live_e_max"), t("e es demasiado grande", "e is too large"), "thickness_e")
+        .undecided(CLEAR, told.clone()),
         row(
             "2·r − d_t",
             "live_room",
@@ -102,10 +123,11 @@ fn rows() -> Vec<LiveRow> {
             "safety_d_s+tool_diameter_d_t/2",
         )
         .wrong(
-            "live_reach<=live_w*live_k/torus_R",
+            published("live_reach<=live_w*live_k/torus_R"),
             t("d_s es demasiado pequeña", "d_s is too small"),
             "safety_d_s",
-        ),
+        )
+        .undecided(CLEAR, told),
         row("360°/N", "live_pitch", t("Giro entre álabes", "Turn between blades"), "360/blades_N").unit(Unit::Degree),
         row(
             "Z_r",

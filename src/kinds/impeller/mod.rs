@@ -253,6 +253,16 @@ impl Method for Impeller {
         Known::new(model.geometry(design))
     }
 
+    fn fewer(design: &Design, program: &Program) -> Text {
+        match (&design.clear, program.key) {
+            (None, _) => t("un n menor", "a smaller n"),
+            (Some(_), "rough") => {
+                t("una tol mayor, o menos niveles (una a_k mayor)", "a larger tol, or fewer levels (a larger a_k)")
+            }
+            (Some(_), _) => t("una tol, una c_s o una delta mayor", "a larger tol, c_s or delta"),
+        }
+    }
+
     fn setting(design: &Design, program: &Program) -> Setting {
         proof::setting(design, program)
     }
@@ -340,8 +350,8 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
         .by("derived_w", "(thickness_e+tool_diameter_d_t)/2"),
         quantity(
             "d",
-            "Separación mínima entre álabes",
-            "Least gap between blades",
+            "Separación mínima entre álabes, según lo publicado",
+            "Least gap between blades, as published",
             least_gap(d_t),
             mm,
             ["4/3·d_t, sección 4.2.2", "4/3·d_t, section 4.2.2"],
@@ -414,8 +424,8 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
     list.extend(limits.N_max.map(|N| {
         quantity(
             "N_max_true",
-            "Número máximo de álabes por la separación real",
-            "Maximum number of blades by the true gap",
+            "Número máximo de álabes si la separación real cumple la regla publicada",
+            "Maximum number of blades whose true gap keeps the published rule",
             f64::from(N),
             Unit::Count,
             ["separación real ≥ 4/3·d_t", "true gap ≥ 4/3·d_t"],
@@ -424,8 +434,8 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
     list.extend(limits.e_max.map(|e| {
         quantity(
             "e_max_true",
-            "Espesor máximo del álabe por la separación real",
-            "Maximum blade thickness by the true gap",
+            "Espesor máximo del álabe si la separación real cumple la regla publicada",
+            "Maximum blade thickness whose true gap keeps the published rule",
             e,
             mm,
             ["separación real ≥ 4/3·d_t", "true gap ≥ 4/3·d_t"],

@@ -49,7 +49,10 @@ pub(super) static INTERVALS_N: Field<u32, Required> = Field::whole(
     Unit::Count,
     [2, 100_000],
     t("Número de intervalos de la discretización", "Number of intervals of the discretisation"),
-    t("n + 1 puntos por pasada", "n + 1 points per pass"),
+    t(
+        "n + 1 puntos por pasada; con method = clear, solo los de las tablas de la fibra media",
+        "n + 1 points per pass; with method = clear only those of the tables of the mean line",
+    ),
 );
 pub(super) static EPS_V: Field<f64, Required> = Field::real(
     "eps_v",
@@ -68,7 +71,10 @@ pub(super) static N: Field<u32, Required> = Field::whole(
     Unit::Count,
     [1, 60],
     t("Número de álabes", "Number of blades"),
-    t("Como mucho N_max", "At most N_max"),
+    t(
+        "Como mucho N_max; con method = clear, mientras pasen las fresas",
+        "At most N_max; with method = clear, as long as the tools pass",
+    ),
 );
 pub(super) static E: Field<f64, Required> = Field::real(
     "e",
@@ -76,7 +82,10 @@ pub(super) static E: Field<f64, Required> = Field::real(
     MM,
     [0.05, 100.0],
     t("Espesor del álabe", "Blade thickness"),
-    t("Como mucho e_max", "At most e_max"),
+    t(
+        "Como mucho e_max; con method = clear, mientras pasen las fresas",
+        "At most e_max; with method = clear, as long as the tools pass",
+    ),
 );
 pub(super) static A_P: Field<f64, Required> = Field::real(
     "a_p",
@@ -262,13 +271,19 @@ pub(super) static TOL: Field<f64, Optional> = Field::real(
 
 const CUTTING: &[&Parameter] = &[&D_S.row, &F.row, &S.row, &TOL.row];
 
+/// The greatest program number: the headers write four digits.
+pub(super) const NUMBERS: u32 = 9999;
+
 pub(super) static NUMBER: Field<u32, Required> = Field::whole(
     "program",
     "program_number",
     Unit::Count,
-    [1, 9999],
+    [1, NUMBERS],
     t("Número de programa", "Program number"),
-    t("Va en la cabecera de los programas", "Goes into the header of the programs"),
+    t(
+        "Va en la cabecera de los programas; con method = clear, el de acabado lleva el siguiente",
+        "Goes into the header of the programs; with method = clear the finishing program has the next one",
+    ),
 );
 pub(super) static STYLE: Field<Style, Required> = Field::choice(
     "style",
@@ -534,11 +549,11 @@ pub static FORM: Form = Form {
                 Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row], optional: false },
                 Section { title: t("Geometría", "Geometry"), parameters: GEOMETRY, optional: false },
                 Section { title: t("Herramienta", "Tool"), parameters: TOOL, optional: false },
+                Section { title: t("Método de corte", "Method of cutting"), parameters: cut::CELLS, optional: false },
                 Section { title: t("Máquina", "Machine"), parameters: MACHINE, optional: false },
                 Section { title: t("Corte", "Cutting"), parameters: CUTTING, optional: false },
                 Section { title: t("Programa", "Program"), parameters: PROGRAM, optional: false },
                 Section { title: t("Torneado del bruto", "Turning of the blank"), parameters: BLANK, optional: false },
-                Section { title: t("Método de corte", "Method of cutting"), parameters: cut::CELLS, optional: false },
                 title_block::SECTION,
             ],
         },

@@ -12,6 +12,7 @@ use crate::kinds::impeller::splitter::NoSplitter;
 use crate::kinds::impeller::start::start;
 use crate::machine::calibration::Axis as Calibrated;
 use crate::number::shown;
+use crate::text::t;
 
 pub(super) fn no_splitter(why: NoSplitter) -> Finding {
     let place = Place::Parameters(vec!["splitters", "N", "e", "d_t"]);
@@ -58,7 +59,11 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
     }
     let moves = made.limited.by_format;
     if moves > 0 {
-        let told = FeedWordAtItsEnd { moves }.at(at(&["F", "n"]));
+        let (key, longer) = match design.clear {
+            None => ("n", t("un n menor", "a smaller n")),
+            Some(_) => ("tol", t("una tol mayor", "a larger tol")),
+        };
+        let told = FeedWordAtItsEnd { moves, longer }.at(at(&["F", key]));
         let greatest = shown(design.control.feed.law.greatest(), 3);
         findings.push(told.with(moves.to_string(), format!("0.0001 … {greatest}")));
     }

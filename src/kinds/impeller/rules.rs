@@ -180,10 +180,10 @@ rules! {
         why "Un eje al que se pide demasiado se retrasa, y la punta se sale de su trayectoria.",
             "An axis that is asked to go too fast lags, and the tip leaves its path.";
         example book!("impeller --case full", "F_max" = "1000");
-    "P1027" FeedWordAtItsEnd Caution { moves: usize }
+    "P1027" FeedWordAtItsEnd Caution { moves: usize, longer: Text }
         es "en {moves} movimientos la palabra F llega al límite de su formato: el avance real es otro"
         en "in {moves} moves the F word reaches the limit of its format: the true feed differs"
-        remedy "elija un n menor u otro avance", "choose a smaller n or another feed";
+        remedy "elija otro avance, o bloques más largos: {longer}", "choose another feed, or longer blocks: {longer}";
         why "El formato no permite escribir la F necesaria, y el bloque dura otro tiempo.",
             "The format cannot hold the F needed, so the block takes another time.";
         example book!("impeller --case full", "F" = "50000", "F_max" = "", "n" = "100");
@@ -319,12 +319,12 @@ rules! {
             "A tool wider than the channel cuts into both blades.";
         example book!("impeller --case full", "N" = "5", "splitters" = "no");
     "P1046" GapBelowPublished Caution { gap: Size, tool: Size, least: Size, at: Size, blades: Text, thickness: Text }
-        es "entre los álabes pasa como mucho una herramienta de {gap}; para la de {tool} el método pide {least}; el paso más estrecho está al {at} % del camino del cubo al borde; {blades}; {thickness}"
-        en "a tool of {gap} at most passes between the blades; for the tool of {tool} the method asks for {least}; the narrowest place is {at} % of the way from hub to rim; {blades}; {thickness}"
+        es "entre los álabes pasa como mucho una herramienta de {gap}; para la de {tool} la regla publicada pide {least}; el paso más estrecho está al {at} % del camino del cubo al borde; {blades}; {thickness}"
+        en "a tool of {gap} at most passes between the blades; for the tool of {tool} the published rule asks for {least}; the narrowest place is {at} % of the way from hub to rim; {blades}; {thickness}"
         remedy "use menos álabes, álabes más delgados o una herramienta menor; los límites publicados miden a lo largo del paralelo, que no es por donde pasa la herramienta",
             "use fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not where the tool passes";
-        why "El método pide un tercio más que la herramienta, para que ni la flexión ni las desviaciones toquen el otro álabe.",
-            "The method asks for a third more than the tool, so that a bent tool or a deviation does not touch the other blade.";
+        why "La regla publicada pide un tercio más que la herramienta, para que ni la flexión ni las desviaciones toquen el otro álabe.",
+            "The published rule asks for a third more than the tool, so that a bent tool or a deviation does not touch the other blade.";
         example book!("impeller --case full");
     "P1047" HeightCalledLength Caution {}
         es "el libro es del esquema 1. Allí la altura H de la cara torneada sobre la nariz del husillo portapieza se llamaba longitud de herramienta L_t, y R_B se llamaba R_p: rodete lee L_t como H y toma L = R_p + L_t. Si en L_t está la longitud de una herramienta, los programas son erróneos"

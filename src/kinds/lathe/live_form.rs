@@ -23,6 +23,7 @@ pub fn live() -> LiveForm {
             "AND(stock_D>0,stock_L>0,chuck_D_c>0)",
             t("D, L y D_c han de ser mayores que 0", "D, L and D_c must be greater than 0"),
         ),
+        undecided: None,
         rows: rows(),
         view: view(),
     }

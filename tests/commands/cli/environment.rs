@@ -100,3 +100,19 @@ fn standard_output_on_a_full_disk_is_said() {
     let told: Vec<_> = said.lines().filter(|line| line.contains("standard output")).collect();
     assert!(matches!(told[..], [told] if told.starts_with("error U0142: cannot write to standard output: ")), "{said}");
 }
+
+#[test]
+fn a_new_form_is_in_the_language_of_the_locale_or_in_the_one_asked_for() {
+    let asked: [(&str, &[&str], &str); 4] = [
+        ("es_ES.UTF-8", &[], "DATOS"),
+        ("es_ES.UTF-8", &["--lang", "en"], "DATA"),
+        ("de_DE.UTF-8", &[], "DATA"),
+        ("C", &["--lang", "es"], "DATOS"),
+    ];
+    for (locale, language, sheet) in asked {
+        let folder = tempfile::tempdir().unwrap();
+        rodete(&folder).env("LC_ALL", locale).args(["new", "pipe-insert", "a.xlsx"]).args(language).assert().code(0);
+        let place = format!("\"{sheet}\"");
+        rodete(&folder).args(["check", "a.xlsx"]).assert().code(0).stdout(predicate::str::contains(place));
+    }
+}

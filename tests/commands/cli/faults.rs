@@ -137,6 +137,20 @@ fn an_interruption_leaves_the_old_set_and_nothing_else() {
     }
 }
 
+/// Typst runs in a folder of its own, and a path on the command line is meant from where the user is.
+#[cfg(unix)]
+#[test]
+fn a_typst_named_from_here_is_started_from_here() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = with_impeller();
+    fs::create_dir(folder.path().join("bin")).unwrap();
+    let program = folder.path().join("bin/typst");
+    fs::write(&program, "#!/bin/sh\ntouch \"$(dirname \"$0\")/started\"\nexit 1\n").unwrap();
+    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
+    rodete(&folder).args(["build", "impeller.xlsx", "--typst", "bin/typst"]).assert().code(6);
+    assert!(folder.path().join("bin/started").exists());
+}
+
 /// Interrupts a build while typst works.
 #[cfg(unix)]
 #[test]

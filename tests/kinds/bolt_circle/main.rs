@@ -92,6 +92,10 @@ impl Method for Kind {
 
     fn memo(_: &BoltCircle, (): &()) {}
 
+    fn fewer(_: &BoltCircle, _: &Program) -> Text {
+        t("menos agujeros", "fewer holes")
+    }
+
     fn judges<'a>(circle: &'a BoltCircle, (): &(), (): &mut (), _: &Program) -> Vec<Box<dyn Judge + 'a>> {
         vec![Box::new(HolesAtAngles::of(circle))]
     }

@@ -12,6 +12,7 @@ use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
 use crate::kinds::impeller::clear::told::{By, Dropped, ToolTold};
 use crate::kinds::impeller::design::{Design, Style};
+use crate::kinds::impeller::parameters::NUMBERS;
 use crate::kinds::impeller::part::{HUB, RIM};
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::shown;
@@ -53,6 +54,9 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
             let told = CornerBeyondRadius { symbol, r_c: Size::mm(tool.r_c), half: Size::mm(tool.a()) };
             findings.push(told.at(at(&[symbol, if symbol == fields::CORNER.key() { "d_t" } else { "d_f" }])));
         }
+    }
+    if design.number(Which::Finish) > NUMBERS {
+        findings.push(NoNumberLeft { number: design.program, most: NUMBERS }.at(at(&["program"])));
     }
     let least = rounding(design.machine.L, design.torus.R) + LEFT;
     if asked.tolerance < least {

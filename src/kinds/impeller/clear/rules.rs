@@ -139,4 +139,10 @@ rules! {
         remedy "una fresa de acabado menor deja menos donde el canal es apenas más ancho que ella, también junto a un álabe intermedio", "a smaller finishing tool leaves less where the channel is hardly wider than the tool, beside a splitter, too";
         why "Una fresa frontal en un fondo cóncavo solo toca con el borde: en medio de un canal estrecho no llega a tocar.", "A flat end on a hollow floor touches with its edge only: in the middle of a narrow channel it does not reach down.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no");
+    "P1223" NoNumberLeft Stop { number: u32, most: u32 }
+        es "el número de programa es {number}, y el programa de acabado, que lleva el siguiente, pasaría de {most}"
+        en "the program number is {number}, and the finishing program, which has the next one, would exceed {most}"
+        remedy "elija un número de programa menor que {most}", "choose a program number below {most}";
+        why "Un control no guarda dos programas con un mismo número, y el número tiene cuatro cifras.", "A control does not keep two programs under one number, and the number has four digits.";
+        example book!("impeller", "program" = "9999");
 }

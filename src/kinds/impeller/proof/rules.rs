@@ -110,28 +110,28 @@ crate::finding::rule::rules! {
     "V0121" ToolInStock Stop { depth: Size, line: usize, program: Text }
         es "la herramienta entra al menos {depth} en el bruto fuera de las pasadas, en la línea {line} de «{program}»"
         en "the tool goes at least {depth} into the stock outside the passes, in line {line} of \"{program}\""
-        remedy "elija una distancia de seguridad d_s mayor, o un retroceso eps_v menor", "choose a larger safety distance d_s, or a smaller back-off eps_v";
+        remedy "elija una distancia de seguridad d_s mayor o, con method = published, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
         why "Fuera de las pasadas la herramienta va en rápido y se rompe si toca el bruto.",
             "Outside the passes the tool moves in rapid and breaks if it touches the stock.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N100 G0 X-250.900", to: "N100 G0 X-220.900" };
     "V0122" ToolMayBeInStock Stop { line: usize, program: Text }
         es "no está demostrado que la herramienta libre el bruto en la línea {line} de «{program}»"
         en "it is not proved that the tool clears the stock in line {line} of \"{program}\""
-        remedy "elija una distancia de seguridad d_s mayor, o un retroceso eps_v menor", "choose a larger safety distance d_s, or a smaller back-off eps_v";
+        remedy "elija una distancia de seguridad d_s mayor o, con method = published, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
         example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
     "V0123" ToolNearStock Caution { distance: Size, line: usize, program: Text }
         es "la herramienta pasa a {distance} del bruto, menos que d_s, en la línea {line} de «{program}»"
         en "the tool passes {distance} from the stock, closer than d_s, in line {line} of \"{program}\""
-        remedy "elija una distancia de seguridad d_s mayor, o un retroceso eps_v menor", "choose a larger safety distance d_s, or a smaller back-off eps_v";
+        remedy "elija una distancia de seguridad d_s mayor o, con method = published, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
         why "La distancia de seguridad cubre lo que el bruto y el amarre midan de más.",
             "The safety distance covers stock and clamping that are larger than given.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.269 Z9.517" };
     "V0124" ToolMayBeNearStock Caution { distance: Size, line: usize, program: Text }
         es "solo está demostrado que la herramienta pasa a {distance} del bruto o más, menos que d_s, en la línea {line} de «{program}»"
         en "it is only proved that the tool passes {distance} or more from the stock, which is less than d_s, in line {line} of \"{program}\""
-        remedy "elija una distancia de seguridad d_s mayor, o un retroceso eps_v menor", "choose a larger safety distance d_s, or a smaller back-off eps_v";
+        remedy "elija una distancia de seguridad d_s mayor o, con method = published, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
         why "Si los dos límites no llegan a converger, rodete cuenta con el menor.",
             "If the bounds do not converge, rodete counts the lower one.";
         example Example::Never(t("los límites convergen antes de agotar el cálculo permitido", "the bounds converge before the limit of the computation"));

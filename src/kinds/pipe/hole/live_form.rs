@@ -42,6 +42,7 @@ pub fn live() -> LiveForm {
                 "θ must be between 0 and 180, and Ψ and d0 greater than 0",
             ),
         ),
+        undecided: None,
         rows: rows(),
         view: view(),
     }

@@ -135,6 +135,10 @@ impl Method for Hole {
         Curve::new()
     }
 
+    fn fewer(_: &Design, _: &Program) -> Text {
+        t("una arc_tolerance mayor", "a larger arc_tolerance")
+    }
+
     fn plan<'a>(design: &'a Design, model: &'a Model, _: &'a Program) -> Plan<'a> {
         proof::plan(design, &model.cut)
     }

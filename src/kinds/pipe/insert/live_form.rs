@@ -29,6 +29,7 @@ pub fn live() -> LiveForm {
             "AND(live_branch_t<live_branch_D/2,angle_theta>0,angle_theta<180,divisions_N>=1)",
             t("θ ha de estar entre 0 y 180, y N ser 1 o más", "θ must be between 0 and 180, and N 1 or more"),
         ),
+        undecided: None,
         rows: rows(),
         view: view(),
     }

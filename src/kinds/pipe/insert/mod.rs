@@ -161,6 +161,13 @@ impl Method for Insert {
         Curve::new()
     }
 
+    fn fewer(design: &Design, _: &Program) -> Text {
+        match design.mode {
+            Mode::Flat => t("un N menor", "a smaller N"),
+            Mode::Rotary => t("una arc_tolerance mayor", "a larger arc_tolerance"),
+        }
+    }
+
     fn setting(design: &Design, program: &Program) -> Setting {
         proof::setting(design, program)
     }
