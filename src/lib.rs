@@ -23,7 +23,7 @@
 //! | 4 | [`scene`], [`removal`] | what can be shown; metal that goes |
 //! | 5 | [`proof`] | judging programs, what they come to |
 //! | 6 | [`kind`] | what every workbook kind comes to |
-//! | 7 | [`kinds`] | impeller, pipes and lathe, a folder each, one formula family a file |
+//! | 7 | [`kinds`], [`sweep`] | impeller, pipes and lathe, a folder each, one formula family a file; many designs of one workbook |
 //! | 8 | [`workbook`], [`report`], [`drawing`], [`typeset`], [`view`], [`store`], [`graft`], [`cli`] | the outside world, one wall each |
 //!
 //! Nothing below floor 8 reads a clock, a file, the environment or chance: the same input gives the same bytes on every
@@ -75,6 +75,7 @@ pub mod kind;
 pub mod typeset;
 
 pub mod kinds;
+pub mod sweep;
 
 pub mod drawing;
 pub mod report;

@@ -9,6 +9,7 @@ use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::aot::Shell;
 
 use super::stock::Stock;
+use super::sweep::args::Sweep;
 use super::verdict::{ENDS, code, meaning};
 use crate::finding::Exit;
 use crate::gcode::control::{ALL, TURNING};
@@ -46,6 +47,7 @@ impl Arguments {
             line(&format!("rodete build {kind}.xlsx"), &format!("writes tables, programs and a report to {kind}-out")),
             line(&format!("rodete watch {kind}.xlsx"), "builds again whenever the workbook is saved"),
             line(&format!("rodete compare {kind}.xlsx B.xlsx"), "shows how two workbooks and their programs differ"),
+            line(&format!("rodete sweep {kind}-sweep.xlsx"), "works out every variant that the sheet SWEEP asks for"),
             line(
                 &format!("rodete view {kind}.xlsx"),
                 &format!("writes {kind}.html: part and programs, to play in a browser"),
@@ -123,6 +125,18 @@ pub(super) enum Command {
     /// workbooks of two kinds.
     #[command(after_help = "Example: rodete compare impeller.xlsx impeller-2.xlsx -o differences.xlsx")]
     Compare(Compare),
+    /// Work out the variants that a workbook's sheet SWEEP asks for
+    ///
+    /// Writes one row for each design into DIR/chunks, all rows into DIR/summary.parquet, the best and the front into
+    /// DIR/<stem>-sweep.xlsx, and the best as workbooks into DIR/top. Run again, it goes on where it was interrupted. A rejected
+    /// design keeps its row. Exit 0 when all designs are worked out, 3 if every one of them is rejected.
+    ///
+    /// On a cluster, --chunk works out one chunk of the plan and nothing else, and --merge makes the summary of all: exit 9 if chunks are
+    /// missing. --submit slurm submits those that are missing, and the merge after them; what follows `--` goes to sbatch.
+    #[command(
+        after_help = "Example: rodete sweep impeller-sweep.xlsx -o study\n         rodete sweep impeller-sweep.xlsx -o study --submit slurm -- --partition=main"
+    )]
+    Sweep(Sweep),
     /// Write one HTML file that shows a program, or a workbook's part and programs
     ///
     /// The file opens in any browser, offline: part, tool and path in three dimensions, the blocks, the machine's
@@ -185,12 +199,13 @@ pub(super) struct Manual {
 }
 
 /// The commands that have a page.
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 13] = [
     "new",
     "check",
     "build",
     "watch",
     "compare",
+    "sweep",
     "view",
     "verify",
     "simulate",
@@ -239,9 +254,12 @@ pub(super) struct New {
     /// Language of the workbook [default: the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
-    /// Values to start from; each kind has its own [default: the first of the kind]
+    /// Values to start from; each kind has its own [default: the first of the kind; of an impeller with --sweep: full]
     #[arg(long)]
     pub(super) case: Option<String>,
+    /// Add the sheet SWEEP, which says how inputs vary
+    #[arg(long, conflicts_with = "into")]
+    pub(super) sweep: bool,
 }
 
 /// Arguments of `check`.
@@ -512,7 +530,7 @@ fn rotary() -> impl TypedValueParser<Value = Rotary> {
         .map(|rule| if rule == Rotary::Rollover.name() { Rotary::Rollover } else { Rotary::Linear })
 }
 
-fn language() -> impl TypedValueParser<Value = Language> {
+pub(super) fn language() -> impl TypedValueParser<Value = Language> {
     PossibleValuesParser::new(Language::ALL.map(Language::code))
         .map(|code| if code == Language::Es.code() { Language::Es } else { Language::En })
 }

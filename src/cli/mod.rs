@@ -32,6 +32,7 @@ mod side_by_side;
 mod simulate;
 mod stationery;
 mod stock;
+mod sweep;
 mod terminal;
 mod turning;
 mod verdict;
@@ -101,6 +102,7 @@ fn command(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind], t
         Command::Build(arguments) => build::run(&arguments, kinds, terminal),
         Command::Watch(arguments) => watch::run(&arguments, kinds, terminal),
         Command::Compare(arguments) => compare::run(&arguments, kinds, terminal),
+        Command::Sweep(arguments) => sweep::run(&arguments, kinds, terminal),
         Command::Simulate(arguments) => simulate::run(&arguments, kinds, terminal),
         Command::Verify(arguments) => verify::run(&arguments, terminal),
         Command::View(arguments) => view::run(&arguments, kinds, terminal),

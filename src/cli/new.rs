@@ -14,7 +14,7 @@ use crate::kind::Kind;
 use crate::parameter::Case;
 use crate::store::{self, Existing, Folder, Set, Written};
 use crate::text::{Language, Text};
-use crate::workbook::{self, template};
+use crate::workbook::{self, sweep_sheet, template};
 
 /// Writes the workbook and says what to do next.
 pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
@@ -27,9 +27,10 @@ pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal)
                 let path = show::path(&file.path);
                 let word = if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.clone() };
                 let word = if arguments.into.is_some() { format!("{word} --into") } else { word };
+                let command = if arguments.sweep { "sweep" } else { "build" };
                 let text = Text::new(
-                    format!("{path} está listo para rellenar; después: rodete build {word}\n"),
-                    format!("{path} is ready to edit; then: rodete build {word}\n"),
+                    format!("{path} está listo para rellenar; después: rodete {command} {word}\n"),
+                    format!("{path} is ready to edit; then: rodete {command} {word}\n"),
                 );
                 terminal.out(text.get(language));
             }
@@ -44,7 +45,8 @@ fn write(arguments: &New, language: Language, kinds: &[&dyn Kind]) -> Result<(Ve
     else {
         return Err(fault::refusal("a kind without a form"));
     };
-    let case = case(kind.cases(), arguments.case.as_deref()).ok_or_else(|| {
+    let suggested = if arguments.sweep { kind.suggested().case } else { None };
+    let case = case(kind.cases(), arguments.case.as_deref().or(suggested)).ok_or_else(|| {
         let (kind, cases) = (form.kind, kind.cases().iter().map(|case| case.name).collect::<Vec<_>>().join(", "));
         let case = arguments.case.clone().unwrap_or_default();
         NoSuchCase { kind, case, cases }.refused(Exit::CommandLine, Place::File)
@@ -57,7 +59,15 @@ fn write(arguments: &New, language: Language, kinds: &[&dyn Kind]) -> Result<(Ve
     let folder = Folder::open(file.parent().unwrap_or(Path::new("")))?;
     let mut set = Set::new(&folder, &[], Existing::Keep);
     let (values, lists) = (case.values(language), (case.listed)(language));
-    set.write(name, |out| template::write(*kind, &values, &lists, &case.note, language, out))?;
+    set.write(name, |out| {
+        if arguments.sweep {
+            let variants = sweep_sheet::suggested(kind.suggested(), language);
+            let held = (values.as_slice(), lists.as_slice());
+            template::write_with_variants(*kind, held, &variants, &case.note, language, out)
+        } else {
+            template::write(*kind, &values, &lists, &case.note, language, out)
+        }
+    })?;
     Ok((set.commit()?, folder.settled().cloned().into_iter().collect()))
 }
 

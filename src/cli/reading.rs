@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::plan::{self, beside};
 use super::verdict::Ending;
-use super::{fault, stationery};
+use super::{fault, stationery, sweep};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
 use crate::kind::{Kind, Outcome, Provenance, Wants};
@@ -18,8 +18,12 @@ use crate::workbook::{self, Filled};
 pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
     verdict(workbook, |verdict| {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
-        let (_, mut filled) = read(workbook, kinds, verdict)?;
+        let (bytes, mut filled) = read(workbook, kinds, verdict)?;
         filled.findings.extend(filled.stale.take());
+        if let Some(kind) = kinds.iter().find(|kind| kind.form().schema == filled.form.schema) {
+            let variants = sweep::checked(&bytes, &filled, *kind)?;
+            filled.findings.extend(variants);
+        }
         let verified = mem::take(&mut filled.files);
         let outcome = compute(workbook, filled, kinds, Wants::default(), verdict)?;
         // What a build would leave out of its report, or would take anew.

@@ -61,6 +61,11 @@ impl Terminal {
         }
     }
 
+    /// True where standard error is a terminal: a line there may be written over.
+    pub(super) fn overwrites(&self) -> bool {
+        io::stderr().is_terminal()
+    }
+
     /// Keeps what to do next for the end; of several workbooks nothing is said.
     pub(super) fn next(&mut self, text: impl FnOnce() -> String) {
         self.next = Some(if self.next.is_some() { String::new() } else { text() });

@@ -81,6 +81,7 @@ const fn gravity(exit: Exit) -> u8 {
         Exit::Done => 0,
         Exit::ReportFailed => 1,
         Exit::Refused => 2,
+        Exit::Incomplete => 3,
         Exit::Unreadable => 3,
         Exit::Limit => 4,
         Exit::Unwritable => 5,
@@ -101,12 +102,13 @@ pub(super) const fn status(exit: Exit) -> &'static str {
         Exit::Unwritable => "unwritable",
         Exit::ReportFailed => "report-failed",
         Exit::Limit => "limit",
+        Exit::Incomplete => "incomplete",
         Exit::Interrupted => "interrupted",
     }
 }
 
 /// Every end, in the order of the codes.
-pub(super) const ENDS: [Exit; 9] = [
+pub(super) const ENDS: [Exit; 10] = [
     Exit::Done,
     Exit::Fault,
     Exit::CommandLine,
@@ -115,6 +117,7 @@ pub(super) const ENDS: [Exit; 9] = [
     Exit::Unwritable,
     Exit::ReportFailed,
     Exit::Limit,
+    Exit::Incomplete,
     Exit::Interrupted,
 ];
 
@@ -151,6 +154,10 @@ pub(super) fn meaning(exit: Exit) -> [Text; 2] {
             t("todo lo demás", "everything else"),
         ],
         Exit::Limit => [t("se ha alcanzado un límite", "a limit was reached"), nothing],
+        Exit::Incomplete => [
+            t("`sweep --merge`: faltan trozos del plan", "`sweep --merge`: chunks of the plan are missing"),
+            t("nada; los trozos calculados siguen ahí", "nothing; the chunks that were worked out stay"),
+        ],
         Exit::Interrupted => [t("interrumpido", "interrupted"), t("solo juegos completos", "finished sets only")],
     }
 }

@@ -247,6 +247,8 @@ pub enum Exit {
     ReportFailed = 6,
     /// A limit was reached.
     Limit = 7,
+    /// Parts that are needed are not there yet.
+    Incomplete = 9,
     /// Interrupted by the user.
     Interrupted = 130,
 }

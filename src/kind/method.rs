@@ -5,6 +5,7 @@ use std::marker::PhantomData;
 use std::sync::LazyLock;
 
 use super::live_form::LiveForm;
+use super::measure::{Limits, Measure, Suggested};
 use super::{Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Wants, not_finite, staging};
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Refusal, Rule};
@@ -51,6 +52,10 @@ pub trait Method: Send + Sync + 'static {
     const RULES: &'static [&'static [&'static Rule]] = &[];
     /// How the proof goes, for the table of the checks.
     const PROVED: Text;
+    /// What designs of it are compared by.
+    const MEASURES: &'static [Measure] = &[];
+    /// What a new workbook suggests to vary.
+    const SUGGESTED: &'static Suggested = &Suggested::NOTHING;
 
     /// The part with the symbols of its form; `None` where there is nothing to draw.
     fn sketch() -> Option<Figure> {
@@ -203,6 +208,23 @@ impl<M: Method> Kind for Of<M> {
 
     fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>> {
         M::design(fields).map(drop)
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        M::MEASURES
+    }
+
+    fn suggested(&self) -> &'static Suggested {
+        M::SUGGESTED
+    }
+
+    fn limits(&self, fields: &Fields) -> Result<Limits, Refusal> {
+        let refused = |findings: Vec<Finding>| Refusal { exit: Exit::Refused, findings };
+        let design = M::design(fields).map_err(refused)?;
+        let model = M::model(&design).map_err(refused)?;
+        let origin = Origin { workbook: "", sha256: "", version: "", language: fields.language() };
+        let Written { findings, .. } = M::programs(&design, &model, &origin).map_err(refused)?;
+        Ok(Limits { quantities: M::quantities(&design, &model, &[]), findings })
     }
 
     fn run(&self, fields: Fields, found: Vec<Finding>, source: Provenance, wants: Wants) -> Result<Outcome, Refusal> {

@@ -6,6 +6,7 @@
 pub mod checks;
 pub mod comparison;
 pub mod live_form;
+pub mod measure;
 pub mod method;
 pub mod rules;
 mod staging;
@@ -25,6 +26,7 @@ use crate::gcode::control::Control;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
 use crate::kind::live_form::LiveForm;
+use crate::kind::measure::{Limits, Measure, Suggested};
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
@@ -70,6 +72,22 @@ pub trait Kind: Send + Sync {
     /// # Errors
     /// Every one of them.
     fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>>;
+
+    /// What designs of it are compared by: every derived value, and what the programs come to.
+    fn measures(&self) -> &'static [Measure] {
+        &[]
+    }
+
+    /// What a new workbook suggests to vary.
+    fn suggested(&self) -> &'static Suggested {
+        &Suggested::NOTHING
+    }
+
+    /// What is known of a filled-in form before its programs are read back.
+    ///
+    /// # Errors
+    /// A refusal with every contradiction between values.
+    fn limits(&self, fields: &Fields) -> Result<Limits, Refusal>;
 
     /// Computes a filled-in form, of which `found` was found when it was read. The same values give the same outcome.
     ///

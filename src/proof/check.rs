@@ -122,6 +122,7 @@ pub struct Question {
     at: Option<At>,
     parameters: Option<Vec<&'static str>>,
     seen: usize,
+    measured: Option<f64>,
 }
 
 const NOTHING: Text = t("", "");
@@ -131,7 +132,18 @@ impl Question {
     pub fn new(key: &'static str, name: Text, program: &Program) -> Self {
         let title = program.title.clone();
         let (value, limit) = (NOTHING, NOTHING);
-        Self { key, name, program: program.key, title, value, limit, at: None, parameters: None, seen: 0 }
+        Self {
+            key,
+            name,
+            program: program.key,
+            title,
+            value,
+            limit,
+            at: None,
+            parameters: None,
+            seen: 0,
+            measured: None,
+        }
     }
 
     /// The question with the value found and its limit, both with their units; an empty limit where there is none.
@@ -158,9 +170,15 @@ impl Question {
         self
     }
 
-    /// The question with place and number of what was measured.
+    /// The question with place, number and value of what was measured.
     pub const fn of(mut self, measured: &Extreme) -> Self {
         (self.at, self.seen) = (measured.at, measured.seen);
+        self.measuring(measured.value)
+    }
+
+    /// The question with the number that was measured for it, in the unit of its value.
+    pub const fn measuring(mut self, value: f64) -> Self {
+        self.measured = Some(value);
         self
     }
 
@@ -249,6 +267,12 @@ impl Check {
     #[must_use]
     pub const fn at(&self) -> Option<At> {
         self.asked.at
+    }
+
+    /// The number that was measured for it; `None` where it is not one number, or nothing was looked at.
+    #[must_use]
+    pub const fn measured(&self) -> Option<f64> {
+        if self.asked.seen == 0 { None } else { self.asked.measured }
     }
 
     /// How it was answered.

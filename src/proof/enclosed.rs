@@ -80,7 +80,8 @@ impl<const K: usize> Enclosed<K> {
     #[must_use]
     pub fn within(&self, asked: Question, k: usize, tolerance: f64, what: Text, remedy: Remedy) -> Check {
         let (reached, at_most) = (self.reached(k), self.at_most(k));
-        self.put(asked, k).holds(at_most <= tolerance, |place| beyond(reached, at_most, tolerance, what, remedy, place))
+        let asked = self.put(asked, k).measuring(at_most);
+        asked.holds(at_most <= tolerance, |place| beyond(reached, at_most, tolerance, what, remedy, place))
     }
 }
 

@@ -82,6 +82,18 @@ impl Folder {
         self.path.join(name)
     }
 
+    /// Removes a file of ours from it, where it is there.
+    ///
+    /// # Errors
+    /// Exit 5 where the system does not remove it.
+    pub fn remove(&self, name: &OsStr) -> Result<(), Refusal> {
+        let path = self.join(name);
+        match self.disk.remove(&path) {
+            Err(error) if error.kind() != ErrorKind::NotFound => Err(unwritable(&path, &error)),
+            _ => Ok(()),
+        }
+    }
+
     fn make(&mut self) -> io::Result<()> {
         let missing: Vec<_> = self
             .path

@@ -15,7 +15,6 @@ use crate::text::Language;
 
 /// The rows of meanings, units and headings, and the first row of the list, counted from 0.
 const MEANINGS: RowNum = 2;
-const UNITS: RowNum = 3;
 const HEADINGS: RowNum = 4;
 const FIRST: RowNum = 5;
 
@@ -76,7 +75,7 @@ impl ListSheet<'_> {
             write_text(sheet, 1, 0, note, &styles.note)?;
         }
         sheet.set_row_height(1, row_height(&[(note, across)]))?;
-        self.write_head(sheet, styles)?;
+        self.write_head(sheet, styles, MEANINGS)?;
         let ready = (self.rows.len() + SPARE).min(self.list.most);
         let mut end = HEADINGS;
         for (row, at) in (FIRST..).zip(0..ready) {
@@ -113,17 +112,40 @@ impl ListSheet<'_> {
         Ok(())
     }
 
-    fn write_head(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+    /// Writes the list below what a sheet holds already: meanings, units and headings from a row on, then its rows and as many
+    /// spare ones. Gives the last row.
+    ///
+    /// # Errors
+    /// For a value that is not finite, and for a list that a workbook cannot hold.
+    pub(super) fn write_below(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        top: RowNum,
+        spare: usize,
+    ) -> Result<RowNum, WriteError> {
+        self.write_head(sheet, styles, top)?;
+        let ready = (self.rows.len() + spare).min(self.list.most);
+        let mut last = top + 2;
+        for (row, at) in (top + 3..).zip(0..ready) {
+            self.write_row(sheet, styles, row, self.rows.get(at))?;
+            last = row;
+        }
+        Ok(last)
+    }
+
+    /// Writes meanings, units and headings into three rows from `top` on.
+    fn write_head(&self, sheet: &mut Worksheet, styles: &Styles, top: RowNum) -> Result<(), WriteError> {
         let language = self.language;
         let mut meanings = Vec::new();
         for ((column, parameter), width) in (0..).zip(self.list.columns).zip(self.list.widths) {
             let meaning = parameter.meaning.get(language);
             meanings.push((meaning, *width));
-            write_text(sheet, MEANINGS, column, meaning, &styles.faint)?;
-            write_text(sheet, UNITS, column, parameter.unit.label(), &styles.unit)?;
-            write_text(sheet, HEADINGS, column, parameter.symbol(), &styles.header)?;
+            write_text(sheet, top, column, meaning, &styles.faint)?;
+            write_text(sheet, top + 1, column, parameter.unit.label(), &styles.unit)?;
+            write_text(sheet, top + 2, column, parameter.symbol(), &styles.header)?;
         }
-        sheet.set_row_height(MEANINGS, row_height(&meanings))?;
+        sheet.set_row_height(top, row_height(&meanings))?;
         Ok(())
     }
 

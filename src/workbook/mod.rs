@@ -47,6 +47,8 @@ mod spoken;
 pub mod style;
 mod summary_sheet;
 mod survey;
+pub mod sweep_book;
+pub mod sweep_sheet;
 pub mod table_sheet;
 pub mod template;
 mod typed_number;

@@ -346,7 +346,7 @@ pub(super) fn sheet_named(
 }
 
 /// A further sheet of a form, in either language.
-fn find(
+pub(super) fn find(
     sheets: &[SheetEntry],
     name: &'static Text,
     language: Language,
@@ -487,7 +487,7 @@ fn rows_by_symbol(sheet: &SheetCells) -> BTreeMap<&str, Vec<u32>> {
 }
 
 /// Takes the values of one sheet; the schema cell is known to say `schema`, or the version before it.
-fn take(
+pub(super) fn take(
     (schema, earlier): (&'static str, Option<&'static Earlier>),
     described: &'static Sheet,
     sheet: &SheetCells,

@@ -14,9 +14,10 @@ use super::names::{Made, Present, Role, SheetNames};
 use super::page::{Page, properties};
 use super::save::{Additions, save};
 use super::style::Styles;
+use super::sweep_sheet;
 use crate::kind::Kind;
 use crate::parameter::list::{List, Naming, Rows};
-use crate::parameter::{Form, Sheet, Value};
+use crate::parameter::{Form, Sheet, Value, Values};
 use crate::text::{Language, Text, t};
 
 /// How the sheets are filled in; stands under the title of every form.
@@ -44,7 +45,22 @@ pub fn write<W: Write + Seek + Send>(
     language: Language,
     out: W,
 ) -> Result<(), WriteError> {
-    write_into(kind, values, lists, note, language, &Present::default(), out).map(|_| ())
+    write_all(kind, (values, lists, None), note, language, &Present::default(), out).map(|_| ())
+}
+
+/// The same with a sheet of variants, filled in with what `variants` holds.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_with_variants<W: Write + Seek + Send>(
+    kind: &dyn Kind,
+    (values, lists): (&[(&'static str, Value)], &[Rows]),
+    variants: &Values,
+    note: &Text,
+    language: Language,
+    out: W,
+) -> Result<(), WriteError> {
+    write_all(kind, (values, lists, Some(variants)), note, language, &Present::default(), out).map(|_| ())
 }
 
 /// The same for sheets that are put into a workbook: a form's sheet whose name is taken there gets another. Gives the sheets that
@@ -56,6 +72,20 @@ pub fn write_into<W: Write + Seek + Send>(
     kind: &dyn Kind,
     values: &[(&'static str, Value)],
     lists: &[Rows],
+    note: &Text,
+    language: Language,
+    present: &Present,
+    out: W,
+) -> Result<Vec<Made>, WriteError> {
+    write_all(kind, (values, lists, None), note, language, present, out)
+}
+
+/// The values of a workbook: those by key, the rows of its lists, and its sheet of variants.
+type Held<'a> = (&'a [(&'static str, Value)], &'a [Rows], Option<&'a Values>);
+
+fn write_all<W: Write + Seek + Send>(
+    kind: &dyn Kind,
+    (values, lists, variants): Held<'_>,
     note: &Text,
     language: Language,
     present: &Present,
@@ -102,6 +132,9 @@ pub fn write_into<W: Write + Seek + Send>(
         made.push(Made { name: name.to_owned(), role: Role::Form });
         name.to_owned()
     })?;
+    if let Some(variants) = variants {
+        sweep_sheet::write(&mut workbook, variants, &look)?;
+    }
     if let Some(live) = &live {
         LivePart { form: live, sheet: "", column: 0, lists: form.lists, language }.write_view(&mut workbook)?;
     }

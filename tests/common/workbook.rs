@@ -8,7 +8,7 @@ use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::{Case, FieldKind, Value};
 use rodete::text::Language;
-use rodete::workbook::{Filled, read, template};
+use rodete::workbook::{Filled, read, sweep_sheet, template};
 use zip::write::SimpleFileOptions;
 
 /// The part of the first sheet.
@@ -28,7 +28,46 @@ pub fn quick_of(kind: &dyn Kind) -> &'static Case {
 
 /// A sound workbook: the quick case, with an empty calibration sheet.
 pub fn sound(language: Language) -> Vec<u8> {
-    let values = quick().values(language);
+    sound_book(quick(), language).save_to_buffer().unwrap()
+}
+
+/// The sound workbook with a sheet of variants: settings by their symbols, inputs by the columns of their list, and a sheet of designs
+/// where there are any. What reads as a number is one.
+pub fn with_variants(settings: &[(&str, &str)], inputs: &[[&str; 6]], designs: &[&[&str]]) -> Vec<u8> {
+    with_variants_of(quick(), settings, inputs, designs)
+}
+
+/// The same of a case of the impeller.
+pub fn with_variants_of(case: &Case, settings: &[(&str, &str)], inputs: &[[&str; 6]], designs: &[&[&str]]) -> Vec<u8> {
+    let mut workbook = sound_book(case, Language::En);
+    let put = |sheet: &mut rust_xlsxwriter::Worksheet, row: u32, column: u16, text: &str| match text.parse::<f64>() {
+        Ok(number) => drop(sheet.write(row, column, number).unwrap()),
+        Err(_) if text.is_empty() => {}
+        Err(_) => drop(sheet.write(row, column, text).unwrap()),
+    };
+    let sheet = workbook.add_worksheet().set_name("SWEEP").unwrap();
+    for (row, (symbol, value)) in (1..).zip(settings) {
+        put(sheet, row, 0, symbol);
+        put(sheet, row, 2, value);
+    }
+    let head = u32::try_from(settings.len()).unwrap() + 2;
+    for (column, heading) in (0..).zip(["input", "from", "to", "step", "values", "distribution"]) {
+        put(sheet, head, column, heading);
+    }
+    for (row, input) in (head + 1..).zip(inputs) {
+        (0..).zip(input).for_each(|(column, text)| put(sheet, row, column, text));
+    }
+    if !designs.is_empty() {
+        let sheet = workbook.add_worksheet().set_name("DESIGNS").unwrap();
+        for (row, design) in (0..).zip(designs) {
+            (0..).zip(*design).for_each(|(column, text)| put(sheet, row, column, text));
+        }
+    }
+    workbook.save_to_buffer().unwrap()
+}
+
+fn sound_book(case: &Case, language: Language) -> rust_xlsxwriter::Workbook {
+    let values = case.values(language);
     let mut workbook = rust_xlsxwriter::Workbook::new();
     for described in FORM.sheets {
         let sheet = workbook.add_worksheet();
@@ -57,7 +96,7 @@ pub fn sound(language: Language) -> Vec<u8> {
             row += 2;
         }
     }
-    workbook.save_to_buffer().unwrap()
+    workbook
 }
 
 /// A case of a kind as the command for new workbooks writes it: validation, groups, a drawing, defined names and all.
@@ -65,6 +104,17 @@ pub fn written(kind: &dyn Kind, case: &Case, language: Language) -> Vec<u8> {
     let mut out = Cursor::new(Vec::new());
     let (values, lists) = (case.values(language), (case.listed)(language));
     template::write(kind, &values, &lists, &case.note, language, &mut out).unwrap();
+    out.into_inner()
+}
+
+/// The case that a kind suggests to vary, with the sheet of variants that it suggests, as `new --sweep` writes it.
+pub fn written_with_variants(kind: &dyn Kind, language: Language) -> Vec<u8> {
+    let mut out = Cursor::new(Vec::new());
+    let suggested = kind.suggested();
+    let case = kind.cases().iter().find(|one| suggested.case.is_none_or(|name| one.name == name)).unwrap();
+    let (values, lists) = (case.values(language), (case.listed)(language));
+    let variants = sweep_sheet::suggested(suggested, language);
+    template::write_with_variants(kind, (&values, &lists), &variants, &case.note, language, &mut out).unwrap();
     out.into_inner()
 }
 

@@ -199,9 +199,65 @@ fn made(key: &str, folder: &Path) -> Option<Line> {
             put("long.nc", &format!("G0 X1\n{}M30\n", "X1\nX2\n".repeat(500_001)));
             "view long.nc --dialect fagor-8055".to_owned()
         }
-        _ => into(key, folder)?.to_owned(),
+        _ => match variants(key, folder) {
+            Some(line) => line.to_owned(),
+            None => into(key, folder)?.to_owned(),
+        },
     };
     Some((line.split(' ').map(str::to_owned).collect(), held))
+}
+
+/// Makes a workbook with variants, and says the command.
+fn variants(key: &str, folder: &Path) -> Option<&'static str> {
+    const LIMITS: [(&str, &str); 2] = [("method", "factorial"), ("level", "limits")];
+    const BLADES: [&str; 6] = ["N", "", "", "", "3; 4; 5", ""];
+    let list = [("method", "list"), ("level", "limits")];
+    let put = |bytes: Vec<u8>| fs::write(folder.join("a.xlsx"), bytes).unwrap();
+    let run = |line: &str| drop(run(folder, &line.split(' ').map(str::to_owned).collect::<Vec<_>>(), Language::En));
+    put(common::workbook::with_variants(&LIMITS, &[BLADES], &[]));
+    Some(match key {
+        "sweep-without-sheet" => {
+            put(common::workbook::sound(Language::En));
+            "sweep a.xlsx"
+        }
+        "sweep-list" => {
+            put(common::workbook::with_variants(&list, &[BLADES], &[&["N", "e"], &["4", "2"]]));
+            "sweep a.xlsx --dry-run"
+        }
+        "sweep-list-gap" => {
+            put(common::workbook::with_variants(&list, &[], &[&["N", "F"], &["4", ""]]));
+            "sweep a.xlsx --dry-run"
+        }
+        "sweep-other-plan" => {
+            fs::create_dir(folder.join("s")).unwrap();
+            fs::write(folder.join("s/plan.json"), "{}").unwrap();
+            "sweep a.xlsx -o s"
+        }
+        "sweep-other-chunks" => {
+            run("sweep a.xlsx -o s --chunk 0/2");
+            "sweep a.xlsx -o s --chunk 0/3"
+        }
+        "sweep-missing" => {
+            run("sweep a.xlsx -o s --chunk 0/2");
+            "sweep a.xlsx -o s --merge"
+        }
+        "sweep-torn" => {
+            run("sweep a.xlsx -o s --chunk 0/1");
+            for entry in fs::read_dir(folder.join("s/chunks")).unwrap().map(|entry| entry.unwrap().path()) {
+                if entry.extension().is_some_and(|ending| ending == "parquet") {
+                    let bytes = fs::read(&entry).unwrap();
+                    fs::write(&entry, &bytes[..bytes.len() - 9]).unwrap();
+                }
+            }
+            "sweep a.xlsx -o s --chunk 0/1"
+        }
+        "sweep-none" => {
+            put(common::workbook::with_variants(&LIMITS, &[["e", "50", "60", "5", "", ""]], &[]));
+            "sweep a.xlsx -o s --top 0"
+        }
+        "sweep-no-slurm" => "sweep a.xlsx -o s --submit slurm --chunks 1",
+        _ => return None,
+    })
 }
 
 /// An engineer's own workbook with a sheet of each name.

@@ -14,13 +14,14 @@ use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Form, Value};
+use rodete::sweep::asked;
 use rodete::text::Language;
 use rodete::text::t;
 use rodete::workbook::offsets_table::OffsetsTable;
 use rodete::workbook::results::{self, Tables};
-use rodete::workbook::{self, Input, offsets_sheet, template};
+use rodete::workbook::{self, Input, offsets_sheet, sweep_sheet, template};
 
-use super::workbook::{DATA, Parts, sound, written};
+use super::workbook::{DATA, Parts, sound, written, written_with_variants};
 
 /// What is told of an input, whether it is taken or refused.
 fn told<T>(read: Result<T, Refusal>, findings: impl FnOnce(T) -> Vec<Finding>) -> Vec<Finding> {
@@ -69,9 +70,11 @@ fn typed(address: &str, text: &str) -> String {
     }
 }
 
-/// A new workbook with cells changed.
+/// A new workbook with cells changed; with a sheet of variants where a cell is of that.
 fn changed(kind: &str, cells: &[(&str, &str)]) -> Vec<u8> {
     let (form, bytes) = new(kind);
+    let variants = cells.iter().any(|(place, _)| place.starts_with("SWEEP!"));
+    let bytes = if variants { written_with_variants(named(kind), Language::En) } else { bytes };
     let values = workbook::read(&bytes, &[form]).unwrap().values;
     let mut parts = Parts::of(&bytes);
     for (place, text) in cells {
@@ -419,6 +422,20 @@ fn computed(kind: &str, bytes: &[u8]) -> Vec<Finding> {
     }
 }
 
+/// What is told of a workbook's sheet of variants.
+fn swept(kind: &str, bytes: &[u8]) -> Vec<Finding> {
+    match sweep_sheet::read(bytes, named(kind).form(), Language::En) {
+        Ok(sheet) => {
+            let sheet = sheet.unwrap();
+            match asked::plan(named(kind), &sheet.fields, sheet.designs) {
+                Ok((_, notes)) => sheet.findings.into_iter().chain(notes).collect(),
+                Err(findings) => findings,
+            }
+        }
+        Err(refusal) => refusal.findings,
+    }
+}
+
 /// What a row's example is told; none where it is of another test.
 fn raised(rule: &Rule, known: &mut Known) -> Option<Vec<Finding>> {
     let read = |bytes: &[u8]| {
@@ -427,6 +444,7 @@ fn raised(rule: &Rule, known: &mut Known) -> Option<Vec<Finding>> {
         })
     };
     match rule.example {
+        Example::Workbook { kind, cells } if rule.code.starts_with('D') => Some(swept(kind, &changed(kind, cells))),
         // A contradiction is told by the kind, what stands before it by the reading.
         Example::Workbook { kind, cells } if !rule.code.starts_with('W') => {
             Some(known.entry((kind, cells)).or_insert_with(|| computed(kind, &changed(kind, cells))).clone())

@@ -11,7 +11,7 @@ use rodete::text::Language;
 use rodete::workbook::template;
 
 use crate::common;
-use crate::common::workbook::written;
+use crate::common::workbook::{written, written_with_variants};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("workbooks")
@@ -20,7 +20,25 @@ fn folder() -> PathBuf {
 /// The names of the shipped workbooks.
 fn names() -> BTreeSet<String> {
     let entries = std::fs::read_dir(folder()).expect("the folder").map(|entry| entry.expect("an entry").file_name());
-    entries.map(|name| name.into_string().expect("a name")).filter(|name| name.ends_with(".xlsx")).collect()
+    let names = entries.map(|name| name.into_string().expect("a name"));
+    names.filter(|name| name.ends_with(".xlsx") && !name.ends_with(VARIANTS)).collect()
+}
+
+/// How the names of workbooks with a sheet of variants end.
+const VARIANTS: &str = "-sweep.xlsx";
+
+/// The kinds of which a workbook with variants is shipped, in English.
+fn with_variants() -> Vec<(String, Vec<u8>)> {
+    let kinds = KINDS.iter().filter(|kind| ["impeller", "pipe-insert"].contains(&kind.form().kind));
+    kinds.map(|kind| (format!("{}{VARIANTS}", kind.form().kind), written_with_variants(*kind, Language::En))).collect()
+}
+
+#[test]
+fn workbooks_with_variants_are_shipped_as_new_writes_them() {
+    for (file, bytes) in with_variants() {
+        let shipped = std::fs::read(folder().join(&file)).unwrap_or_default();
+        assert!(shipped == bytes, "workbooks/{file} differs from what `rodete new --sweep` writes");
+    }
 }
 
 /// Every case of every kind with the workbook that is shipped of it: the usual one in English, as `pipe-hole.xlsx`, the
@@ -57,6 +75,9 @@ fn every_case_of_every_kind_is_shipped_as_the_template_writes_it_and_nothing_els
 fn write_shipped_workbooks() {
     for (file, kind, case, language) in shipped() {
         std::fs::write(folder().join(file), written(kind, case, language)).expect("the workbook can be written");
+    }
+    for (file, bytes) in with_variants() {
+        std::fs::write(folder().join(file), bytes).expect("the workbook can be written");
     }
 }
 

@@ -41,6 +41,7 @@ pub(super) fn page(rows: &[&Rule], language: Language) -> String {
 fn room_of(letter: &str) -> Text {
     match letter {
         "C" => t("el control y lo que se escribe para él", "the control, and what is written for it"),
+        "D" => t("los diseños de un barrido", "the designs of a sweep"),
         "G" => t("la lectura de programas", "the reading of programs"),
         "L" => t("el torno", "the lathe"),
         "P" => t("parámetros que se contradicen", "parameters that contradict each other"),

@@ -29,6 +29,7 @@ use crate::removal::turning::rules as alarms;
 use crate::report;
 use crate::scene;
 use crate::store;
+use crate::sweep;
 use crate::text::Language;
 use crate::typeset;
 use crate::workbook;
@@ -60,6 +61,7 @@ const RULES: &[&[&Rule]] = &[
     machine::rules::RULES,
     kind::rules::RULES,
     graft::rules::RULES,
+    sweep::rules::RULES,
     store::rules::RULES,
     rules::RULES,
     typeset::rules::RULES,

@@ -80,7 +80,8 @@ pub(super) fn shown(text: &mut String, rule: &Rule, language: Language) {
             let given: Vec<String> = cells.iter().map(|cell| typed(*cell, language)).collect();
             let (head, book) = (t("ejemplo", "example"), t("el libro de rodete new", "the workbook of rodete new"));
             let given = if given.is_empty() { String::new() } else { format!(" ({})", given.join(", ")) };
-            let _ = writeln!(text, "  {}: {} {kind}{given}", head.get(language), book.get(language));
+            let sweep = if cells.iter().any(|(place, _)| place.starts_with("SWEEP!")) { " --sweep" } else { "" };
+            let _ = writeln!(text, "  {}: {} {kind}{sweep}{given}", head.get(language), book.get(language));
         }
         Example::Command { files, words } => {
             let quoted = |word: &&str| if word.contains(' ') { format!("\"{word}\"") } else { (*word).to_owned() };

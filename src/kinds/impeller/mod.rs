@@ -24,6 +24,7 @@ pub mod header;
 pub mod ideal;
 mod live_form;
 mod live_lines;
+mod measures;
 pub mod nearest;
 pub mod outside;
 pub mod parameters;
@@ -55,6 +56,7 @@ use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
 use crate::gcode::word::NumberFormat;
 use crate::kind::live_form::LiveForm;
+use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Proved, out_of_format};
 use crate::kinds;
@@ -135,6 +137,8 @@ impl Method for Impeller {
         further: &[("equations.typ", include_str!("../../../report-templates/impeller/equations.typ"))],
     };
     const PROVED: Text = SOURCE;
+    const MEASURES: &'static [Measure] = measures::MEASURES;
+    const SUGGESTED: &'static Suggested = &measures::SUGGESTED;
 
     fn sketch() -> Option<Figure> {
         Some(form_sketch::sketch())

@@ -9,6 +9,7 @@ pub mod figures;
 mod findings;
 mod form_sketch;
 mod live_form;
+mod measures;
 pub mod parameters;
 mod part_view;
 mod profile;
@@ -32,6 +33,7 @@ use crate::gcode::rules::lexis::MoreRefusals;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::revolution::volume;
 use crate::kind::live_form::LiveForm;
+use crate::kind::measure::{Limits, Measure};
 use crate::kind::{Chapters, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants};
 use crate::kinds::lathe::figures::Drawn;
 use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
@@ -177,6 +179,15 @@ impl Kind for Lathe {
 
     fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>> {
         Given::of(fields).map(drop)
+    }
+
+    fn measures(&self) -> &'static [Measure] {
+        measures::MEASURES
+    }
+
+    /// Of a program that is written already nothing is known before it is read.
+    fn limits(&self, fields: &Fields) -> Result<Limits, Refusal> {
+        Given::of(fields).map(|_| Limits::default()).map_err(refused)
     }
 
     /// Follows the programs of a filled-in form.

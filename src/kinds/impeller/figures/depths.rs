@@ -93,11 +93,24 @@ pub(super) fn depths(design: &Design, model: &Model) -> Option<Figure> {
     })
 }
 
+/// The middle of a row of cells.
+struct Row {
+    v: f64,
+    /// Sine and cosine of v.
+    turn: (f64, f64),
+    /// The distance from the axis there, and the angle of the blade's mean line.
+    rho: f64,
+    u: f64,
+}
+
 /// How deep each cell of a channel is cut.
 struct Map {
     part: Part,
     pitch: f64,
     columns: usize,
+    /// Sine and cosine of the angle from one column to the next.
+    step: (f64, f64),
+    rows: Vec<Row>,
     /// From the hub to the rim, each row from the blade's mean line on towards lower angles.
     depths: Vec<f64>,
 }
@@ -105,8 +118,15 @@ struct Map {
 impl Map {
     fn new(design: &Design) -> Self {
         let columns = usize::try_from((ABOUT / design.N).max(24)).unwrap_or(24);
-        let depths = vec![0.0; usize::from(ALONG) * columns];
-        Self { part: Part::new(design), pitch: TAU / f64::from(design.N), columns, depths }
+        let (part, pitch) = (Part::new(design), TAU / f64::from(design.N));
+        let rows = (0..ALONG).map(|row| {
+            let v = Self::v(f64::from(row) + 0.5);
+            Row { v, turn: sin_cos(v), rho: part.circle.torus.rho(v), u: part.circle.u(v) }
+        });
+        let rows = rows.collect();
+        #[expect(clippy::cast_precision_loss, reason = "a small count")]
+        let step = sin_cos(pitch / columns as f64);
+        Self { part, pitch, columns, step, rows, depths: vec![0.0; usize::from(ALONG) * columns] }
     }
 
     /// v in the middle of a row, or at its edges.
@@ -139,26 +159,28 @@ impl Map {
         if hypot(beside, tip.z) < r - self.part.a_p {
             return;
         }
-        for row in 0..ALONG {
-            let middle = Self::v(f64::from(row) + 0.5);
-            if (middle - v).abs() * r > reach {
+        #[expect(clippy::cast_precision_loss, reason = "a small count")]
+        let columns = self.columns as f64;
+        for (row, cells) in self.rows.iter().zip(self.depths.chunks_mut(self.columns)) {
+            if (row.v - v).abs() * r > reach {
                 continue;
             }
-            let (rho, u) = (self.part.circle.torus.rho(middle), self.part.circle.u(middle));
-            let wide = (reach / (rho - reach).max(0.2 * rho)).min(PI);
-            #[expect(clippy::cast_precision_loss, reason = "a small count")]
-            let columns = self.columns as f64;
-            let of = |angle: f64| ((u - angle) / self.pitch * columns).floor();
-            #[expect(clippy::cast_possible_truncation, reason = "some hundreds")]
-            let (from, to) = (of(psi + wide) as i64, of(psi - wide) as i64);
-            for column in from..=to {
-                #[expect(clippy::cast_precision_loss, reason = "a small count")]
-                let angle = u - (column as f64 + 0.5) / columns * self.pitch;
-                let Ok(within) = usize::try_from(column.rem_euclid(i64::try_from(self.columns).unwrap_or(1))) else {
-                    continue;
-                };
-                let Some(depth) = self.depths.get_mut(usize::from(row) * self.columns + within) else { continue };
-                let ((sin_v, cos_v), (sin, cos)) = (sin_cos(middle), sin_cos(angle));
+            let wide = (reach / (row.rho - reach).max(0.2 * row.rho)).min(PI);
+            let of = |angle: f64| ((row.u - angle) / self.pitch * columns).floor();
+            let (first, last) = (of(psi + wide), of(psi - wide));
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "within a channel, and some hundreds"
+            )]
+            let (begin, count) = (first.rem_euclid(columns) as usize, (last - first + 1.0).max(0.0) as usize);
+            let (sin_v, cos_v) = row.turn;
+            // From column to column the angle falls by the same step.
+            let mut turn = sin_cos(row.u - (first + 0.5) / columns * self.pitch);
+            for column in (0..self.columns).cycle().skip(begin).take(count) {
+                let (sin, cos) = turn;
+                turn = (sin * self.step.1 - cos * self.step.0, cos * self.step.1 + sin * self.step.0);
+                let Some(depth) = cells.get_mut(column) else { continue };
                 let into = Vector3::new(cos_v * cos, cos_v * sin, sin_v);
                 let from = Vector3::new(R * cos, R * sin, 0.0) - tip;
                 if let Some([enter, leave]) = passed(&from, &into, axis, a)

@@ -276,7 +276,8 @@ impl Judge for ClearCutting<'_> {
             let asked = Question::new("faces", name, program)
                 .showing(bounded(bounds.lower, bounds.upper), shown.clone())
                 .at(Some(at))
-                .seen(self.ways.len());
+                .seen(self.ways.len())
+                .measuring(bounds.lower);
             checks.push(asked.holds(bounds.lower >= -limit, |place: Place| {
                 let (line, program) = (at.line, program.title.clone());
                 if bounds.upper < -limit {
@@ -295,7 +296,8 @@ impl Judge for ClearCutting<'_> {
                 let asked = Question::new("splitters", name, program)
                     .showing(bounded(bounds.lower, bounds.upper), shown)
                     .at(Some(at))
-                    .seen(self.ways.len());
+                    .seen(self.ways.len())
+                    .measuring(bounds.lower);
                 checks.push(asked.holds(bounds.lower >= -limit, |place| {
                     let (line, program) = (at.line, program.title.clone());
                     if bounds.upper < -limit {
@@ -322,7 +324,8 @@ impl Judge for ClearCutting<'_> {
             let asked = Question::new("floor", name, program)
                 .showing(value, Text::same(mm(limit)))
                 .at(at)
-                .seen(self.ways.len());
+                .seen(self.ways.len())
+                .measuring(found.most);
             checks.push(asked.holds(found.most <= limit, |place| {
                 let program = program.title.clone();
                 FloorUnder { depth: size(up(found.most)), limit: size(limit), program }.at(place)

@@ -221,7 +221,7 @@ const TO_BLADES: Text = t("Holgura a los demás álabes", "Clearance to the othe
 fn to_blades(design: &Design, program: &Program, track: Track, found: &Clearance) -> Check {
     let Bounds { lower, upper, .. } = found.bounds;
     let asked = Question::new("blades", TO_BLADES, program).showing(bounded(lower, upper), Text::same(mm(0.0)));
-    asked.at(Some(found.at)).seen(1).holds(lower >= 0.0, |place| {
+    asked.at(Some(found.at)).seen(1).measuring(lower).holds(lower >= 0.0, |place| {
         let met = Met::new(program, found);
         match (track.of_splitter(), design.splitter_fade) {
             (true, Fade::Published) => met.blade_by_published_splitter(place),
@@ -235,7 +235,7 @@ fn to_splitters(program: &Program, track: Track, found: &Clearance) -> Check {
     let name = t("Holgura a los intermedios, pasado el cruce", "Clearance to the splitters, past the crossing");
     let Bounds { lower, upper, .. } = found.bounds;
     let asked = Question::new("splitters", name, program).showing(bounded(lower, upper), Text::same(""));
-    let asked = asked.at(Some(found.at)).seen(1);
+    let asked = asked.at(Some(found.at)).seen(1).measuring(lower);
     if lower >= 0.0 || !track.of_splitter() {
         return asked.informs();
     }

@@ -12,6 +12,7 @@ pub mod figures;
 mod form_sketch;
 pub mod height;
 mod live_form;
+mod measures;
 pub mod parameters;
 pub mod program;
 pub mod proof;
@@ -26,6 +27,7 @@ use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
+use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, out_of_format};
 use crate::kinds::pipe::hole::bounds::too_high;
@@ -83,6 +85,8 @@ impl Method for Hole {
         "Leída del programa, posición a posición, y comparada con la raíz exacta, el injerto y el tubo",
         "Read back from the program, position by position, and compared with the exact root, the branch and the pipe",
     );
+    const MEASURES: &'static [Measure] = measures::MEASURES;
+    const SUGGESTED: &'static Suggested = &measures::SUGGESTED;
 
     fn sketch() -> Option<Figure> {
         Some(form_sketch::sketch())

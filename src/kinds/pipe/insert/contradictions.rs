@@ -6,7 +6,9 @@ use crate::gcode::program::Style;
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, END_CODES, TORCH_OFF, TORCH_ON};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::parameters::{CONTACT, EXPERT_BRANCH_R, F, KERF, MODE, R, STYLE};
-use crate::kinds::pipe::insert::rules::{AnnexIsFlat, BranchLarger, BranchOverhangs, KerfBeyondGap, RadiusOfEnvelope};
+use crate::kinds::pipe::insert::rules::{
+    AnnexIsFlat, BranchLarger, BranchOverhangs, KerfBeyondBore, KerfBeyondGap, RadiusOfEnvelope,
+};
 use crate::kinds::pipe::size::solid;
 use crate::kinds::rules::{AnnexCarriesNoFeed, FullStyleNeeds};
 use crate::parameter::at;
@@ -31,6 +33,12 @@ impl Design {
         {
             let (kerf, gap) = (Size::mm(self.kerf), Size::mm(2.0 * least));
             findings.push(KerfBeyondGap { kerf, phi: Size::number(phi.to_degrees(), 1), gap }.at(at([KERF.key()])));
+        }
+        // Half a kerf w takes ρ asin(w/ρ) along the wall; up to w = ρ/2 that is w to a twentieth.
+        let bore = self.branch.D / 2.0 - self.branch.t;
+        if self.style == Style::Full && self.mode == Mode::Rotary && bore > 0.0 && self.kerf > bore {
+            let (kerf, bore) = (Size::mm(self.kerf), Size::mm(bore));
+            findings.push(KerfBeyondBore { kerf, bore }.at(at([KERF.key(), D_BRANCH.key()])));
         }
         let missing = self.control.feed.missing.refused();
         match self.style {

@@ -276,9 +276,6 @@ fn rotary(design: &Design) -> Result<Cut, OutOfFormat> {
         (outline.torch(phi + step, Side::After) - outline.torch(phi, Side::After)).norm() / step
     };
     if design.overcut > 0.0 {
-        if outline.beside > 0.0 && corners.contains(&0.0) {
-            round.corner(TAU)?;
-        }
         let (mut phi, mut left) = (TAU, design.overcut);
         let step = TAU / 3600.0;
         while left > 0.0 && phi < 1.2 * TAU {
@@ -286,7 +283,21 @@ fn rotary(design: &Design) -> Result<Cut, OutOfFormat> {
             phi += step * (left / way).min(1.0);
             left -= way;
         }
-        round.follow(TAU, phi, [Side::After, Side::Before], 0)?;
+        // Parted as the cut was: at a turn the torch may go round all but a corner within a billionth of the angle.
+        let mut ends: Vec<f64> = corners.iter().chain(&outline.seat.turns()).copied().collect();
+        ends.retain(|end| TAU + end < phi);
+        ends.sort_by(f64::total_cmp);
+        let mut from = TAU;
+        for end in ends {
+            if TAU + end > from {
+                round.follow(from, TAU + end, [Side::After, Side::Before], 0)?;
+                from = TAU + end;
+            }
+            if outline.beside > 0.0 && corners.contains(&end) {
+                round.corner(from)?;
+            }
+        }
+        round.follow(from, phi, [Side::After, Side::Before], 0)?;
     }
     Ok(Cut { pierce, legs: round.way.legs })
 }

@@ -23,6 +23,7 @@ pub mod design;
 pub mod figures;
 mod form_sketch;
 mod live_form;
+mod measures;
 pub mod outline;
 pub mod parameters;
 pub mod program;
@@ -38,6 +39,7 @@ use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
 use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
+use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, out_of_format};
 use crate::kinds;
@@ -101,6 +103,8 @@ impl Method for Insert {
         "Leída del programa, movimiento a movimiento, y comparada con la curva exacta y los dos tubos",
         "Read back from the program, motion by motion, and compared with the exact curve and both pipes",
     );
+    const MEASURES: &'static [Measure] = measures::MEASURES;
+    const SUGGESTED: &'static Suggested = &measures::SUGGESTED;
 
     fn sketch() -> Option<Figure> {
         Some(form_sketch::sketch())

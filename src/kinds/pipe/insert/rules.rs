@@ -109,4 +109,11 @@ rules! {
         why "Un corte a escuadra toca el tubo base en una sola línea de la pared; el resto queda separado y lo llena la soldadura.",
             "A square cut touches the header on one line of the wall only; the rest stands off, and the weld fills that gap.";
         example book!("pipe-insert", "theta" = "60");
+    "P2116" KerfBeyondBore Stop { kerf: Size, bore: Size }
+        es "el corte de {kerf} es más ancho que el radio interior del injerto, {bore}"
+        en "the kerf of {kerf} is wider than the inside radius of the branch, {bore}"
+        remedy "elija un corte de {bore} como mucho, o un injerto mayor", "choose a kerf of {bore} at most, or a larger branch";
+        why "El ancho de corte se cuenta a lo largo de la pared; en un tubo tan delgado el chorro quita bastante más.",
+            "The kerf is counted along the wall; on so small a pipe the jet takes off a good deal more.";
+        example book!("pipe-insert", "kerf" = "4", "branch_size" = "1/8 in");
 }

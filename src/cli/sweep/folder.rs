@@ -1,0 +1,198 @@
+//! The rows of a plan in a folder: one file a chunk, and what the plan says beside them.
+//!
+//! A chunk that is there with its plan and all its rows is done; one that is torn is not. Its name and its bytes follow from plan and
+//! number, so that two who write the same one do no harm. What is worked out of a chunk before it is whole is saved beside it, so that
+//! an interruption costs a minute at most.
+
+#![expect(clippy::disallowed_methods, reason = "the door to the files of a sweep")]
+
+use std::ffi::{OsStr, OsString};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::super::{fault, show};
+use super::Study;
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::store::{Existing, Folder, Set};
+use crate::sweep::file;
+use crate::sweep::rules::{ChunkTorn, OtherChunks, OtherPlan};
+use crate::sweep::table::Table;
+
+const PLAN: &str = "plan.json";
+/// The ending of rows that are not yet a chunk.
+const PART: &str = ".part";
+
+/// How far a chunk is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum State {
+    /// It is there, whole.
+    Whole,
+    /// There is something of its name that is not it.
+    Torn,
+    /// It is not there.
+    Missing,
+}
+
+/// The folder of a plan's rows.
+pub(super) struct Rows<'a> {
+    study: &'a Study<'a>,
+    place: PathBuf,
+    chunks: u64,
+    table: Table,
+    folder: Folder,
+}
+
+impl<'a> Rows<'a> {
+    /// The folder at a path, made where it is not there. In how many chunks the plan is divided is what the folder says already,
+    /// what is `wanted`, or what is `usual`.
+    ///
+    /// # Errors
+    /// Exit 3 where the folder holds another plan, or another division; exit 5 where nothing can be written.
+    pub(super) fn open(
+        place: &Path,
+        study: &'a Study<'a>,
+        wanted: Option<u64>,
+        usual: impl FnOnce() -> Result<u64, Refusal>,
+        fresh: bool,
+    ) -> Result<Self, Refusal> {
+        let outer = Folder::open(place)?;
+        if fresh {
+            clear(&outer, place)?;
+        }
+        let known: Option<Value> =
+            fs::read(place.join(PLAN)).ok().map(|bytes| serde_json::from_slice(&bytes).unwrap_or(Value::Null));
+        let told: Value = serde_json::from_str(&study.told).unwrap_or(Value::Null);
+        let path = || show::path(place);
+        let chunks = match known {
+            Some(known) => {
+                if known.get("plan") != Some(&told) {
+                    return Err(OtherPlan { path: path() }.refused(Exit::Refused, Place::File));
+                }
+                let chunks = known.get("chunks").and_then(Value::as_u64).unwrap_or_default();
+                if wanted.is_some_and(|wanted| wanted != chunks) || chunks == 0 {
+                    return Err(OtherChunks { path: path(), chunks }.refused(Exit::Refused, Place::File));
+                }
+                chunks
+            }
+            None => {
+                let chunks = wanted.map_or_else(usual, Ok)?.clamp(1, study.plan.count.max(1));
+                let stated = serde_json::json!({ "plan": told, "chunks": chunks });
+                let text = format!("{stated:#}\n");
+                write(&outer, OsStr::new(PLAN), text.as_bytes())?;
+                chunks
+            }
+        };
+        let folder = Folder::open(&place.join("chunks"))?;
+        let table = Table::of(study.kind, &study.plan);
+        Ok(Self { study, place: place.to_owned(), chunks, table, folder })
+    }
+
+    /// In how many chunks the plan is divided.
+    pub(super) const fn chunks(&self) -> u64 {
+        self.chunks
+    }
+
+    /// The columns of the rows, without any.
+    pub(super) const fn table(&self) -> &Table {
+        &self.table
+    }
+
+    /// The folder.
+    pub(super) fn place(&self) -> &Path {
+        &self.place
+    }
+
+    fn name(&self, number: u64) -> OsString {
+        format!("{}-{number:05}-of-{:05}.parquet", self.study.name, self.chunks).into()
+    }
+
+    fn part(&self, number: u64) -> OsString {
+        format!(".{}-{number:05}-of-{:05}{PART}", self.study.name, self.chunks).into()
+    }
+
+    fn path(&self, name: &OsStr) -> PathBuf {
+        self.place.join("chunks").join(name)
+    }
+
+    /// The rows of a chunk that is there; some columns alone where only these are `wanted`. `Err` says that something else is there.
+    pub(super) fn read(&self, number: u64, wanted: &dyn Fn(&str) -> bool) -> Result<Option<Table>, ()> {
+        let Ok(bytes) = fs::read(self.path(&self.name(number))) else { return Ok(None) };
+        let rows = file::read(bytes, &self.table, &self.study.told, wanted).map_err(drop)?;
+        let range = self.study.plan.chunk(number, self.chunks);
+        let whole = u64::try_from(rows.rows()).is_ok_and(|count| count == range.end - range.start);
+        let begins = rows.columns.first().and_then(|ids| ids.cells.number(0)).map(super::whole);
+        if whole && (range.is_empty() || begins == Some(range.start)) { Ok(Some(rows)) } else { Err(()) }
+    }
+
+    /// How far a chunk is.
+    pub(super) fn state(&self, number: u64) -> State {
+        match self.read(number, &|name| name == "id") {
+            Ok(Some(_)) => State::Whole,
+            Ok(None) => State::Missing,
+            Err(()) => State::Torn,
+        }
+    }
+
+    /// The finding for a chunk that is torn.
+    pub(super) fn torn(&self, number: u64) -> Finding {
+        ChunkTorn { path: show::path(&self.path(&self.name(number))) }.at(Place::File)
+    }
+
+    /// The rows of a chunk that an interrupted run has saved; none where there are none.
+    pub(super) fn saved(&self, number: u64) -> Table {
+        let rows = fs::read(self.path(&self.part(number))).ok();
+        let rows = rows.and_then(|bytes| file::read(bytes, &self.table, &self.study.told, &|_| true).ok());
+        let range = self.study.plan.chunk(number, self.chunks);
+        let fits = |rows: &Table| {
+            let ids = rows.columns.first().map(|ids| &ids.cells);
+            let begins = ids.and_then(|ids| ids.number(0)).map(super::whole) == Some(range.start);
+            begins && u64::try_from(rows.rows()).is_ok_and(|count| count <= range.end - range.start)
+        };
+        rows.filter(fits).unwrap_or_else(|| self.table.emptied())
+    }
+
+    /// Saves the first rows of a chunk.
+    pub(super) fn save(&self, number: u64, rows: Table) -> Result<(), Refusal> {
+        write(&self.folder, &self.part(number), &self.bytes(rows)?)
+    }
+
+    /// Writes a chunk, whole.
+    pub(super) fn write(&self, number: u64, rows: Table) -> Result<(), Refusal> {
+        write(&self.folder, &self.name(number), &self.bytes(rows)?)?;
+        self.folder.remove(&self.part(number))
+    }
+
+    fn bytes(&self, rows: Table) -> Result<Vec<u8>, Refusal> {
+        file::bytes(rows, &self.study.told).map_err(|error| fault::refusal(&error.to_string()))
+    }
+}
+
+/// Writes a file, whole or not at all.
+fn write(folder: &Folder, name: &OsStr, bytes: &[u8]) -> Result<(), Refusal> {
+    let mut set = Set::new(folder, &[], Existing::Replace);
+    set.write(name, |out| out.write_all(bytes))?;
+    set.commit().map(drop)
+}
+
+/// Removes what an earlier run left: the plan, its chunks, and what was made of them.
+fn clear(outer: &Folder, place: &Path) -> Result<(), Refusal> {
+    outer.remove(OsStr::new(PLAN))?;
+    for (within, endings) in [
+        ("", &["summary.parquet", "summary.csv", "-sweep.xlsx", "sweep.sbatch"][..]),
+        ("chunks", &[".parquet", PART][..]),
+        ("top", &[".xlsx", ".nc", ".dxf", ".svg", ".stl", ".html"][..]),
+    ] {
+        let path = place.join(within);
+        let Ok(entries) = fs::read_dir(&path) else { continue };
+        let folder = Folder::open(&path)?;
+        for name in entries.flatten().map(|entry| entry.file_name()) {
+            if endings.iter().any(|ending| name.to_string_lossy().ends_with(ending)) {
+                folder.remove(&name)?;
+            }
+        }
+    }
+    Ok(())
+}

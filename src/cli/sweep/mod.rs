@@ -1,0 +1,275 @@
+//! The command `sweep`: every design of a plan, on this machine, chunk by chunk, or on a cluster.
+
+pub(super) mod args;
+mod folder;
+mod merge;
+mod progress;
+mod slurm;
+mod work;
+
+use std::path::{Path, PathBuf};
+
+use self::args::Sweep;
+use self::folder::{Rows, State};
+use self::work::Workshop;
+use super::interrupt;
+use super::locale::spoken;
+use super::plan::beside;
+use super::terminal::Terminal;
+use super::{fault, finding, reading, refused};
+use crate::escape::printable;
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::kind::Kind;
+use crate::number::duration;
+use crate::parameter::Values;
+use crate::parameter::field::Fields;
+use crate::store;
+use crate::sweep::asked;
+use crate::sweep::form::NAME;
+use crate::sweep::plan::Plan;
+use crate::sweep::rules::{ChunksMissing, NoSweepSheet, WrongChunk};
+use crate::text::{Language, Text};
+use crate::workbook::{self, sweep_sheet};
+
+/// Designs of a chunk, where nothing else is asked for, and the most chunks.
+const CHUNK: u64 = 1000;
+const CHUNKS_MOST: u64 = 1000;
+/// Designs that are timed for a forecast.
+const TIMED: u64 = 8;
+
+/// A workbook with its plan.
+pub(super) struct Study<'a> {
+    /// The workbook.
+    workbook: &'a Path,
+    /// The kind.
+    kind: &'a dyn Kind,
+    /// Its values.
+    base: Values,
+    /// The plan.
+    plan: Plan,
+    /// What the plan says, for files and for comparison.
+    told: String,
+    /// The plan's name: the first digits of its sum.
+    name: String,
+    /// What a person should know before.
+    notes: Vec<Finding>,
+    /// The language of results.
+    language: Language,
+}
+
+/// Works out what is asked for, and prints what came of it.
+pub(super) fn run(arguments: &Sweep, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
+    interrupt::listen();
+    let chunk = match arguments.chunk.as_deref().map(chunk_of).transpose() {
+        Ok(chunk) => chunk,
+        Err(refusal) => return refused(&refusal, spoken(arguments.lang, None), terminal),
+    };
+    let study = match study(arguments, kinds) {
+        Ok(study) => study,
+        Err((refusal, language)) => {
+            let language = spoken(arguments.lang, language);
+            let name = super::show::path(&arguments.workbook);
+            finding::faults(&refusal.findings, &name, language, terminal);
+            return refusal.exit;
+        }
+    };
+    let name = super::show::path(&arguments.workbook);
+    finding::faults(&study.notes, &name, study.language, terminal);
+    let done = if arguments.dry_run {
+        forecast(arguments, &study, terminal)
+    } else {
+        all(arguments, &study, chunk, kinds, terminal)
+    };
+    done.unwrap_or_else(|refusal| refused(&refusal, study.language, terminal))
+}
+
+/// The workbook and its plan.
+///
+/// # Errors
+/// Everything that is wrong with the workbook, with its language where that is known.
+fn study<'a>(arguments: &'a Sweep, kinds: &[&'a dyn Kind]) -> Result<Study<'a>, (Refusal, Option<Language>)> {
+    let path = arguments.workbook.as_path();
+    let unread = |refusal| (refusal, None);
+    reading::settled([beside(path)]).map_err(unread)?;
+    let mut ending = super::verdict::Ending::new(path.to_owned());
+    let (bytes, filled) = reading::read(path, kinds, &mut ending).map_err(|refusal| (refusal, ending.language))?;
+    let language = Some(filled.values.language);
+    let wrong = |refusal| (refusal, language);
+    let Some(kind) = kinds.iter().find(|kind| kind.form().schema == filled.form.schema) else {
+        return Err(wrong(fault::refusal("a form without a kind")));
+    };
+    let sheet = sweep_sheet::read(&bytes, filled.form, filled.values.language).map_err(wrong)?;
+    let Some(sheet) = sheet else {
+        return Err(wrong(NoSweepSheet { sheet: NAME }.refused(Exit::Refused, Place::File)));
+    };
+    let (plan, notes) = asked::plan(*kind, &sheet.fields, sheet.designs)
+        .map_err(|findings| wrong(Refusal { exit: Exit::Refused, findings }))?;
+    let plan = plan.limited(arguments.limit);
+    // What the workbook says is whole, though the values that vary come from the plan.
+    Fields::of(filled.form, filled.values.clone()).map_err(wrong)?;
+    let told = plan.told(&store::sha256(&bytes), env!("CARGO_PKG_VERSION")).to_string();
+    let name: String = store::sha256(told.as_bytes()).chars().take(8).collect();
+    let mut base = filled.values;
+    base.cells.clear();
+    Ok(Study {
+        workbook: path,
+        kind: *kind,
+        base,
+        plan,
+        told,
+        name,
+        notes: sheet.findings.into_iter().chain(notes).collect(),
+        language: arguments.lang.or(language).unwrap_or_default(),
+    })
+}
+
+/// The findings of a workbook's sheet of variants, for `check`; none where it has no such sheet.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub(super) fn checked(bytes: &[u8], filled: &workbook::Filled, kind: &dyn Kind) -> Result<Vec<Finding>, Refusal> {
+    let Some(sheet) = sweep_sheet::read(bytes, filled.form, filled.values.language)? else { return Ok(Vec::new()) };
+    let (_, notes) = asked::plan(kind, &sheet.fields, sheet.designs)
+        .map_err(|findings| Refusal { exit: Exit::Refused, findings })?;
+    Ok(sheet.findings.into_iter().chain(notes).collect())
+}
+
+/// How many designs there are, and how long all would take.
+fn forecast(arguments: &Sweep, study: &Study<'_>, terminal: &mut Terminal) -> Result<Exit, Refusal> {
+    let workshop = Workshop::open(study, arguments.jobs)?;
+    let seconds = workshop.timed(TIMED);
+    let plan = &study.plan;
+    let hours = seconds * count(plan.count);
+    let jobs = workshop.jobs();
+    let chunks = arguments.chunks.unwrap_or_else(|| slurm::chunks(plan.count, seconds));
+    let axes: String = plan
+        .inputs
+        .iter()
+        .map(|one| {
+            let levels = one.levels.count().map_or_else(|| "…".to_owned(), |count| count.to_string());
+            format!("  {} ({levels})\n", one.symbol())
+        })
+        .collect();
+    let each = format!("{:.1}", seconds * 1000.0);
+    let [core, here] = [hours, hours / count(jobs)].map(duration);
+    let text = Text::new(
+        format!(
+            "{} diseños, {} entradas:\n{axes}{each} ms por diseño y núcleo; {core} en un núcleo, {here} con --jobs {jobs}; {chunks} trozos para Slurm\n",
+            plan.count,
+            plan.inputs.len()
+        ),
+        format!(
+            "{} designs, {} inputs:\n{axes}{each} ms a design and core; {core} on one core, {here} with --jobs {jobs}; {chunks} chunks for Slurm\n",
+            plan.count,
+            plan.inputs.len()
+        ),
+    );
+    terminal.out(text.get(study.language));
+    Ok(Exit::Done)
+}
+
+/// Works out what is asked for: one chunk, what is to be submitted, or all that is missing and the merge.
+fn all(
+    arguments: &Sweep,
+    study: &Study<'_>,
+    chunk: Option<(u64, u64)>,
+    kinds: &[&dyn Kind],
+    terminal: &mut Terminal,
+) -> Result<Exit, Refusal> {
+    let folder = arguments
+        .output
+        .clone()
+        .unwrap_or_else(|| beside(study.workbook).join(store::file_name(&store::stem(study.workbook), "-sweep")));
+    let wanted = chunk.map(|(_, of)| of).or(arguments.chunks);
+    let usual = || match &arguments.submit {
+        Some(_) => Ok(slurm::chunks(study.plan.count, Workshop::open(study, arguments.jobs)?.timed(TIMED))),
+        None => Ok(study.plan.count.div_ceil(CHUNK).clamp(1, CHUNKS_MOST)),
+    };
+    let rows = Rows::open(&folder, study, wanted, usual, arguments.fresh)?;
+    if let Some((number, _)) = chunk {
+        let workshop = Workshop::open(study, arguments.jobs)?;
+        workshop.chunk(
+            &rows,
+            number,
+            &mut progress::Progress::new(study, study.plan.chunk(number, rows.chunks())),
+            terminal,
+        )?;
+        return Ok(Exit::Done);
+    }
+    if arguments.submit.is_some() {
+        return slurm::submit(arguments, study, &folder, &rows, terminal);
+    }
+    if !arguments.merge {
+        let workshop = Workshop::open(study, arguments.jobs)?;
+        let mut progress = progress::Progress::new(study, 0..study.plan.count);
+        for number in 0..rows.chunks() {
+            workshop.chunk(&rows, number, &mut progress, terminal)?;
+        }
+        progress.end(terminal);
+    }
+    let missing: Vec<u64> = (0..rows.chunks()).filter(|number| rows.state(*number) != State::Whole).collect();
+    if !missing.is_empty() {
+        let (list, chunks) = (ranges(&missing), rows.chunks());
+        let missing = u64::try_from(missing.len()).unwrap_or(u64::MAX);
+        return Err(ChunksMissing { list, missing, chunks }.refused(Exit::Incomplete, Place::File));
+    }
+    merge::merge(arguments, study, kinds, &rows, terminal)
+}
+
+/// The chunk that an option asks for.
+///
+/// # Errors
+/// Exit 2 where it asks for none.
+fn chunk_of(text: &str) -> Result<(u64, u64), Refusal> {
+    let parts = text.split_once('/').and_then(|(number, of)| Some((number.parse().ok()?, of.parse().ok()?)));
+    parts
+        .filter(|(number, of): &(u64, u64)| number < of && *of <= 100_000)
+        .ok_or_else(|| WrongChunk { text: printable(text) }.refused(Exit::CommandLine, Place::File))
+}
+
+/// Numbers in order as an array of jobs takes them: `3,17,20-22`.
+fn ranges(numbers: &[u64]) -> String {
+    let runs = numbers.chunk_by(|one, next| one + 1 == *next);
+    let told = runs.filter_map(|run| match (run.first()?, run.last()?) {
+        (first, last) if first == last => Some(first.to_string()),
+        (first, last) => Some(format!("{first}-{last}")),
+    });
+    told.collect::<Vec<_>>().join(",")
+}
+
+/// A count as a factor.
+#[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
+fn count(number: u64) -> f64 {
+    number as f64
+}
+
+/// An index that was read as a number.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "indices are whole and far below 2^52")]
+const fn whole(number: f64) -> u64 {
+    number as u64
+}
+
+/// A path that does not depend on the current folder.
+fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chunks_are_counted_from_nought() {
+        assert_eq!(chunk_of("0/40").ok(), Some((0, 40)));
+        assert_eq!(chunk_of("39/40").ok(), Some((39, 40)));
+        for wrong in ["40/40", "1", "a/3", "0/0", "-1/3", "1/2/3", "0/100001"] {
+            assert_eq!(chunk_of(wrong).expect_err(wrong).exit, Exit::CommandLine);
+        }
+    }
+
+    #[test]
+    fn missing_chunks_are_listed_as_an_array() {
+        assert_eq!(ranges(&[3, 17, 20, 21, 22]), "3,17,20-22");
+        assert_eq!((ranges(&[]), ranges(&[0, 1])), (String::new(), "0-1".to_owned()));
+    }
+}

@@ -1,0 +1,126 @@
+//! Working designs out: as many at once as there are jobs, batch by batch, each chunk in the order of the plan.
+
+#![expect(
+    clippy::disallowed_methods,
+    reason = "the door to processors and clock: how many designs at once, and when to save"
+)]
+
+use std::env;
+use std::thread::available_parallelism;
+use std::time::{Duration, Instant};
+
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use super::super::terminal::Terminal;
+use super::super::{fault, finding};
+use super::Study;
+use super::folder::Rows;
+use super::progress::Progress;
+use crate::finding::Refusal;
+use crate::parameter::Value;
+use crate::sweep::row::{Row, judged};
+
+/// How often what is worked out of a chunk is saved.
+const SAVED: Duration = Duration::from_secs(60);
+/// A batch is about so long.
+const BATCH: f64 = 1.0;
+/// The fewest and the most designs of a batch for each job.
+const LEAST: usize = 4;
+const MOST: usize = 2_000;
+/// The variable in which Slurm says how many processors a task has.
+const SLURM: &str = "SLURM_CPUS_PER_TASK";
+
+/// What works designs out.
+pub(super) struct Workshop<'a> {
+    study: &'a Study<'a>,
+    pool: ThreadPool,
+    jobs: usize,
+}
+
+impl<'a> Workshop<'a> {
+    /// So many at once; where nothing is asked for, as many as there are processors for this process.
+    pub(super) fn open(study: &'a Study<'a>, jobs: Option<u16>) -> Result<Self, Refusal> {
+        let told = || env::var(SLURM).ok().and_then(|text| text.parse().ok()).filter(|jobs| *jobs > 0);
+        let here = || available_parallelism().map_or(1, usize::from);
+        let jobs = jobs.map(usize::from).or_else(told).unwrap_or_else(here);
+        let pool = ThreadPoolBuilder::new().num_threads(jobs).build();
+        let pool = pool.map_err(|error| fault::refusal(&error.to_string()))?;
+        Ok(Self { study, pool, jobs })
+    }
+
+    /// How many at once.
+    pub(super) fn jobs(&self) -> u64 {
+        u64::try_from(self.jobs).unwrap_or(u64::MAX)
+    }
+
+    /// A design, worked out; a panic is a failure of that design alone.
+    pub(super) fn design(&self, id: u64, inputs: Vec<Value>) -> Row {
+        let Study { kind, base, plan, .. } = self.study;
+        match fault::guarded(|| judged(*kind, base, plan, id, inputs.clone())) {
+            Ok(row) => row,
+            Err(refusal) => Row::failed(*kind, id, inputs, &refusal),
+        }
+    }
+
+    /// The mean time of so many designs, spread over the plan, s on one core.
+    pub(super) fn timed(&self, count: u64) -> f64 {
+        let plan = &self.study.plan;
+        let timed = count.min(plan.count).max(1);
+        let begun = Instant::now();
+        for at in 0..timed {
+            let id = at * plan.count / timed;
+            drop(self.design(id, plan.design(id)));
+        }
+        begun.elapsed().as_secs_f64() / super::count(timed)
+    }
+
+    /// Works a chunk out, from where an interrupted run has come to; nothing where it is there.
+    pub(super) fn chunk(
+        &self,
+        rows: &Rows<'_>,
+        number: u64,
+        progress: &mut Progress<'_>,
+        terminal: &mut Terminal,
+    ) -> Result<(), Refusal> {
+        match rows.read(number, &|_| true) {
+            Ok(Some(done)) => {
+                progress.known(&done);
+                return Ok(());
+            }
+            Ok(None) => {}
+            Err(()) => finding::general(&[rows.torn(number)], self.study.language, terminal),
+        }
+        let range = self.study.plan.chunk(number, rows.chunks());
+        let mut done = rows.saved(number);
+        progress.known(&done);
+        let mut next = range.start + u64::try_from(done.rows()).unwrap_or_default();
+        let (mut size, mut saved) = (LEAST * self.jobs, Instant::now());
+        while next < range.end {
+            let end = range.end.min(next + u64::try_from(size).unwrap_or(1));
+            let begun = Instant::now();
+            let plan = &self.study.plan;
+            let worked: Vec<Row> =
+                self.pool.install(|| (next..end).into_par_iter().map(|id| self.design(id, plan.design(id))).collect());
+            let seconds = begun.elapsed().as_secs_f64().max(1e-6);
+            let mut batch = rows.table().emptied();
+            worked.into_iter().for_each(|row| batch.push(row));
+            progress.take(&batch, terminal);
+            done.append(batch);
+            let rate = super::count(end - next) / seconds;
+            size = sized(rate * BATCH).clamp(LEAST * self.jobs, MOST * self.jobs);
+            next = end;
+            if next < range.end && saved.elapsed() >= SAVED {
+                rows.save(number, done.clone())?;
+                saved = Instant::now();
+            }
+        }
+        rows.write(number, done)
+    }
+}
+
+/// A number of designs.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cast stays within the type")]
+const fn sized(number: f64) -> usize {
+    number as usize
+}

@@ -1,0 +1,171 @@
+//! Which designs are the best, and why the others are not: taken from rows that come in parts, in any order.
+
+use std::collections::BTreeMap;
+
+use crate::sweep::front::{Candidate, front};
+use crate::sweep::plan::Plan;
+use crate::sweep::table::Table;
+
+/// Candidates beyond this many are thinned out while they come.
+const ROOM: usize = 2;
+
+/// What is known of all rows so far.
+#[derive(Debug)]
+pub struct Ranking<'a> {
+    plan: &'a Plan,
+    /// How many of the best are kept.
+    most: usize,
+    front: Vec<Candidate>,
+    cut: bool,
+    best: Vec<Candidate>,
+    counts: Counts,
+    why: BTreeMap<String, u64>,
+}
+
+/// How many rows of each state there are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Done.
+    pub done: u64,
+    /// Refused.
+    pub refused: u64,
+    /// Failed.
+    pub failed: u64,
+    /// Done, with a value for every objective, and no constraint broken.
+    pub feasible: u64,
+}
+
+/// What came of all rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ranked {
+    /// The front, in the order of the costs; empty without objectives.
+    pub front: Vec<Candidate>,
+    /// The front was longer, and is cut.
+    pub cut: bool,
+    /// The best, by the first objective, then the next; without objectives by their index.
+    pub best: Vec<Candidate>,
+    /// How many rows of each state there are.
+    pub counts: Counts,
+    /// Why designs are not among the feasible: codes and constraints with how many rows each has, most first.
+    pub why: Vec<(String, u64)>,
+}
+
+impl<'a> Ranking<'a> {
+    /// Of no rows yet; keeps the `most` best.
+    #[must_use]
+    pub const fn new(plan: &'a Plan, most: usize) -> Self {
+        let counts = Counts { done: 0, refused: 0, failed: 0, feasible: 0 };
+        Self { plan, most, front: Vec::new(), cut: false, best: Vec::new(), counts, why: BTreeMap::new() }
+    }
+
+    /// Takes rows in.
+    pub fn take(&mut self, rows: &Table) {
+        let column = |name: &str| rows.column(name);
+        let (Some(id), Some(state), Some(feasible), Some(reason)) =
+            (column("id"), column("state"), column("feasible"), column("reason"))
+        else {
+            return;
+        };
+        let objectives: Vec<_> =
+            self.plan.objectives.iter().filter_map(|one| Some((one, column(one.measure.key)?))).collect();
+        let mut candidates = Vec::new();
+        for row in 0..rows.rows() {
+            match state.text(row) {
+                Some("done") => self.counts.done += 1,
+                Some("refused") => self.counts.refused += 1,
+                _ => self.counts.failed += 1,
+            }
+            if let Some(reason) = reason.text(row) {
+                match self.why.get_mut(reason) {
+                    Some(count) => *count += 1,
+                    None => drop(self.why.insert(reason.to_owned(), 1)),
+                }
+            }
+            if !feasible.truth(row) {
+                continue;
+            }
+            self.counts.feasible += 1;
+            let costs = objectives.iter().filter_map(|(one, cells)| cells.number(row).map(|value| one.cost(value)));
+            candidates.extend(id.number(row).map(|id| Candidate { id: whole(id), costs: costs.collect() }));
+        }
+        if !self.plan.objectives.is_empty() {
+            let (part, cut) = front(candidates.clone());
+            let (front, again) = front(std::mem::take(&mut self.front).into_iter().chain(part).collect());
+            (self.front, self.cut) = (front, self.cut || cut || again);
+        }
+        self.best.append(&mut candidates);
+        if self.best.len() > ROOM * self.most {
+            self.thin();
+        }
+    }
+
+    /// How many designs are on the front so far.
+    #[must_use]
+    pub const fn on_front(&self) -> usize {
+        self.front.len()
+    }
+
+    /// How many rows of each state there are so far.
+    #[must_use]
+    pub const fn counts(&self) -> Counts {
+        self.counts
+    }
+
+    fn thin(&mut self) {
+        self.best.sort_unstable_by(Candidate::order);
+        self.best.truncate(self.most);
+    }
+
+    /// What came of them.
+    #[must_use]
+    pub fn end(mut self) -> Ranked {
+        self.thin();
+        let mut why: Vec<(String, u64)> = self.why.into_iter().collect();
+        why.sort_by(|one, other| other.1.cmp(&one.1).then_with(|| one.0.cmp(&other.0)));
+        Ranked { front: self.front, cut: self.cut, best: self.best, counts: self.counts, why }
+    }
+}
+
+impl Ranked {
+    /// The designs that are shown and built: the front, spread evenly over its length where it is longer, then the best.
+    #[must_use]
+    pub fn top(&self, most: usize) -> Vec<u64> {
+        let count = self.front.len();
+        let spread = |at: usize| if most < 2 { 0 } else { at * (count - 1) / (most - 1) };
+        let front: Vec<u64> = if count > most {
+            (0..most).filter_map(|at| self.front.get(spread(at))).map(|one| one.id).collect()
+        } else {
+            self.front.iter().map(|one| one.id).collect()
+        };
+        let rest = self.best.iter().map(|one| one.id).filter(|id| !front.contains(id));
+        let rest: Vec<u64> = rest.take(most.saturating_sub(front.len())).collect();
+        front.into_iter().chain(rest).collect()
+    }
+}
+
+/// An index that was read as a number.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "indices are whole and far below 2^52")]
+const fn whole(number: f64) -> u64 {
+    number as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ranked(front: &[u64], best: &[u64]) -> Ranked {
+        let candidates = |ids: &[u64]| ids.iter().map(|id| Candidate { id: *id, costs: Vec::new() }).collect();
+        let counts = Counts::default();
+        Ranked { front: candidates(front), cut: false, best: candidates(best), counts, why: Vec::new() }
+    }
+
+    #[test]
+    fn the_top_is_the_front_and_then_the_best() {
+        let all = ranked(&[3, 5, 9], &[3, 4, 5, 8]);
+        assert_eq!(all.top(5), [3, 5, 9, 4, 8]);
+        assert_eq!(all.top(2), [3, 9]);
+        assert_eq!(all.top(1), [3]);
+        assert!(all.top(0).is_empty());
+        assert_eq!(ranked(&[], &[7, 8]).top(5), [7, 8]);
+    }
+}

@@ -1,0 +1,225 @@
+//! What came of one design.
+
+use crate::finding::{Exit, Finding, Grade, Refusal};
+use crate::kind::measure::{Known, Level};
+use crate::kind::{Kind, Outcome, Provenance, Wants};
+use crate::parameter::field::Fields;
+use crate::parameter::{Value, Values};
+use crate::sweep::plan::Plan;
+
+/// How the work on a design ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// It was done.
+    Done,
+    /// It contradicts itself, or a finding stops it.
+    Refused,
+    /// rodete failed.
+    Failed,
+}
+
+impl State {
+    /// Its word in the rows.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Done => "done",
+            Self::Refused => "refused",
+            Self::Failed => "failed",
+        }
+    }
+}
+
+/// What came of a design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Its index in the plan.
+    pub id: u64,
+    /// The values of its inputs.
+    pub inputs: Vec<Value>,
+    /// The measures of its kind, in their order.
+    pub measures: Vec<Option<f64>>,
+    /// How its work ended.
+    pub state: State,
+    /// It is done, every objective has a value, and no constraint is broken.
+    pub feasible: bool,
+    /// How many stops were found.
+    pub stops: i64,
+    /// How many cautions.
+    pub cautions: i64,
+    /// Their codes, each once, in the order of the codes.
+    pub codes: Vec<&'static str>,
+    /// Why it was not done: the code of the first stop; of one that is done, the constraint that is broken.
+    pub reason: Option<String>,
+    /// The value that the reason found, where it is a number.
+    pub value: Option<f64>,
+    /// The limit that it was compared with.
+    pub limit: Option<f64>,
+    /// By how much it misses the limit: never positive.
+    pub margin: Option<f64>,
+    /// What a failure said.
+    pub message: Option<String>,
+}
+
+/// The values of a workbook with those of a design's inputs in their place.
+#[must_use]
+pub fn values(base: &Values, plan: &Plan, inputs: &[Value]) -> Values {
+    let mut values = base.clone();
+    for (input, value) in plan.inputs.iter().zip(inputs) {
+        values.values.insert(input.parameter.key, value.clone());
+    }
+    values
+}
+
+/// Works a design out, by its index or with other values of its inputs, and gives its row. It is a function of kind, workbook,
+/// plan and these values alone.
+#[must_use]
+pub fn judged(kind: &dyn Kind, base: &Values, plan: &Plan, id: u64, inputs: Vec<Value>) -> Row {
+    let mut row = Row::new(kind, id, inputs);
+    let values = values(base, plan, &row.inputs);
+    match (Fields::of(plan.form, values), plan.level) {
+        (Err(refusal), _) => row.refused(&refusal),
+        (Ok(fields), Level::Limits) => match kind.limits(&fields) {
+            Ok(limits) => {
+                row.found(&limits.findings);
+                row.measured(kind, plan, &Known { quantities: &limits.quantities, ..Known::default() });
+            }
+            Err(refusal) => row.refused(&refusal),
+        },
+        (Ok(fields), Level::Program) => match kind.run(fields, Vec::new(), source(), Wants::default()) {
+            Ok(outcome) => row.outcome(kind, plan, &outcome),
+            Err(refusal) => row.refused(&refusal),
+        },
+    }
+    row
+}
+
+/// What a design's programs are headed with: no workbook, so that no row depends on the name of one.
+fn source() -> Provenance {
+    Provenance { workbook: "sweep".to_owned(), sha256: "0".repeat(64), version: env!("CARGO_PKG_VERSION") }
+}
+
+impl Row {
+    fn new(kind: &dyn Kind, id: u64, inputs: Vec<Value>) -> Self {
+        Self {
+            id,
+            inputs,
+            measures: vec![None; kind.measures().len()],
+            state: State::Done,
+            feasible: false,
+            stops: 0,
+            cautions: 0,
+            codes: Vec::new(),
+            reason: None,
+            value: None,
+            limit: None,
+            margin: None,
+            message: None,
+        }
+    }
+
+    /// The row of a design on which rodete failed: with what it said, but not where in its source.
+    #[must_use]
+    pub fn failed(kind: &dyn Kind, id: u64, inputs: Vec<Value>, refusal: &Refusal) -> Self {
+        let mut row = Self::new(kind, id, inputs);
+        row.refused(refusal);
+        row.state = State::Failed;
+        row
+    }
+
+    fn outcome(&mut self, kind: &dyn Kind, plan: &Plan, outcome: &Outcome) {
+        self.found(&outcome.findings);
+        match outcome.exit() {
+            Exit::Done => {}
+            Exit::Fault => self.fails(&outcome.findings),
+            _ => self.state = State::Refused,
+        }
+        self.measured(kind, plan, &Known::of(outcome));
+    }
+
+    fn refused(&mut self, refusal: &Refusal) {
+        self.found(&refusal.findings);
+        self.state = State::Refused;
+        if refusal.exit == Exit::Fault {
+            self.fails(&refusal.findings);
+        }
+    }
+
+    fn fails(&mut self, findings: &[Finding]) {
+        self.state = State::Failed;
+        let first = findings.iter().find(|one| one.grade == Grade::Stop);
+        self.message = first.map(|one| without_place(&one.what.en));
+    }
+
+    /// Takes in what was found.
+    fn found(&mut self, findings: &[Finding]) {
+        let count = |grade: Grade| findings.iter().filter(|one| one.grade == grade).count();
+        let count = |grade: Grade| i64::try_from(count(grade)).unwrap_or(i64::MAX);
+        (self.stops, self.cautions) = (count(Grade::Stop), count(Grade::Caution));
+        self.codes = findings.iter().filter(|one| one.grade > Grade::Note).map(Finding::code).collect();
+        self.codes.sort_unstable();
+        self.codes.dedup();
+        let Some(first) = findings.iter().find(|one| one.grade == Grade::Stop) else { return };
+        self.state = State::Refused;
+        self.reason = Some(first.code().to_owned());
+        (self.value, self.limit) = (number(&first.value), number(&first.limit));
+        self.margin = self.value.zip(self.limit).map(|(value, limit)| -(limit - value).abs());
+    }
+
+    /// Takes the measures, and compares them with the constraints.
+    fn measured(&mut self, kind: &dyn Kind, plan: &Plan, known: &Known<'_>) {
+        let within = |level: Level| level <= plan.level;
+        self.measures =
+            kind.measures().iter().map(|one| if within(one.level) { one.of(known) } else { None }).collect();
+        if self.state != State::Done {
+            return;
+        }
+        let of = |key: &str| {
+            let at = kind.measures().iter().position(|one| one.key == key)?;
+            self.measures.get(at).copied().flatten()
+        };
+        let broken = plan.constraints.iter().find(|one| of(one.measure.key).is_none_or(|value| one.room(value) < 0.0));
+        let valued = plan.objectives.iter().all(|one| of(one.measure.key).is_some());
+        self.feasible = broken.is_none() && valued;
+        if let Some(broken) = broken {
+            let value = of(broken.measure.key);
+            self.reason = Some(broken.to_string());
+            (self.value, self.limit) = (value, Some(broken.bound));
+            self.margin = value.map(|value| broken.room(value));
+        }
+    }
+}
+
+/// The number that a value begins with, as `9.71 mm`; `None` where there is none.
+fn number(value: &str) -> Option<f64> {
+    let number = value.trim_start_matches(['≤', '≥', '<', '>', ' ']);
+    let number = number.split([' ', '°', '%']).next()?.replace('−', "-");
+    number.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+/// A sentence without the line of the source that it ends with.
+fn without_place(said: &str) -> String {
+    let place =
+        |tail: &str| tail.rsplit_once(':').is_some_and(|(_, line)| line.chars().all(|one| one.is_ascii_digit()));
+    match said.rsplit_once(", ") {
+        Some((before, tail)) if place(tail) => before.to_owned(),
+        _ => said.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_of_findings_are_read_as_numbers() {
+        assert_eq!([number("9.71 mm"), number("≥ −0.5 mm"), number("12.5°")], [Some(9.71), Some(-0.5), Some(12.5)]);
+        assert_eq!((number("N_max"), number(""), number("∞")), (None, None, None));
+    }
+
+    #[test]
+    fn a_message_names_no_file() {
+        assert_eq!(without_place("a point, src/kinds/impeller/ribs.rs:120"), "a point");
+        assert_eq!(without_place("no room, see: 3 mm"), "no room, see: 3 mm");
+    }
+}

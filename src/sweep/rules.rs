@@ -1,0 +1,206 @@
+//! What is found of a sheet of variants: one row each.
+
+use crate::finding::Example;
+use crate::finding::Typed;
+use crate::finding::rule::{book, rules};
+use crate::text::{Text, t};
+
+rules! {
+    /// The rows of sweeps.
+    RULES;
+
+    "D0101" NoSweepSheet Stop { sheet: Text }
+        es "el libro no tiene la hoja {sheet}"
+        en "the workbook has no sheet {sheet}"
+        remedy "cree un libro con ella, con rodete new y la opción --sweep, y copie los datos", "make a workbook that has it with rodete new and the option --sweep, and copy the data";
+        why "La hoja dice qué entradas varían y cómo.", "The sheet says which inputs vary, and how.";
+        example Example::Made { key: "sweep-without-sheet", how: t("rodete sweep impeller.xlsx, de un libro sin hoja SWEEP", "rodete sweep impeller.xlsx, of a workbook without a sheet SWEEP") };
+    "D0102" NothingVaries Stop { sheet: Text }
+        es "la hoja {sheet} no dice qué entradas varían"
+        en "the sheet {sheet} does not say which inputs vary"
+        remedy "escriba una fila por entrada debajo de los encabezados input, from, to", "write one row for each input below the headings input, from, to";
+        why "Sin entradas que varíen solo hay un diseño, y para eso está rodete build.", "Without inputs that vary there is one design only, and rodete build does that.";
+        example book!("impeller", "SWEEP!A16" = "", "SWEEP!B16" = "", "SWEEP!C16" = "", "SWEEP!D16" = "", "SWEEP!A17" = "", "SWEEP!E17" = "",
+            "SWEEP!A18" = "", "SWEEP!B18" = "", "SWEEP!C18" = "", "SWEEP!D18" = "", "SWEEP!A19" = "", "SWEEP!B19" = "", "SWEEP!C19" = "", "SWEEP!D19" = "");
+    "D0103" NoSuchInput Stop { symbol: String }
+        es "{symbol} no es una entrada de este libro"
+        en "{symbol} is not an input of this workbook"
+        remedy "escriba un símbolo de la columna A de la hoja de datos, con las mismas mayúsculas", "write a symbol from column A of the sheet of the data, with the same capitals";
+        why "Las mayúsculas cuentan: N y n son dos entradas.", "Capitals matter: N and n are two inputs.";
+        example book!("impeller", "SWEEP!A16" = "Q");
+    "D0104" InputNotVaried Stop { symbol: &'static str }
+        es "{symbol} es un texto y no puede variar"
+        en "{symbol} is a text and cannot be varied"
+        remedy "elija una entrada que sea un número o una palabra de una lista", "choose an input that is a number or a word of a list";
+        why "De un texto no hay intervalo ni lista de palabras admitidas.", "A text has neither a range nor a list of allowed words.";
+        example book!("impeller", "SWEEP!A16" = "part");
+    "D0105" InputTwice Stop { symbol: &'static str }
+        es "{symbol} está dos veces"
+        en "{symbol} is there twice"
+        remedy "deje una sola fila de esa entrada", "leave one row of this input";
+        why "Una entrada tiene un solo valor en cada diseño.", "An input has one value in each design.";
+        example book!("impeller", "SWEEP!A18" = "R", "SWEEP!B18" = "22", "SWEEP!C18" = "25");
+    "D0106" RangeOrValues Stop { symbol: &'static str }
+        es "{symbol} necesita desde y hasta, o una lista de valores, pero no ambas cosas"
+        en "{symbol} needs from and to, or a list of values, and not both"
+        remedy "rellene from y to, o values", "fill in from and to, or values";
+        why "rodete no adivina qué valores se quieren.", "rodete does not guess which values are wanted.";
+        example book!("impeller", "SWEEP!C16" = "");
+    "D0107" RangeReversed Stop { symbol: &'static str, from: Typed, to: Typed }
+        es "{symbol} va de {from} a {to}, y el segundo debe ser mayor"
+        en "{symbol} goes from {from} to {to}, and the second must be the larger"
+        remedy "intercambie los dos, o dé un solo valor en values", "swap the two, or give one value under values";
+        why "Un intervalo va del menor al mayor.", "A range goes from the smaller to the larger value.";
+        example book!("impeller", "SWEEP!B16" = "31");
+    "D0108" WrongStep Stop { symbol: &'static str, step: Typed, range: Typed }
+        es "el paso de {symbol} es {step}, y debe ser mayor que 0 y como mucho {range}"
+        en "the step of {symbol} is {step}, and must be above 0 and at most {range}"
+        remedy "corrija el paso", "correct the step";
+        why "El paso va de un valor al siguiente dentro del intervalo.", "The step goes from one value to the next within the range.";
+        example book!("impeller", "SWEEP!D16" = "10");
+    "D0109" BeyondLimits Stop { symbol: &'static str, value: Typed, min: Typed, max: Typed }
+        es "{symbol} llega a {value}, y el formulario admite de {min} a {max}"
+        en "{symbol} reaches {value}, and the form allows {min} to {max}"
+        remedy "quede dentro de lo que admite el formulario", "stay within what the form allows";
+        why "Cada diseño se lee como si su valor estuviera en la celda de la entrada.", "Each design is read as if its value stood in the input's cell.";
+        example book!("impeller", "SWEEP!B16" = "1");
+    "D0110" ValueUnread Stop { symbol: &'static str, text: String, expected: Text }
+        es "«{text}» no es un valor de {symbol}: debe ser {expected}"
+        en "\"{text}\" is not a value of {symbol}: it must be {expected}"
+        remedy "corrija el valor; los valores se separan con punto y coma, los decimales con punto", "correct the value; values are parted by semicolons, decimals by a point";
+        why "Cada valor de la lista se lee como si estuviera en la celda de la entrada.", "Each value of the list is read as if it stood in the input's cell.";
+        example book!("impeller", "SWEEP!E17" = "4; many");
+    "D0111" RangeNotWhole Stop { symbol: &'static str, value: Typed }
+        es "{symbol} es un número entero, y {value} no lo es"
+        en "{symbol} is a whole number, and {value} is not"
+        remedy "dé números enteros en desde, hasta y paso", "give whole numbers under from, to and step";
+        why "Un número de álabes o de puntos no tiene decimales.", "A number of blades or of points has no decimals.";
+        example book!("impeller", "SWEEP!E17" = "", "SWEEP!B17" = "4", "SWEEP!C17" = "6", "SWEEP!D17" = "0.5");
+    "D0112" DistributionUnread Stop { text: String }
+        es "«{text}» no es una distribución"
+        en "\"{text}\" is not a distribution"
+        remedy "escriba uniform, o normal con media y desviación típica, como normal 2 0.05", "write uniform, or normal with mean and standard deviation, such as normal 2 0.05";
+        why "La distribución dice cómo se muestrea el intervalo.", "The distribution says how the range is sampled.";
+        example book!("impeller", "SWEEP!C6" = "sobol", "SWEEP!C7" = "64", "SWEEP!D16" = "", "SWEEP!F16" = "gauss");
+    "D0113" DistributionWithoutRange Stop { symbol: &'static str }
+        es "{symbol} tiene una distribución, pero no un intervalo que se muestree"
+        en "{symbol} has a distribution, but no range that is sampled"
+        remedy "quite la distribución; o quite el paso y elija latin o sobol", "remove the distribution; or remove the step and choose latin or sobol";
+        why "Con paso o con valores, cada uno cuenta lo mismo.", "With a step or with values each counts the same.";
+        example book!("impeller", "SWEEP!F16" = "uniform");
+    "D0114" StepNeeded Stop { symbol: &'static str }
+        es "con method = factorial, {symbol} necesita un paso o una lista de valores"
+        en "with method = factorial, {symbol} needs a step or a list of values"
+        remedy "dé un paso, o elija latin o sobol", "give a step, or choose latin or sobol";
+        why "Un plan factorial combina niveles, y un intervalo sin paso no tiene ninguno.", "A factorial plan combines levels, and a range without a step has none.";
+        example book!("impeller", "SWEEP!D16" = "");
+    "D0115" SamplesNeeded Stop { method: &'static str }
+        es "con method = {method} falta samples, el número de diseños"
+        en "with method = {method}, samples is missing: the number of designs"
+        remedy "escriba cuántos diseños se quieren", "write how many designs are wanted";
+        why "Un plan que muestrea no tiene un número de diseños propio.", "A plan that samples has no number of designs of its own.";
+        example book!("impeller", "SWEEP!C6" = "sobol");
+    "D0116" TooManyDesigns Stop { count: String, most: u64 }
+        es "el plan tiene {count} diseños; rodete admite {most}"
+        en "the plan has {count} designs; rodete allows {most}"
+        remedy "dé menos niveles o pasos mayores, o elija sobol con menos diseños", "give fewer levels or larger steps, or choose sobol with fewer designs";
+        why "Con más diseños los resultados ya no se pueden examinar.", "The results of more designs cannot be looked through.";
+        example book!("impeller", "SWEEP!D16" = "0.000001");
+    "D0117" TooManySampled Stop { count: usize, most: usize }
+        es "varían {count} entradas; sobol admite {most}"
+        en "{count} inputs vary; sobol allows {most}"
+        remedy "elija latin, o varíe menos entradas", "choose latin, or vary fewer inputs";
+        why "La sucesión de Sobol tiene aquí esas dimensiones.", "The sequence of Sobol has so many dimensions here.";
+        example Example::Never(t("la lista de entradas no admite tantas", "the list of inputs does not hold so many"));
+    "D0118" ObjectiveUnread Stop { text: String }
+        es "«{text}» no es un objetivo"
+        en "\"{text}\" is not an objective"
+        remedy "escriba una magnitud y min o max, separados por un espacio; entre objetivos, punto y coma", "write a measure and min or max, parted by a blank; between objectives, a semicolon";
+        why "Un objetivo dice qué magnitud debe ser mínima o máxima.", "An objective says which measure is to be small or large.";
+        example book!("impeller", "SWEEP!C10" = "time_s least");
+    "D0119" NoSuchMeasure Stop { key: String, known: String }
+        es "{key} no es una magnitud de este libro"
+        en "{key} is not a measure of this workbook"
+        remedy "elija una de estas: {known}", "choose one of these: {known}";
+        why "Objetivos y restricciones se refieren a lo que rodete calcula de cada diseño.", "Objectives and constraints refer to what rodete computes of each design.";
+        example book!("impeller", "SWEEP!C10" = "cost min");
+    "D0120" MeasureAboveLevel Stop { key: &'static str }
+        es "{key} solo se conoce cuando los programas se releen, y level es limits"
+        en "{key} is known only after programs are read back, and level is limits"
+        remedy "ponga level = program, o elija otra magnitud", "set level = program, or choose another measure";
+        why "Con level = limits rodete no relee ningún programa.", "With level = limits rodete reads no program back.";
+        example book!("impeller", "SWEEP!C9" = "limits");
+    "D0121" ConstraintUnread Stop { text: String }
+        es "«{text}» no es una restricción"
+        en "\"{text}\" is not a constraint"
+        remedy "escriba una magnitud, >= o <=, y un número, como clearance_mm >= 0.5", "write a measure, >= or <=, and a number, such as clearance_mm >= 0.5";
+        why "Una restricción es un límite para lo que rodete calcula de cada diseño.", "A constraint is a limit for what rodete computes of each design.";
+        example book!("impeller", "SWEEP!C11" = "clearance_mm = 0.5");
+    "D0122" NoDesignsSheet Stop { sheet: Text }
+        es "con method = list falta la hoja {sheet}, con un diseño en cada fila"
+        en "with method = list, the sheet {sheet} is missing, with one design in each row"
+        remedy "añada la hoja: en su primera fila los símbolos, debajo los valores", "add the sheet: symbols in its first row, values below";
+        why "Una lista dice cada diseño por separado.", "A list states each design by itself.";
+        example book!("impeller", "SWEEP!C6" = "list");
+    "D0123" ListAndInputs Caution { sheet: Text }
+        es "con method = list no se leen las entradas de la hoja {sheet}"
+        en "with method = list, the inputs on the sheet {sheet} are not read"
+        remedy "bórrelas, o elija otro método", "delete them, or choose another method";
+        why "Los diseños son los de la hoja de la lista.", "The designs are those on the sheet of the list.";
+        example Example::Made { key: "sweep-list", how: t("method = list con una hoja DISEÑOS y filas de entradas", "method = list with a sheet DESIGNS and rows of inputs") };
+    "D0124" DesignCellEmpty Stop { symbol: &'static str }
+        es "falta el valor de {symbol} en un diseño de la lista"
+        en "a design of the list has no value of {symbol}"
+        remedy "rellene la celda", "fill in the cell";
+        why "Cada fila es un diseño completo.", "Each row is a whole design.";
+        example Example::Made { key: "sweep-list-gap", how: t("una celda vacía en la hoja DISEÑOS", "an empty cell on the sheet DESIGNS") };
+
+    "D0201" OtherPlan Stop { path: String }
+        es "{path} contiene filas de otro plan, de otro libro o de otra versión"
+        en "{path} holds rows of another plan, another workbook or another version"
+        remedy "elija otra carpeta (opción -o), o empiece de nuevo con --fresh", "choose another folder (option -o), or begin anew with --fresh";
+        why "Las filas de dos planes no forman un resultado.", "Rows of two plans do not make one result.";
+        example Example::Made { key: "sweep-other-plan", how: t("sweep en una carpeta con las filas de otro libro", "sweep into a folder with the rows of another workbook") };
+    "D0202" OtherChunks Stop { path: String, chunks: u64 }
+        es "el plan de {path} está dividido en {chunks} trozos"
+        en "the plan in {path} is divided into {chunks} chunks"
+        remedy "pida uno de esos trozos, o empiece de nuevo con --fresh", "ask for one of these chunks, or begin anew with --fresh";
+        why "Dos divisiones de un plan no encajan.", "Two divisions of one plan do not fit together.";
+        example Example::Made { key: "sweep-other-chunks", how: t("sweep --chunk 0/3 en una carpeta con el trozo 0/2", "sweep --chunk 0/3 into a folder with chunk 0/2") };
+    "D0203" ChunksMissing Stop { list: String, missing: u64, chunks: u64 }
+        es "faltan {missing} de {chunks} trozos: {list}"
+        en "{missing} of {chunks} chunks are missing: {list}"
+        remedy "calcule los que faltan: rodete sweep los completa en esta máquina, --submit slurm los envía", "work out those that are missing: rodete sweep completes them on this machine, --submit slurm submits them";
+        why "El resumen tiene todas las filas del plan o no se escribe.", "The summary holds every row of the plan, or is not written.";
+        example Example::Made { key: "sweep-missing", how: t("sweep --merge después de sweep --chunk 0/2", "sweep --merge after sweep --chunk 0/2") };
+    "D0204" WrongChunk Stop { text: String }
+        es "«{text}» no es un trozo"
+        en "\"{text}\" is not a chunk"
+        remedy "escriba I/N, con I de 0 a N − 1, como 0/40", "write I/N with I from 0 to N − 1, such as 0/40";
+        why "Los trozos se cuentan desde 0, como los índices de Slurm.", "Chunks are counted from 0, as the indices of Slurm.";
+        example Example::Command { files: &[], words: &["sweep", "impeller.xlsx", "--chunk", "40/40"] };
+    "D0205" ChunkTorn Caution { path: String }
+        es "{path} está incompleto o dañado: rodete lo calcula de nuevo"
+        en "{path} is torn or damaged: rodete computes it again"
+        remedy "compruebe el disco si se repite", "check the disk if this happens again";
+        why "rodete escribe cada trozo entero o no lo escribe; algo lo cambió después.", "rodete writes a chunk whole or not at all; something changed it afterwards.";
+        example Example::Made { key: "sweep-torn", how: t("un trozo al que le faltan los últimos bytes", "a chunk whose last bytes are missing") };
+    "D0206" NoneDone Stop { count: u64, code: String }
+        es "rodete rechaza los {count} diseños del plan; el motivo más frecuente es {code}"
+        en "rodete rejects all {count} designs of the plan; the most frequent reason is {code}"
+        remedy "lea la hoja POR_QUE de los resultados y cambie los intervalos", "read the sheet WHY of the results and change the ranges";
+        why "Ningún diseño del plan se puede fabricar.", "No design of the plan can be made.";
+        example Example::Made { key: "sweep-none", how: t("un plan cuyos diseños se contradicen todos", "a plan whose designs all contradict themselves") };
+    "D0207" FrontCut Caution { most: usize }
+        es "el frente tiene más de {most} diseños; se marcan los primeros según el primer objetivo"
+        en "the front has more than {most} designs; the first by the first objective are marked"
+        remedy "dé menos objetivos, o restricciones", "give fewer objectives, or constraints";
+        why "Un frente tan largo no distingue unos diseños de otros.", "So long a front does not tell designs apart.";
+        example Example::Never(t("un plan tan grande tarda demasiado para una prueba", "a plan of this size takes too long for a test"));
+    "D0208" NoScheduler Stop { reason: String }
+        es "no se puede ejecutar sbatch: {reason}"
+        en "sbatch cannot be run: {reason}"
+        remedy "envíe los trozos desde un ordenador con Slurm; el guion sweep.sbatch ya está escrito", "submit from a computer that has Slurm; the script sweep.sbatch is written already";
+        why "sbatch es el programa de Slurm que recibe los trabajos.", "sbatch is the program of Slurm that takes jobs.";
+        example Example::Made { key: "sweep-no-slurm", how: t("sweep --submit slurm sin Slurm instalado", "sweep --submit slurm without Slurm installed") };
+}

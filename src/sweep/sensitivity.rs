@@ -1,0 +1,267 @@
+//! How much the result follows each input: around the design of the workbook, and over the whole plan.
+
+use crate::kind::Kind;
+use crate::parameter::{FieldKind, Value, Values};
+use crate::sweep::objective::Objective;
+use crate::sweep::plan::{Input, Levels, Plan, slice};
+use crate::sweep::row::{Row, State};
+use crate::sweep::table::Table;
+
+/// The part of an input's range by which it is moved for its slope.
+const PART: f64 = 0.01;
+/// How often an interval is halved to find where a design is no longer good.
+const HALVINGS: u32 = 12;
+/// The most slices of a range for the shares.
+const SLICES: u64 = 32;
+/// The fewest designs in a slice, in the mean.
+const IN_SLICE: u64 = 8;
+
+/// What an input does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Effect {
+    /// Its symbol.
+    pub symbol: String,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Its value in the workbook; `None` where it has none, or is no number.
+    pub value: Option<f64>,
+    /// How much each objective changes for one unit of it, around the workbook's design.
+    pub slopes: Vec<Option<f64>>,
+    /// How far it may be smaller and larger until the design is refused or breaks a constraint, everything else unchanged; `None`
+    /// where the workbook's design is not good itself. As far as the plan's range is wide nothing is looked for.
+    pub room: Option<[f64; 2]>,
+    /// The room ends at the width of the plan's range, not at a limit.
+    pub open: [bool; 2],
+    /// The share of each objective's variance that follows this input alone, over the feasible designs of the plan.
+    pub shares: Vec<Option<f64>>,
+}
+
+/// The slopes and the room of every input around the design of a workbook. `judge` works a design out.
+#[must_use]
+pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &dyn Fn(Vec<Value>) -> Row) -> Vec<Effect> {
+    let here: Option<Vec<Value>> = plan.inputs.iter().map(|one| base.values.get(one.parameter.key).cloned()).collect();
+    let own = here.as_ref().map(|here| judge(here.clone()));
+    let good = |row: &Row| row.state == State::Done && row.feasible;
+    let measures = kind.measures();
+    let of = |row: &Row, objective: &Objective| {
+        let at = measures.iter().position(|one| one.key == objective.measure.key)?;
+        row.measures.get(at).copied().flatten()
+    };
+    let effect = |(at, input): (usize, &Input)| {
+        let plain = Effect {
+            symbol: input.symbol(),
+            unit: input.parameter.unit.label(),
+            value: None,
+            slopes: vec![None; plan.objectives.len()],
+            room: None,
+            open: [false; 2],
+            shares: vec![None; plan.objectives.len()],
+        };
+        let (Some(here), Some(own), Some([low, high])) = (&here, &own, limits(input)) else { return plain };
+        let (Some(value), Some(width)) = (here.get(at).and_then(number), width(input)) else { return plain };
+        let moved = |to: f64| {
+            let mut values = here.clone();
+            let to = if input.whole() { to.round() } else { to }.clamp(low, high);
+            let value = if input.whole() { super::plan::whole(to).map(Value::Whole) } else { Some(Value::Real(to)) };
+            if let (Some(slot), Some(value)) = (values.get_mut(at), value) {
+                *slot = value;
+            }
+            (to, judge(values))
+        };
+        let step = if input.whole() { 1.0 } else { PART * width };
+        let (below, above) = (moved(value - step), moved(value + step));
+        let slope = |objective: &Objective| {
+            let [left, middle, right] = [&below.1, own, &above.1].map(|row| of(row, objective));
+            let (from, to) = match (left, middle, right) {
+                (Some(left), _, Some(right)) => ((below.0, left), (above.0, right)),
+                (None, Some(middle), Some(right)) => ((value, middle), (above.0, right)),
+                (Some(left), Some(middle), None) => ((below.0, left), (value, middle)),
+                _ => return None,
+            };
+            (to.0 > from.0).then(|| (to.1 - from.1) / (to.0 - from.0))
+        };
+        let slopes = plan.objectives.iter().map(slope).collect();
+        let (mut room, mut open) = (None, [false; 2]);
+        if good(own) {
+            let ends = [-1.0, 1.0].map(|side| {
+                let most = if side < 0.0 { value - low } else { high - value }.min(width);
+                farthest(most, input.whole(), &|by| good(&moved(value + side * by).1))
+            });
+            room = Some(ends.map(|(by, _)| by));
+            open = ends.map(|(_, open)| open);
+        }
+        Effect { value: Some(value), slopes, room, open, ..plain }
+    };
+    plan.inputs.iter().enumerate().map(effect).collect()
+}
+
+/// How far one may go, at most so far, while all that is looked at is good; and whether it is good to the end. Looks at distances
+/// that double, then halves the interval in which it is no longer good.
+fn farthest(most: f64, whole: bool, good: &dyn Fn(f64) -> bool) -> (f64, bool) {
+    let least = if whole { 1.0 } else { most / 256.0 };
+    let (mut kept, mut by) = (0.0, least);
+    if most <= 0.0 {
+        return (0.0, true);
+    }
+    loop {
+        let here = f64::min(by, most);
+        if !good(here) {
+            let (mut low, mut high) = (kept, here);
+            for _ in 0..HALVINGS {
+                let middle = if whole { f64::midpoint(low, high).floor() } else { f64::midpoint(low, high) };
+                if middle <= low {
+                    break;
+                }
+                if good(middle) { low = middle } else { high = middle }
+            }
+            return (low, false);
+        }
+        kept = here;
+        if here >= most {
+            return (most, true);
+        }
+        by *= 2.0;
+    }
+}
+
+fn number(value: &Value) -> Option<f64> {
+    match value {
+        Value::Real(number) => Some(*number),
+        Value::Whole(whole) => Some(f64::from(*whole)),
+        Value::Choice(_) | Value::Line(_) => None,
+    }
+}
+
+/// The limits of an input's cell.
+fn limits(input: &Input) -> Option<[f64; 2]> {
+    match input.parameter.kind {
+        FieldKind::Real { min, max } => Some([min, max]),
+        FieldKind::Whole { min, max } => Some([min, max].map(f64::from)),
+        _ => None,
+    }
+}
+
+/// How wide the plan's range of an input is; `None` where it has no width.
+#[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
+fn width(input: &Input) -> Option<f64> {
+    let width = match &input.levels {
+        Levels::Steps { step, count, .. } => step * count.saturating_sub(1) as f64,
+        Levels::Range { from, to, .. } => to - from,
+        Levels::Values(values) => {
+            let numbers = || values.iter().filter_map(number);
+            numbers().fold(f64::MIN, f64::max) - numbers().fold(f64::MAX, f64::min)
+        }
+    };
+    (width > 0.0 && width.is_finite()).then_some(width)
+}
+
+/// Sums of an objective in a slice of an input's range.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    count: f64,
+    mean: f64,
+    squares: f64,
+}
+
+impl Sums {
+    /// Takes a value in (Welford).
+    fn take(&mut self, value: f64) {
+        self.count += 1.0;
+        let off = value - self.mean;
+        self.mean += off / self.count;
+        self.squares += off * (value - self.mean);
+    }
+}
+
+/// The shares of variance: the first-order indices of Sobol, from the rows of a plan that are there anyway. The range of an input is
+/// cut into slices of equal likelihood, and the variance of the slices' means is compared with that of all.
+///
+/// # Derivation
+/// S = Var(E(y | x))/Var(y); with B slices and n designs, what chance alone gives, (B − 1)/(n − B) of the variance inside the
+/// slices, is taken off (the estimate ω² of the analysis of variance). Inputs are taken to be independent, which refused designs
+/// may spoil.
+#[derive(Debug)]
+pub struct Shares<'a> {
+    plan: &'a Plan,
+    /// Slices of each input.
+    slices: Vec<u64>,
+    /// By input, then objective, then slice.
+    sums: Vec<Vec<Vec<Sums>>>,
+    all: Vec<Sums>,
+}
+
+impl<'a> Shares<'a> {
+    /// Of no rows yet.
+    #[must_use]
+    pub fn new(plan: &'a Plan) -> Self {
+        let most = (plan.count / IN_SLICE).clamp(2, SLICES);
+        let slices: Vec<u64> =
+            plan.inputs.iter().map(|one| one.levels.count().map_or(most, |count| count.min(SLICES))).collect();
+        let sums = slices.iter().map(|count| {
+            let slices = vec![Sums::default(); usize::try_from(*count).unwrap_or_default()];
+            vec![slices; plan.objectives.len()]
+        });
+        Self { plan, sums: sums.collect(), slices, all: vec![Sums::default(); plan.objectives.len()] }
+    }
+
+    /// Takes rows in, in the order of their indices.
+    pub fn take(&mut self, rows: &Table) {
+        let (Some(id), Some(feasible)) = (rows.column("id"), rows.column("feasible")) else { return };
+        let objectives: Vec<_> = self.plan.objectives.iter().map(|one| rows.column(one.measure.key)).collect();
+        for row in (0..rows.rows()).filter(|row| feasible.truth(*row)) {
+            let Some(id) = id.number(row) else { continue };
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "indices are whole")]
+            let id = id as u64;
+            let values: Vec<Option<f64>> =
+                objectives.iter().map(|cells| cells.and_then(|cells| cells.number(row))).collect();
+            for (all, value) in self.all.iter_mut().zip(&values) {
+                value.iter().for_each(|value| all.take(*value));
+            }
+            for (input, (count, of_input)) in self.slices.iter().zip(&mut self.sums).enumerate() {
+                let slot = usize::try_from(slice(self.plan.place(id, input), *count)).unwrap_or_default();
+                for (sums, value) in of_input.iter_mut().zip(&values) {
+                    if let (Some(sums), Some(value)) = (sums.get_mut(slot), value) {
+                        sums.take(*value);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The shares by input, then objective; `None` where there are too few designs, or nothing varies.
+    #[must_use]
+    pub fn end(&self) -> Vec<Vec<Option<f64>>> {
+        let share = |slices: &[Sums], all: &Sums| {
+            let filled = || slices.iter().filter(|one| one.count > 0.0);
+            let between: f64 = filled().map(|one| one.count * (one.mean - all.mean) * (one.mean - all.mean)).sum();
+            let within: f64 = filled().map(|one| one.squares).sum();
+            let groups = filled().fold(0.0, |sum, _| sum + 1.0);
+            let free = all.count - groups;
+            if groups < 2.0 || free < 1.0 || all.squares <= 0.0 {
+                return None;
+            }
+            let noise = within / free;
+            Some(((between - (groups - 1.0) * noise) / (all.squares + noise)).clamp(0.0, 1.0))
+        };
+        self.sums
+            .iter()
+            .map(|of_input| of_input.iter().zip(&self.all).map(|(slices, all)| share(slices, all)).collect())
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_farthest_good_distance_is_found_from_both_sides() {
+        for limit in [0.013, 0.4, 7.0] {
+            let (by, open) = farthest(10.0, false, &|by| by <= limit);
+            assert!(by <= limit && by > 0.98 * limit - 0.01 && !open, "{limit}: {by}");
+        }
+        assert_eq!(farthest(10.0, false, &|_| true), (10.0, true));
+        assert_eq!(farthest(5.0, true, &|by| by <= 3.0), (3.0, false));
+        assert_eq!(farthest(5.0, true, &|_| false), (0.0, false));
+    }
+}

@@ -1,0 +1,505 @@
+//! The results of a sweep as a workbook: the best designs, all of them, why the others are not among them, charts, and what each
+//! input does.
+
+use std::io::{Seek, Write};
+
+use rust_xlsxwriter::{
+    Chart, ChartAxisLabelPosition, ChartFont, ChartFormat, ChartLegendPosition, ChartLine, ChartMarker,
+    ChartMarkerType, ChartSolidFill, ChartType, ColNum, Color, Format, RowNum, Url, Workbook, Worksheet,
+};
+
+use super::cell::{row_height, write_text};
+use super::error::WriteError;
+use super::page::{Page, properties};
+use super::save::{Additions, save};
+use super::style::{Styles, digits, grade_fill};
+use crate::finding::Grade;
+use crate::kind::Kind;
+use crate::parameter::Parameter;
+use crate::sweep::plan::Plan;
+use crate::sweep::ranking::Counts;
+use crate::sweep::sensitivity::Effect;
+use crate::sweep::table::{Cells, FRONT, Table};
+use crate::table::Unit;
+use crate::text::{Language, Text, t};
+
+/// The most rows of the sheet of all designs.
+pub const ALL_MOST: u64 = 20_000;
+/// The row of the headings, from 0; the units stand above it.
+const HEADINGS: RowNum = 4;
+/// The most inputs and objectives that are charted against each other.
+const CHARTED: usize = 8;
+/// The most designs of the chart of parallel coordinates: a chart takes 255 curves.
+const CURVES: usize = 50;
+const SIZE: [u32; 2] = [760, 420];
+/// Rows that a chart takes, with its gap.
+const CHART_ROWS: RowNum = 23;
+
+const DONE: Color = Color::RGB(0x9D_B4CC);
+const BEST: Color = Color::RGB(0xC0_504D);
+
+/// Why designs are not among the good ones.
+#[derive(Clone, Debug)]
+pub struct Why {
+    /// The code of a finding, or a constraint.
+    pub code: String,
+    /// What it says; empty for a constraint.
+    pub what: Text,
+    /// How many designs.
+    pub count: u64,
+}
+
+/// What the workbook shows.
+#[derive(Debug)]
+pub struct SweepBook<'a> {
+    /// The kind.
+    pub kind: &'a dyn Kind,
+    /// The plan.
+    pub plan: &'a Plan,
+    /// The name of the workbook that was swept.
+    pub source: &'a str,
+    /// The rows of the best designs, in their order, each with the file of its workbook where there is one.
+    pub top: &'a Table,
+    /// Those files, as they are found from the folder of this workbook.
+    pub links: &'a [Option<String>],
+    /// The rows of all designs, or the best of them.
+    pub all: &'a Table,
+    /// How many designs of each state there are.
+    pub counts: Counts,
+    /// Designs on the front.
+    pub front: usize,
+    /// Why the others are not good.
+    pub why: &'a [Why],
+    /// What each input does.
+    pub effects: &'a [Effect],
+    /// The language.
+    pub language: Language,
+}
+
+static TOP: Text = t("MEJORES", "TOP");
+static ALL: Text = t("TODOS", "ALL");
+static WHY: Text = t("POR_QUE", "WHY");
+static CHARTS: Text = t("GRAFICOS", "CHARTS");
+static SENSITIVITY: Text = t("SENSIBILIDAD", "SENSITIVITY");
+static CURVES_SHEET: Text = t("CURVAS", "CURVES");
+
+impl SweepBook<'_> {
+    /// Writes the workbook. The same rows give the same bytes.
+    ///
+    /// # Errors
+    /// For what a workbook cannot hold, and for what `out` refuses.
+    pub fn write<W: Write + Seek + Send>(&self, out: W) -> Result<(), WriteError> {
+        static TITLE: Text = t("Barrido", "Sweep");
+        let (mut workbook, styles) = (Workbook::new(), Styles::default());
+        workbook.set_properties(&properties(self.text(&TITLE))?);
+        self.write_top(workbook.add_worksheet(), &styles)?;
+        self.write_all(workbook.add_worksheet(), &styles)?;
+        self.write_why(workbook.add_worksheet(), &styles)?;
+        self.write_effects(workbook.add_worksheet(), &styles)?;
+        if self.all.rows() > 0 && !self.plan.objectives.is_empty() {
+            self.write_charts(&mut workbook, &styles)?;
+        }
+        save(&mut workbook, Additions::default(), out)
+    }
+
+    const fn page(&self) -> Page<'_> {
+        Page { part: "", origin: self.source, repeat: (HEADINGS, HEADINGS), landscape: true, single: false }
+    }
+
+    fn text<'t>(&self, text: &'t Text) -> &'t str {
+        text.get(self.language)
+    }
+
+    /// Title, and two lines below it.
+    fn head(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        name: &Text,
+        title: &Text,
+        more: &str,
+    ) -> Result<(), WriteError> {
+        sheet.set_name(self.text(name))?;
+        write_text(sheet, 0, 0, self.text(title), &styles.title)?;
+        let Counts { done, refused, failed, feasible } = self.counts;
+        let (all, front) = (self.plan.count, self.front);
+        let told = Text::new(
+            format!(
+                "{all} diseños de {}: {done} hechos, {refused} rechazados, {failed} fallidos; {feasible} válidos, {front} en el frente",
+                self.source
+            ),
+            format!(
+                "{all} designs of {}: {done} done, {refused} refused, {failed} failed; {feasible} feasible, {front} on the front",
+                self.source
+            ),
+        );
+        write_text(sheet, 1, 0, self.text(&told), &styles.source)?;
+        write_text(sheet, 2, 0, more, &styles.source)?;
+        Ok(())
+    }
+
+    /// The rows of a table below headings and units, from a column on; columns that are empty in all rows are left out. Gives the
+    /// columns by name.
+    fn rows(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        table: &Table,
+        first: ColNum,
+    ) -> Result<Vec<(String, ColNum)>, WriteError> {
+        let shown = table.columns.iter().filter(|one| one.name == "id" || filled(&one.cells));
+        let mut placed = Vec::new();
+        for (at, column) in (first..).zip(shown) {
+            let (format, wide) = match &column.cells {
+                Cells::Number(_) | Cells::Whole(_) => (&styles.number_header, 12.0),
+                Cells::Text(_) | Cells::Truth(_) => (&styles.text_header, 16.0),
+            };
+            write_text(sheet, HEADINGS - 1, at, column.unit, &styles.number_unit)?;
+            write_text(sheet, HEADINGS, at, &column.name, format)?;
+            sheet.set_column_width(at, wide)?;
+            let number = Format::new().set_num_format(self.digits(&column.name));
+            for (row, cell) in (HEADINGS + 1..).zip(0..table.rows()) {
+                match &column.cells {
+                    Cells::Text(_) => {
+                        if let Some(text) = column.cells.text(cell) {
+                            write_text(sheet, row, at, text, &styles.block)?;
+                        }
+                    }
+                    Cells::Truth(cells) => {
+                        if let Some(Some(truth)) = cells.get(cell) {
+                            sheet.write_boolean(row, at, *truth)?;
+                        }
+                    }
+                    cells => {
+                        if let Some(value) = cells.number(cell) {
+                            sheet.write_number_with_format(row, at, value, &number)?;
+                        }
+                    }
+                }
+            }
+            placed.push((column.name.clone(), at));
+        }
+        Ok(placed)
+    }
+
+    /// How a column's numbers are shown.
+    fn digits(&self, name: &str) -> &'static str {
+        let measure = self.kind.measures().iter().find(|one| one.key == name).map(|one| one.unit);
+        let input = self.plan.inputs.iter().find(|one| name.strip_prefix("in_") == Some(&one.symbol()));
+        match (measure, input.map(|one| one.parameter)) {
+            (Some(unit), _) => digits(unit),
+            // As it was typed.
+            (None, Some(Parameter { unit: Unit::None, .. })) | (None, _) => "General",
+        }
+    }
+
+    fn write_top(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+        static TITLE: Text = t("Los mejores diseños", "The best designs");
+        static LINK: Text = t("libro", "workbook");
+        static TOLD: Text = t(
+            "Primero el frente: los diseños que ningún otro mejora en todos los objetivos. Cada enlace abre un libro ya calculado, que se puede editar y volver a generar.",
+            "First the front: the designs that no other betters in every objective. Each link opens a workbook that is built already, and can be edited and built again.",
+        );
+        self.head(sheet, styles, &TOP, &TITLE, self.text(&TOLD))?;
+        write_text(sheet, HEADINGS, 0, self.text(&LINK), &styles.text_header)?;
+        sheet.set_column_width(0, 30.0)?;
+        for (row, link) in (HEADINGS + 1..).zip(self.links) {
+            if let Some(link) = link {
+                let name = link.rsplit('/').next().unwrap_or(link);
+                sheet.write_url(row, 0, Url::new(format!("file:///{link}")).set_text(name))?;
+            }
+        }
+        self.rows(sheet, styles, self.top, 1)?;
+        sheet.set_freeze_panes(HEADINGS + 1, 2)?;
+        self.page().set_up(sheet, self.language)?;
+        Ok(())
+    }
+
+    fn write_all(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+        static TITLE: Text = t("Todos los diseños", "All designs");
+        let told = if self.all.rows() as u64 == self.plan.count {
+            t("Los filtros de los encabezados eligen filas.", "The filters in the headings choose rows.")
+        } else {
+            let rows = self.all.rows();
+            Text::new(
+                format!("Aquí están los {rows} mejores; todos, en summary.parquet, para DuckDB o pandas."),
+                format!("The best {rows} are here; all of them in summary.parquet, for DuckDB or pandas."),
+            )
+        };
+        self.head(sheet, styles, &ALL, &TITLE, self.text(&told))?;
+        let placed = self.rows(sheet, styles, self.all, 0)?;
+        let last = HEADINGS + RowNum::try_from(self.all.rows()).unwrap_or_default();
+        if let (Some((_, end)), true) = (placed.last(), last > HEADINGS) {
+            sheet.autofilter(HEADINGS, 0, last, *end)?;
+        }
+        sheet.set_freeze_panes(HEADINGS + 1, 1)?;
+        self.page().set_up(sheet, self.language)?;
+        Ok(())
+    }
+
+    fn write_why(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+        static TITLE: Text = t("Por qué los demás no valen", "Why the others are not good");
+        static TOLD: Text = t(
+            "Cada diseño cuenta una vez, por su primer motivo; rodete explain CÓDIGO lo explica.",
+            "Each design counts once, by its first reason; rodete explain CODE explains it.",
+        );
+        static HEADS: [Text; 4] =
+            [t("motivo", "reason"), t("diseños", "designs"), t("parte", "share"), t("qué dice", "what it says")];
+        self.head(sheet, styles, &WHY, &TITLE, self.text(&TOLD))?;
+        for (column, (heading, width)) in (0..).zip(HEADS.iter().zip([26.0, 12.0, 12.0, 90.0])) {
+            let format = if column == 1 || column == 2 { &styles.number_header } else { &styles.text_header };
+            write_text(sheet, HEADINGS, column, self.text(heading), format)?;
+            sheet.set_column_width(column, width)?;
+        }
+        let share = Format::new().set_num_format("0.0 %");
+        for (row, why) in (HEADINGS + 1..).zip(self.why) {
+            write_text(sheet, row, 0, &why.code, &styles.symbol)?;
+            let [count, all] = [why.count, self.plan.count].map(count);
+            sheet.write_number(row, 1, count)?;
+            sheet.write_number_with_format(row, 2, count / all.max(1.0), &share)?;
+            let what = self.text(&why.what);
+            write_text(sheet, row, 3, what, &styles.text)?;
+            sheet.set_row_height(row, row_height(&[(what, 90.0)]))?;
+        }
+        sheet.set_freeze_panes(HEADINGS + 1, 0)?;
+        self.page().set_up(sheet, self.language)?;
+        Ok(())
+    }
+
+    fn write_effects(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+        static TITLE: Text = t("Qué hace cada entrada", "What each input does");
+        static TOLD: Text = t(
+            "Pendientes y márgenes, alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción; ≥: hasta donde se ha mirado. Partes: qué parte de la varianza sigue a esta entrada sola, en los diseños válidos.",
+            "Slopes and room around the workbook's design, other inputs unchanged: how far the input may go down and up before the design is refused or breaks a constraint; ≥: as far as was looked. Shares: the part of the variance that follows this input alone, over the feasible designs.",
+        );
+        self.head(sheet, styles, &SENSITIVITY, &TITLE, self.text(&TOLD))?;
+        let per = t("por unidad", "per unit");
+        let mut headings = vec![
+            (self.text(&t("entrada", "input")).to_owned(), String::new()),
+            (self.text(&t("valor", "value")).to_owned(), String::new()),
+            (self.text(&t("unidad", "unit")).to_owned(), String::new()),
+            (self.text(&t("puede bajar", "may go down")).to_owned(), String::new()),
+            (self.text(&t("puede subir", "may go up")).to_owned(), String::new()),
+        ];
+        for objective in &self.plan.objectives {
+            let measure = objective.measure;
+            headings.push((format!("{} {}", measure.key, self.text(&per)), measure.unit.label().to_owned()));
+        }
+        let share = t("parte de", "share of");
+        headings.extend(
+            self.plan
+                .objectives
+                .iter()
+                .map(|one| (format!("{} {}", self.text(&share), one.measure.key), String::new())),
+        );
+        for (column, (heading, unit)) in (0..).zip(&headings) {
+            write_text(sheet, HEADINGS - 1, column, unit, &styles.number_unit)?;
+            write_text(sheet, HEADINGS, column, heading, &styles.header)?;
+            sheet.set_column_width(column, 18.0)?;
+        }
+        let (room, part) = (Format::new().set_num_format("0.####"), Format::new().set_num_format("0 %"));
+        let open = room.clone().set_num_format("\"≥ \"0.####");
+        for (row, effect) in (HEADINGS + 1..).zip(self.effects) {
+            write_text(sheet, row, 0, &effect.symbol, &styles.symbol)?;
+            if let Some(value) = effect.value {
+                sheet.write_number(row, 1, value)?;
+            }
+            write_text(sheet, row, 2, effect.unit, &styles.unit)?;
+            for ((column, by), ends) in (3..).zip(effect.room.iter().flatten()).zip(effect.open) {
+                sheet.write_number_with_format(row, column, *by, if ends { &open } else { &room })?;
+            }
+            let slopes = (5..).zip(&effect.slopes).map(|cell| (cell, &styles.number));
+            let behind = 5 + ColNum::try_from(effect.slopes.len()).unwrap_or_default();
+            let shares = (behind..).zip(&effect.shares).map(|cell| (cell, &part));
+            for ((column, value), format) in slopes.chain(shares) {
+                if let Some(value) = value {
+                    sheet.write_number_with_format(row, column, *value, format)?;
+                }
+            }
+        }
+        sheet.set_freeze_panes(HEADINGS + 1, 1)?;
+        self.page().set_up(sheet, self.language)?;
+        Ok(())
+    }
+
+    /// The charts, on a sheet before the cells that only they need.
+    fn write_charts(&self, workbook: &mut Workbook, styles: &Styles) -> Result<(), WriteError> {
+        static TITLE: Text = t("Objetivos y entradas", "Objectives and inputs");
+        static COORDINATES: Text = t(
+            "Coordenadas paralelas de los mejores diseños, cada columna de su mínimo (0) a su máximo (1)",
+            "Parallel coordinates of the best designs, each column from its least (0) to its greatest (1)",
+        );
+        let charts = workbook.add_worksheet();
+        self.head(charts, styles, &CHARTS, &TITLE, "")?;
+        let mut row = 4;
+        let objectives: Vec<&str> = self.plan.objectives.iter().map(|one| one.measure.key).take(CHARTED).collect();
+        let inputs: Vec<String> =
+            self.plan.inputs.iter().map(|one| format!("in_{}", one.symbol())).take(CHARTED).collect();
+        let numbers = |name: &str| self.all.column(name).is_some_and(|cells| !matches!(cells, Cells::Text(_)));
+        let mut pairs: Vec<(String, &str)> = Vec::new();
+        for (at, x) in objectives.iter().enumerate() {
+            pairs.extend(objectives[at + 1..].iter().map(|y| ((*x).to_owned(), *y)));
+        }
+        for y in &objectives {
+            pairs.extend(inputs.iter().filter(|x| numbers(x)).map(|x| (x.clone(), *y)));
+        }
+        for (x, y) in pairs {
+            if let Some(chart) = self.scatter(&x, y) {
+                charts.insert_chart(row, 0, &chart)?;
+                row += CHART_ROWS;
+            }
+        }
+        let coordinates = row;
+        charts.set_column_width(0, 16.0)?;
+        self.page().set_up_columns(charts, self.language);
+        let count = self.top.rows().min(CURVES);
+        if count > 0 {
+            let curves = workbook.add_worksheet();
+            let axes = self.write_curves(curves, styles, count)?;
+            let mut chart = Chart::new(ChartType::Line);
+            let name = self.text(&CURVES_SHEET);
+            let last = ColNum::try_from(axes).unwrap_or_default();
+            for at in (0..count).rev() {
+                let line = RowNum::try_from(at).unwrap_or_default() + 1;
+                // The rank by colour: the first is red, the last is pale.
+                let part = u32::try_from(at * 150 / count).unwrap_or_default();
+                let ink = if at == 0 { BEST } else { Color::RGB(((0x30 + part) << 16) | ((0x60 + part) << 8) | 0xB0) };
+                let mut format = ChartFormat::new();
+                format.set_line(ChartLine::new().set_color(ink).set_width(if at == 0 { 2.25 } else { 1.0 }));
+                chart
+                    .add_series()
+                    .set_name((name, line, 0))
+                    .set_categories((name, 0, 1, 0, last))
+                    .set_values((name, line, 1, line, last))
+                    .set_format(&mut format);
+            }
+            chart.title().set_name(self.text(&COORDINATES)).set_font(ChartFont::new().set_size(12));
+            chart.y_axis().set_min(0.0).set_max(1.0);
+            chart.legend().set_hidden();
+            chart.set_width(SIZE[0]).set_height(SIZE[1]);
+            chart.set_alt_text(self.text(&COORDINATES));
+            workbook.worksheet_from_name(self.text(&CHARTS))?.insert_chart(coordinates, 0, &chart)?;
+        }
+        Ok(())
+    }
+
+    /// One measure over another, or over an input: all designs, and those of the front.
+    fn scatter(&self, x: &str, y: &str) -> Option<Chart> {
+        static FEASIBLE: Text = t("Diseños", "Designs");
+        static SHOWN: Text = t("Mejores", "Top");
+        let column = |table: &Table, name: &str, first: ColNum| {
+            let shown: Vec<_> = table.columns.iter().filter(|one| one.name == "id" || filled(&one.cells)).collect();
+            shown.iter().position(|one| one.name == name).and_then(|at| ColNum::try_from(at).ok()).map(|at| at + first)
+        };
+        let series = [(&ALL, self.all, 0, &FEASIBLE, DONE, 4), (&TOP, self.top, 1, &SHOWN, BEST, 7)];
+        let mut chart = Chart::new(ChartType::Scatter);
+        let mut drawn = 0;
+        for (sheet, table, first, name, ink, size) in series {
+            let (Some(across), Some(up)) = (column(table, x, first), column(table, y, first)) else { continue };
+            let last = HEADINGS + RowNum::try_from(table.rows()).ok()?;
+            let mut marker = ChartMarker::new();
+            marker
+                .set_type(ChartMarkerType::Circle)
+                .set_size(size)
+                .set_format(ChartFormat::new().set_solid_fill(ChartSolidFill::new().set_color(ink)).set_no_border());
+            let sheet = self.text(sheet);
+            chart
+                .add_series()
+                .set_name(self.text(name))
+                .set_categories((sheet, HEADINGS + 1, across, last, across))
+                .set_values((sheet, HEADINGS + 1, up, last, up))
+                .set_marker(&marker);
+            drawn += 1;
+        }
+        if drawn == 0 {
+            return None;
+        }
+        let unit = |name: &str| {
+            let unit = self.all.columns.iter().find(|one| one.name == name).map_or("", |one| one.unit);
+            let plain = name.strip_prefix("in_").unwrap_or(name);
+            if unit.is_empty() { plain.to_owned() } else { format!("{plain} [{unit}]") }
+        };
+        let (across, up) = (unit(x), unit(y));
+        let font = ChartFont::new().set_size(9).clone();
+        chart.x_axis().set_name(across.as_str()).set_font(&font).set_label_position(ChartAxisLabelPosition::Low);
+        chart.y_axis().set_name(up.as_str()).set_font(&font).set_label_position(ChartAxisLabelPosition::Low);
+        for (name, is_x) in [(x, true), (y, false)] {
+            if let Some([low, high]) = extent(self.all, name) {
+                let edge = if high > low { 0.05 * (high - low) } else { 1.0 };
+                let axis = if is_x { chart.x_axis() } else { chart.y_axis() };
+                axis.set_min(rounded(low - edge, edge)).set_max(rounded(high + edge, edge));
+            }
+        }
+        let title = format!("{up} / {across}");
+        chart.title().set_name(title.as_str()).set_font(ChartFont::new().set_size(12));
+        chart.legend().set_position(ChartLegendPosition::Bottom);
+        chart.set_width(SIZE[0]).set_height(SIZE[1]);
+        chart.set_alt_text(title.as_str());
+        Some(chart)
+    }
+
+    /// The columns of the parallel coordinates, one row a design, from 0 to 1; gives how many there are.
+    fn write_curves(&self, sheet: &mut Worksheet, styles: &Styles, count: usize) -> Result<usize, WriteError> {
+        sheet.set_name(self.text(&CURVES_SHEET))?;
+        let inputs = self.plan.inputs.iter().map(|one| format!("in_{}", one.symbol()));
+        let names: Vec<String> =
+            inputs.chain(self.plan.objectives.iter().map(|one| one.measure.key.to_owned())).collect();
+        let axes: Vec<(&String, &Cells, [f64; 2])> =
+            names.iter().filter_map(|name| Some((name, self.top.column(name)?, extent(self.top, name)?))).collect();
+        for (column, (name, cells, [low, high])) in (1..).zip(&axes) {
+            write_text(sheet, 0, column, name.strip_prefix("in_").unwrap_or(name), &styles.number_header)?;
+            for (row, at) in (1..).zip(0..count) {
+                if let Some(value) = cells.number(at) {
+                    let part = if high > low { (value - low) / (high - low) } else { 0.5 };
+                    sheet.write_number(row, column, part)?;
+                }
+            }
+        }
+        for (row, at) in (1..).zip(0..count) {
+            if let Some(id) = self.top.column("id").and_then(|cells| cells.number(at)) {
+                sheet.write_number_with_format(row, 0, id, &styles.index)?;
+            }
+        }
+        let fill = Format::new().set_background_color(grade_fill(Grade::Note));
+        sheet.set_row_format(1, &fill)?;
+        Ok(axes.len())
+    }
+}
+
+/// True where a column has a value in any row; the mark of the front is not among what the sheets leave out.
+fn filled(cells: &Cells) -> bool {
+    match cells {
+        Cells::Whole(cells) => cells.iter().any(Option::is_some),
+        Cells::Number(cells) => cells.iter().any(Option::is_some),
+        Cells::Text(cells) => cells.iter().any(|cell| cell.as_deref().is_some_and(|text| !text.is_empty())),
+        Cells::Truth(cells) => cells.iter().any(Option::is_some),
+    }
+}
+
+/// The least and greatest value of a column; `None` where it has none.
+fn extent(table: &Table, name: &str) -> Option<[f64; 2]> {
+    let cells = table.column(name).filter(|_| name != FRONT)?;
+    let values = (0..table.rows()).filter_map(|row| cells.number(row));
+    values.fold(None, |known, value| {
+        let [low, high] = known.unwrap_or([value; 2]);
+        Some([f64::min(low, value), f64::max(high, value)])
+    })
+}
+
+/// A number with few digits, not farther off than a step.
+fn rounded(value: f64, step: f64) -> f64 {
+    let mut unit = 1.0;
+    while unit > step {
+        unit /= 10.0;
+    }
+    while unit * 10.0 <= step {
+        unit *= 10.0;
+    }
+    (value / unit).round() * unit
+}
+
+/// A count as a cell holds it.
+#[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
+const fn count(number: u64) -> f64 {
+    number as f64
+}

@@ -1,0 +1,192 @@
+//! The command: the same rows however a plan is divided, resumed and repeated, and how it ends.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use rodete::kinds::impeller::cases::CASES;
+
+use crate::common::workbook::{with_variants, with_variants_of};
+
+/// 36 designs, some of them refused: judged by the derived limits, or by the programs.
+fn book(level: &str) -> Vec<u8> {
+    let settings = [("method", "factorial"), ("level", level), ("objectives", "gap_true max; e_max min")];
+    let inputs = [["R", "22", "30", "4", "", ""], ["N", "", "", "", "4; 5; 6", ""], ["e", "1", "4", "1", "", ""]];
+    with_variants(&settings, &inputs, &[])
+}
+
+/// A folder with the workbook.
+fn folder(level: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.xlsx"), book(level)).unwrap();
+    folder
+}
+
+fn sweep(folder: &Path, words: &str) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_rodete"))
+        .current_dir(folder)
+        .env("LC_ALL", "C")
+        .args(["sweep", "a.xlsx"])
+        .args(if words.contains("--top") { &[][..] } else { &["--top", "0"][..] })
+        .args(words.split_whitespace())
+        .output()
+        .unwrap()
+}
+
+#[track_caller]
+fn done(folder: &Path, words: &str) -> String {
+    let output = sweep(folder, words);
+    assert_eq!(output.status.code(), Some(0), "{words}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn summary(folder: &Path, name: &str) -> Vec<u8> {
+    fs::read(folder.join(name).join("summary.parquet")).unwrap()
+}
+
+fn chunks(folder: &Path, name: &str) -> Vec<std::path::PathBuf> {
+    let entries = fs::read_dir(folder.join(name).join("chunks")).unwrap();
+    let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|ending| ending == "parquet"));
+    paths.sort();
+    paths
+}
+
+#[test]
+fn the_summary_is_the_same_however_the_plan_is_divided_and_worked() {
+    let folder = folder("limits");
+    let at = folder.path();
+    let told = done(at, "-o one --chunks 1 --jobs 1");
+    assert!(told.starts_with("36 designs: "), "{told}");
+    let one = summary(at, "one");
+    assert!(one.len() > 1000);
+    done(at, "-o many --chunks 12 --jobs 3");
+    assert!(summary(at, "many") == one, "12 chunks");
+    // Each by itself, in another order, and one of them twice.
+    for number in [7, 3, 11, 0, 5, 9, 1, 10, 2, 8, 6, 4, 7] {
+        done(at, &format!("-o shuffled --chunk {number}/12"));
+    }
+    done(at, "-o shuffled --merge");
+    assert!(summary(at, "shuffled") == one, "shuffled");
+    // Interrupted: chunks are missing, one is torn.
+    done(at, "-o resumed --chunks 12");
+    let there = chunks(at, "resumed");
+    assert_eq!(there.len(), 12);
+    let whole = fs::read(&there[4]).unwrap();
+    fs::remove_file(&there[2]).unwrap();
+    fs::write(&there[4], &whole[..whole.len() / 2]).unwrap();
+    fs::remove_file(at.join("resumed/summary.parquet")).unwrap();
+    let again = sweep(at, "-o resumed");
+    let told = String::from_utf8(again.stderr).unwrap();
+    assert!(again.status.code() == Some(0) && told.contains("caution D0205: "), "{told}");
+    assert!(summary(at, "resumed") == one, "resumed");
+    assert_eq!(fs::read(&there[4]).unwrap(), whole);
+}
+
+#[test]
+fn what_is_missing_is_listed_and_has_an_exit_code_of_its_own() {
+    let folder = folder("limits");
+    let at = folder.path();
+    for number in [0, 2, 3, 7, 11] {
+        done(at, &format!("-o s --chunk {number}/12"));
+    }
+    let merge = sweep(at, "-o s --merge");
+    let told = String::from_utf8(merge.stderr).unwrap();
+    assert_eq!(merge.status.code(), Some(9), "{told}");
+    assert!(told.contains("7 of 12 chunks are missing: 1,4-6,8-10"), "{told}");
+    assert!(!at.join("s/summary.parquet").exists());
+}
+
+#[test]
+fn a_folder_of_another_plan_is_refused_until_it_is_begun_anew() {
+    let folder = folder("limits");
+    let at = folder.path();
+    done(at, "-o s");
+    let other = sweep(at, "-o s --limit 20");
+    assert_eq!(other.status.code(), Some(3));
+    assert!(String::from_utf8(other.stderr).unwrap().contains("error D0201: "));
+    assert!(done(at, "-o s --limit 20 --fresh").starts_with("20 designs: "));
+    assert_eq!(chunks(at, "s").len(), 1, "nothing of the other plan is left");
+}
+
+#[test]
+fn rows_are_written_for_refused_designs_and_name_no_folder() {
+    let folder = folder("program");
+    let at = folder.path();
+    let told = done(at, "-o s --csv --jobs 2");
+    assert!(told.contains(" refused, 0 failed"), "{told}");
+    let csv = fs::read_to_string(at.join("s/summary.csv")).unwrap();
+    let mut lines = csv.lines();
+    let head: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let column = |name: &str| head.iter().position(|one| *one == name).unwrap_or_else(|| panic!("no {name}"));
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 36);
+    let refused: Vec<_> = rows.iter().filter(|row| row[column("state")] == "refused").collect();
+    let done: Vec<_> = rows.iter().filter(|row| row[column("state")] == "done").collect();
+    assert!(!refused.is_empty() && !done.is_empty());
+    for row in &refused {
+        assert!(row[column("stop")].parse::<u32>().unwrap() > 0);
+        assert!(row[column("codes")].contains(row[column("reason")]), "{row:?}");
+        assert_eq!(row[column("time_s")], "", "what is refused has no time");
+    }
+    assert!(refused.iter().any(|row| row[column("margin")].parse::<f64>().is_ok_and(|margin| margin < 0.0)));
+    for row in &done {
+        assert!(row[column("time_s")].parse::<f64>().unwrap() > 0.0, "{row:?}");
+        assert_eq!((row[column("reason")], row[column("margin")]), ("", ""));
+    }
+    assert_eq!(rows.iter().map(|row| row[0].parse().unwrap()).collect::<Vec<u32>>(), (0..36).collect::<Vec<_>>());
+    assert!(!csv.contains(&at.to_string_lossy().into_owned()) && !csv.contains("a.xlsx"));
+    assert!(at.join("s/a-sweep.xlsx").is_file());
+}
+
+#[test]
+fn designs_that_are_cut_clear_are_compared_by_what_their_judges_measure() {
+    let case = CASES.iter().find(|case| case.name == "clear").unwrap();
+    let settings = [("method", "factorial"), ("objectives", "under_floor_mm min; clearance_mm max")];
+    let inputs = [["R", "", "", "", "25; 26", ""], ["a_p", "", "", "", "1.5; 2", ""]];
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    fs::write(at.join("a.xlsx"), with_variants_of(case, &settings, &inputs, &[])).unwrap();
+    let told = done(at, "-o s --csv --jobs 2");
+    assert!(told.starts_with("4 designs: 4 done, 0 refused, 0 failed; 4 feasible, "), "{told}");
+    let csv = fs::read_to_string(at.join("s/summary.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    for row in &rows[1..] {
+        let cell = |name: &str| row[rows[0].iter().position(|one| *one == name).unwrap()];
+        for measured in ["under_floor_mm", "clearance_mm", "time_s"] {
+            assert!(cell(measured).parse::<f64>().is_ok_and(f64::is_finite), "{measured}: {row:?}");
+        }
+        assert_eq!(cell("deviation_mm"), "", "{row:?}");
+    }
+}
+
+#[test]
+fn the_best_designs_are_workbooks_that_are_built() {
+    let folder = folder("program");
+    let at = folder.path();
+    done(at, "-o s --top 2");
+    let names: Vec<String> = fs::read_dir(at.join("s/top"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    assert_eq!(names.iter().filter(|name| name.ends_with("-results.xlsx")).count(), 2, "{names:?}");
+    assert!(names.iter().any(|name| name.ends_with("-blade.nc")), "{names:?}");
+}
+
+#[test]
+fn a_plan_whose_every_design_is_refused_ends_with_3_and_keeps_its_rows() {
+    let folder = tempfile::tempdir().unwrap();
+    let settings = [("method", "factorial"), ("level", "limits")];
+    fs::write(folder.path().join("a.xlsx"), with_variants(&settings, &[["e", "50", "60", "5", "", ""]], &[])).unwrap();
+    let output = sweep(folder.path(), "-o s");
+    assert_eq!(output.status.code(), Some(3));
+    assert!(folder.path().join("s/summary.parquet").is_file() && folder.path().join("s/a-sweep.xlsx").is_file());
+}
+
+#[test]
+fn a_forecast_writes_nothing() {
+    let folder = folder("limits");
+    let told = done(folder.path(), "--dry-run");
+    assert!(told.starts_with("36 designs, 3 inputs:\n  R (3)\n  N (3)\n  e (4)\n"), "{told}");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
