@@ -109,6 +109,17 @@ fn a_program_too_large_for_the_control_is_shortened_by_the_cells_of_its_method()
     assert!(!told.is_empty() && told.iter().all(|one| one.contains("smaller n") && !one.contains("tol")), "{told:?}");
 }
 
+#[test]
+fn a_feed_at_the_end_of_its_format_is_mended_by_the_cells_of_its_method() {
+    let fast = [("F", Value::Real(50_000.0)), ("F_f", Value::Real(50_000.0)), ("F_max", Value::Real(200_000.0))];
+    let told = |made: &Outcome| {
+        made.findings.iter().find(|one| one.code() == "P1027").map(|one| one.remedy.en.to_string()).unwrap()
+    };
+    assert!(told(&outcome(&fast)).ends_with("a larger tol"));
+    let published = [&fast[..], &[("n", Value::Whole(100))]].concat();
+    assert!(told(&common::outcome("full", &published)).ends_with("a smaller n"));
+}
+
 /// Where a reader looks for the tools: behind the first tool.
 #[test]
 fn the_method_of_cutting_is_filled_in_next_to_the_tool() {
