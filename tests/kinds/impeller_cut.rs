@@ -585,8 +585,10 @@ fn blocks_stay_within_the_tolerance_when_looked_at_densely() {
     let lane = OwnNormal::new(job.part.circle.torus, tool, SHIPPED.r + SHIPPED.a_p).unwrap();
     let contacts = Contacts::new(&job.part, SHIPPED.N, lane, 0.0);
     let way = FlankWay::new(&job.part, Face::Reverse, tool, [0.0, SHIPPED.a_p], 5.0);
-    let tolerance =
-        |delta| Tolerance { machine: job.machine, epsilon: 0.01, delta, height: SHIPPED.a_p + 0.3, a: tool.a() };
+    let tolerance = |delta| {
+        let torus = job.part.circle.torus;
+        Tolerance { machine: job.machine, epsilon: 0.01, delta, height: SHIPPED.a_p + 0.3, tool, torus }
+    };
     let obverse = |q: f64| lane.stand(job.machine, q, contacts.psi(0.0, q));
     let middle = |q: f64| lane.stand(job.machine, q, contacts.psi(0.5, q));
     let flank = |v: f64| way.stand(job.machine, v, 0.0);
@@ -706,15 +708,16 @@ fn widest(design: &Design, a: f64, run_out: f64) -> f64 {
     let width = |q: f64| {
         let (out, v) = ((-q).max(0.0) * run_out, PI + q.max(0.0) * FRAC_PI_2);
         let reach = (a - out).max(0.0);
-        // The end of a tool too wide for the tube stands above the blank.
-        let low = (r - ((r + a_p) * (r + a_p) - reach * reach).max(0.0).sqrt()).min(0.3);
+        let low = r - ((r + a_p) * (r + a_p) - reach * reach).max(0.0).sqrt();
+        // Metal within a of the axis, r from the middle of the tube at least, is no higher.
+        let high = (r - (r * r - a * a).max(0.0).sqrt()).max(0.3).max(low);
         let apart = |psi: f64, wall: &[Point]| {
             let along = [-cos(v) * cos(psi), -cos(v) * sin(psi), -sin(v)];
             let rho = R + r * cos(v);
             let foot = [rho * cos(psi), rho * sin(psi), r * sin(v) + out];
             let far = |x: &Point| {
                 let from = add(*x, foot, -1.0);
-                let up = dot(from, along).clamp(low, 0.3);
+                let up = dot(from, along).clamp(low, high);
                 norm(add(from, along, -up))
             };
             wall.iter().map(far).fold(f64::INFINITY, f64::min)
@@ -749,11 +752,11 @@ fn the_largest_tool_number_and_thickness_are_those_of_a_dense_search() {
         let r = R * drawn(0.4, 0.7);
         let design = Design { R, r, N, e: drawn(0.8, 3.0), a_p: (R - r) * drawn(0.1, 0.25) };
         let d = drawn(2.0, 5.0);
-        let found = gap(&design.job().part, N, d).width;
+        let limits = Limits::of(&design.job().part, N, d);
+        let found = limits.gap.width;
         // Points of a face are somewhat farther than the face.
         let dense = widest(&design, found / 2.0, d / 2.0);
         assert!((-0.03..=0.005).contains(&(found - dense)), "{design:?} {found} {dense}");
-        let limits = Limits::of(&design.job().part, N, d);
         let spare = |N: u32, e: f64| widest(&Design { N, e, ..design }, d / 2.0, d / 2.0) - 4.0 / 3.0 * d;
         if let Some(most) = limits.N_max.filter(|most| *most > 1) {
             assert!(spare(most, design.e) >= -0.005 && spare(most + 1, design.e) <= 0.03, "{design:?} {limits:?}");
@@ -762,10 +765,9 @@ fn the_largest_tool_number_and_thickness_are_those_of_a_dense_search() {
             let spare = [0.0, 0.04].map(|more| spare(N, most + more));
             assert!(spare[0] >= -0.005 && spare[1] <= 0.03, "{design:?} {limits:?} {spare:?}");
         }
-        // A clear cut is stopped only by a tool wider than the gap, with what it leaves on both walls; the lanes look farther
-        // above the blank than the gap does, which takes some thousandths of a wide tool.
+        // A clear cut is stopped only by a tool wider than the gap down to the floor, with what it leaves on both walls.
         let cut = |rough: f64| Cut { scallop: 0.5, tolerance: 0.05, ..Cut::usual(rough, 1.0) };
-        let least = found - 2.0 * cut(1.0).s;
+        let least = gap(&design.job().part, N, d).width - 2.0 * cut(1.0).s;
         if least > 1.2 && least < 1.9 * r {
             let fits = Plan::new(&design.job(), &cut(least * 0.995 - 0.05)).map(|_| ());
             assert!(fits.is_ok(), "{design:?} {least} {fits:?}");

@@ -1,7 +1,8 @@
 //! Designs by chance: the true gap and the limits that follow from it against a dense search, and the clear cut of each
 //! against the simulator of [`impeller_cut`](super::impeller_cut). Nothing of the search uses the geometry of the gap.
 //!
-//! `RODETE_DESIGNS=1000` takes so many designs; `RODETE_DESIGNS_GRID=4` takes the grids that many times as fine.
+//! `RODETE_DESIGNS=1000` takes so many designs, `RODETE_DESIGNS_FROM=200` others than the first; `RODETE_DESIGNS_GRID=4` takes
+//! the grids that many times as fine.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -27,16 +28,10 @@ const DESIGNS: u32 = 200;
 /// By how much the dense search may differ from the gap, mm: its rulings are some tenths of a millimetre apart, and its
 /// stations are not all places.
 const COARSE: f64 = 0.04;
-/// By how much smaller than the search finds the largest tool that is offered may be, mm.
-const SMALLER: f64 = 0.25;
 /// What a gap or a refusal begins with that is stricter than the search finds.
 const STRICT: &str = "too strict: ";
-/// By which part of its thickness the greatest thickness may be too small.
-const THICK: f64 = 0.06;
 /// What the judges admit beside the tolerance, mm.
 const OVER: f64 = 0.001;
-/// How far above the tops the axis is looked at, mm: as the gap is defined.
-const ABOVE: f64 = 0.3;
 
 fn from_environment(name: &str, usual: u32) -> u32 {
     std::env::var(name).map_or(usual, |text| text.parse().unwrap_or_else(|_| panic!("{name}={text}")))
@@ -86,47 +81,88 @@ fn apart([p, d]: [Point; 2], from: [f64; 2], [q, e]: [Point; 2], to: [f64; 2]) -
     [at_s(free), at_s(from[0]), at_s(from[1]), at_t(to[0]), at_t(to[1])].into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// The rulings of both faces of blade 0, straight on beyond its ends and not cut off there.
+/// A ruling: its foot, its direction into the depth, and the depths at which it begins and ends.
+struct Ruling {
+    line: [Point; 2],
+    depths: [f64; 2],
+}
+
+/// Where rulings end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Edge {
+    /// At the floor, and as deep as at the blank's edge beyond that.
+    Floor,
+    /// All at the depth that the gap is defined with.
+    Even,
+}
+
+/// The rulings of both faces of blade 0, straight on beyond its ends and not cut off there, from the turned surface on.
 struct Rulings {
     design: Design,
-    /// Obverse and reverse: foot and direction into the depth.
-    faces: [Vec<[Point; 2]>; 2],
-    deep: f64,
+    /// Obverse and reverse.
+    faces: [Vec<Ruling>; 2],
 }
 
 impl Rulings {
-    fn new(design: &Design, a: f64, grid: u32) -> Self {
-        let (sin_a, cos_a) = (design.r / design.R, (1.0 - (design.r / design.R).powi(2)).sqrt());
-        let beyond = ((design.e / 2.0 + a) * cos_a / sin_a + a / sin_a + 0.5) / design.R;
+    fn new(design: &Design, edge: Edge, a: f64, grid: u32) -> Self {
+        let Design { R, r, e, a_p, .. } = *design;
+        let (sin_a, cos_a) = (r / R, (1.0 - (r / R).powi(2)).sqrt());
+        let beyond = ((e / 2.0 + a) * cos_a / sin_a + a / sin_a + 0.5) / R;
         let count = 260 * grid;
+        let depth = |x: Point| ((x[0].hypot(x[1]) - R).powi(2) + x[2] * x[2]).sqrt() - r;
         let face = |side: f64| {
-            (0..=count)
-                .map(|k| PI - beyond + (FRAC_PI_2 + 2.0 * beyond) * f64::from(k) / f64::from(count))
-                .map(|v| {
-                    let [P, _, b, N] = design.frame(v);
-                    [add(P, b, side * design.e / 2.0), N.map(|x| -x)]
-                })
-                .collect()
+            let ruling = |v: f64| {
+                let [P, _, b, N] = design.frame(v);
+                let line = [add(P, b, side * e / 2.0), N.map(|x| -x)];
+                let cos_v = cos(v.clamp(PI, 1.5 * PI));
+                let across = cos_a * cos_a / r + sin_a * sin_a * cos_v / (R + r * cos_v);
+                let top = -e * e / 8.0 * across;
+                if edge == Edge::Even {
+                    return Ruling { line, depths: [top, a_p + e * e / 8.0 / (R - r - a_p)] };
+                }
+                // Where it first comes to the floor.
+                let at = |h: f64| depth(add(line[0], line[1], h));
+                let mut low = top;
+                while at(low + 0.05) < a_p && low < 2.0 * R {
+                    low += 0.05;
+                }
+                let mut high = low + 0.05;
+                for _ in 0..20 {
+                    let middle = f64::midpoint(low, high);
+                    if at(middle) < a_p { low = middle } else { high = middle }
+                }
+                Ruling { line, depths: [top, low] }
+            };
+            let mut rulings: Vec<Ruling> = (0..=count)
+                .map(|k| ruling(PI - beyond + (FRAC_PI_2 + 2.0 * beyond) * f64::from(k) / f64::from(count)))
+                .collect();
+            if edge == Edge::Even {
+                return rulings;
+            }
+            let inside = |one: &Ruling| {
+                let x = add(one.line[0], one.line[1], one.depths[0]);
+                x[2] <= 0.0 && x[0].hypot(x[1]) <= R
+            };
+            let ends = [rulings.iter().position(inside), rulings.iter().rposition(inside)].map(Option::unwrap);
+            let deep = ends.map(|end| rulings[end].depths[1]);
+            rulings[..ends[0]].iter_mut().for_each(|one| one.depths[1] = deep[0]);
+            rulings[ends[1]..].iter_mut().for_each(|one| one.depths[1] = deep[1]);
+            rulings
         };
-        let deep = design.a_p + design.e * design.e / 8.0 / (design.R - design.r - design.a_p);
-        Self { design: *design, faces: [face(1.0), face(-1.0)], deep }
+        Self { design: *design, faces: [face(1.0), face(-1.0)] }
     }
 
     /// The least distance of an axis from the obverse, and from the reverse of the next blade.
     fn from(&self, axis: [Point; 2], range: [f64; 2]) -> [f64; 2] {
         let pitch = self.design.pitch();
         let next = axis.map(|x| turned(x, pitch));
-        // Stretches are no nearer than their middles less half of both lengths.
-        let lengths = (range[1] - range[0] + self.deep) / 2.0;
-        let least = |axis: [Point; 2], face: &[[Point; 2]]| {
+        let least = |axis: [Point; 2], face: &[Ruling]| {
             let middle = add(axis[0], axis[1], f64::midpoint(range[0], range[1]));
-            face.iter().fold(f64::INFINITY, |least: f64, ruling| {
-                let between = norm(add(add(ruling[0], ruling[1], self.deep / 2.0), middle, -1.0));
-                if between - lengths >= least {
-                    least
-                } else {
-                    least.min(apart(axis, range, *ruling, [0.0, self.deep]))
-                }
+            face.iter().fold(f64::INFINITY, |least: f64, Ruling { line, depths: [top, bottom] }| {
+                // Stretches are no nearer than their middles less half of both lengths.
+                let lengths = (range[1] - range[0] + bottom - top) / 2.0;
+                let between = norm(add(add(line[0], line[1], f64::midpoint(*top, *bottom)), middle, -1.0));
+                if between - lengths >= least { least } else { least.min(apart(axis, range, *line, [*top, *bottom])) }
             })
         };
         [least(axis, &self.faces[0]), least(next, &self.faces[1])]
@@ -146,7 +182,8 @@ fn width(rulings: &Rulings, q: f64, a: f64) -> f64 {
     let least = |psi: f64| {
         let foot = [rho * cos(psi), rho * sin(psi), r * sin(v) + out];
         let along = [-cos(v) * cos(psi), -cos(v) * sin(psi), -sin(v)];
-        let [obverse, reverse] = rulings.from([foot, along], [(-depth).min(ABOVE), ABOVE]);
+        let [obverse, reverse] =
+            rulings.from([foot, along], [-depth, (r - (r * r - a * a).max(0.0).sqrt()).max(0.3).max(-depth)]);
         obverse.min(reverse)
     };
     // Between the two blades: inside one of them the distance from its face says nothing.
@@ -169,30 +206,38 @@ fn width(rulings: &Rulings, q: f64, a: f64) -> f64 {
     2.0 * least(f64::midpoint(low, high)).max(tried[best as usize])
 }
 
+/// Stations at which the gap is asked for: a search elsewhere alone would pass a sharp least place by.
+const STATIONS: [f64; 11] = [0.025, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.75, 0.9];
+
 /// The least width over stations for a tool of the diameter d, run out in radii of the diameter d_t.
-fn dense(design: &Design, d: f64, d_t: f64, grid: u32) -> f64 {
-    let (a, rulings) = (d / 2.0, Rulings::new(design, d.max(d_t) / 2.0, grid));
+fn dense(design: &Design, edge: Edge, d: f64, d_t: f64, grid: u32) -> f64 {
+    let (a, rulings) = (d / 2.0, Rulings::new(design, edge, d.max(d_t) / 2.0, grid));
     let run_outs = [-0.2 * d_t, -0.1 * d_t];
     let count = 14 * grid;
-    let inside = (0..=count).map(|k| (f64::from(k) / f64::from(count)).powi(2));
+    let inside = (0..=count).map(|k| (f64::from(k) / f64::from(count)).powi(2)).chain(STATIONS);
     run_outs.into_iter().chain(inside).map(|q| width(&rulings, q, a)).fold(f64::INFINITY, f64::min)
 }
 
 /// The largest tool that passes: its own width at its own depth.
 fn largest(design: &Design, d_t: f64, grid: u32) -> f64 {
-    let mut d = d_t;
-    for _ in 0..4 {
-        let next = dense(design, d.clamp(0.05, 1.9 * (design.r + design.a_p)), d_t, grid);
+    let (mut d, mut low, mut high) = (d_t, 0.0_f64, 1.9 * (design.r + design.a_p));
+    for _ in 0..6 {
+        let next = dense(design, Edge::Even, d, d_t, grid);
         if (next - d).abs() < 0.003 {
             return next;
         }
-        d = next;
+        if next > d {
+            low = low.max(d)
+        } else {
+            high = high.min(d)
+        }
+        d = if next > low && next < high { next } else { f64::midpoint(low, high) };
     }
     d
 }
 
 /// A design by chance, and how it is to be cut: its tools by what the dense search finds room for.
-fn drawn(number: u32) -> (Design, Cut) {
+pub fn drawn(number: u32) -> (Design, Cut) {
     let mut chance = Chance(u64::from(number) * 7_919 + 42);
     loop {
         let R = chance.between(18.0, 80.0);
@@ -234,16 +279,15 @@ fn refusal(design: &Design, cut: &Cut, refused: &DoesNotFit, grid: u32) -> Vec<S
     // The depth of roughing stays s above the floor.
     let depth = if refused.tool == Which::Rough { design.a_p - cut.s } else { design.a_p };
     let shallow = Design { a_p: depth, ..*design };
-    let room = |d: f64| dense(&shallow, d, d, grid) - 2.0 * s - d;
+    let room = |d: f64| dense(&shallow, Edge::Floor, d, d, grid) - 2.0 * s - d;
     if tool.d < 1.8 * (design.r + depth) && room(tool.d) > COARSE {
         wrong.push(format!("{STRICT}{refused:?} but {} is free", room(tool.d)));
     }
     if let Some(largest) = refused.largest {
         let (at, beyond) = (room(largest), room(largest + 0.06));
-        // The tool runs out farther than the gap is looked at: the largest may be somewhat smaller.
         if at < -COARSE {
             wrong.push(format!("{refused:?}: room {at}"));
-        } else if beyond > SMALLER {
+        } else if beyond > COARSE {
             wrong.push(format!("{STRICT}{refused:?}: room {at} and at 0.06 more {beyond}"));
         }
     }
@@ -278,7 +322,7 @@ fn plan(design: &Design, cut: &Cut, plan: &Plan, grid: u32) -> Vec<String> {
     for which in [Which::Rough, Which::Finish] {
         let (s, d) = (cut.allowance(which), cut.tool(which).d);
         let depth = if which == Which::Rough { design.a_p - cut.s } else { design.a_p };
-        let room = dense(&Design { a_p: depth, ..*design }, d, d, grid) - 2.0 * s - d;
+        let room = dense(&Design { a_p: depth, ..*design }, Edge::Floor, d, d, grid) - 2.0 * s - d;
         if room < -COARSE {
             wrong.push(format!("{which:?} is wider than the gap by {room}"));
         }
@@ -306,11 +350,15 @@ fn plan(design: &Design, cut: &Cut, plan: &Plan, grid: u32) -> Vec<String> {
 /// What is wrong with the gap and with the limits of the form.
 fn limits(design: &Design, d_t: f64, grid: u32) -> Vec<String> {
     let mut wrong = Vec::new();
-    let (found, room) = (gap(&design.job().part, design.N, d_t).width, largest(design, d_t, grid));
-    if found > room + COARSE {
-        wrong.push(format!("gap {found}, found {room}"));
-    } else if found < room - COARSE {
-        wrong.push(format!("{STRICT}gap {found}, found {room}"));
+    let part = design.job().part.ending_at(design.a_p + design.e * design.e / 8.0 / (design.R - design.r - design.a_p));
+    // The tool that just passes is wider than the gap by as little as it is narrower.
+    let found = gap(&part, design.N, d_t).width;
+    let room = |d: f64| dense(design, Edge::Even, d, d_t, grid) - d;
+    let [at, beyond] = [found - COARSE, found + COARSE].map(room);
+    if at < 0.0 {
+        wrong.push(format!("gap {found}: room {at}"));
+    } else if beyond > 0.0 {
+        wrong.push(format!("{STRICT}gap {found}: room {beyond}"));
     }
     let real = Value::Real;
     let asked = Asked::new(&common::fields(
@@ -327,7 +375,7 @@ fn limits(design: &Design, d_t: f64, grid: u32) -> Vec<String> {
     ));
     let Ok(asked) = asked else { return wrong };
     let told = Limits::new(&asked);
-    let room = |design: Design| dense(&design, d_t, d_t, grid) - told.least;
+    let room = |design: Design| dense(&design, Edge::Even, d_t, d_t, grid) - told.least;
     if let Some(N) = told.N_max.filter(|&N| N >= 2) {
         let (at, beyond) = (room(Design { N, ..*design }), room(Design { N: N + 1, ..*design }));
         if at < -COARSE || beyond > COARSE {
@@ -336,8 +384,7 @@ fn limits(design: &Design, d_t: f64, grid: u32) -> Vec<String> {
     }
     if let Some(e) = told.e_max {
         let at = room(Design { e, ..*design });
-        // Of thick blades it is too small, never too large.
-        if at < -COARSE || at > COARSE + THICK * e {
+        if at.abs() > COARSE {
             wrong.push(format!("e_max {e}: {at}"));
         }
     }
@@ -347,7 +394,8 @@ fn limits(design: &Design, d_t: f64, grid: u32) -> Vec<String> {
 #[test]
 fn designs_by_chance_are_cut_as_told_and_have_the_gaps_that_a_dense_search_finds() {
     let (count, grid) = (from_environment("RODETE_DESIGNS", DESIGNS), from_environment("RODETE_DESIGNS_GRID", 1));
-    let judged: Vec<(Option<String>, Vec<String>)> = (0..count)
+    let first = from_environment("RODETE_DESIGNS_FROM", 0);
+    let judged: Vec<(Option<String>, Vec<String>)> = (first..first + count)
         .into_par_iter()
         .map(|number| {
             let (design, cut) = drawn(number);
@@ -371,22 +419,16 @@ fn designs_by_chance_are_cut_as_told_and_have_the_gaps_that_a_dense_search_finds
             (why, wrong.into_iter().map(told).collect())
         })
         .collect();
-    // Too strict may be a few in a hundred, too kind none.
     let (strict, wrong): (Vec<&String>, Vec<&String>) =
         judged.iter().flat_map(|one| &one.1).partition(|one| one.contains(STRICT));
-    let more = strict.iter().map(|one| format!("{one}\n")).collect::<String>();
-    assert!(20 * strict.len() <= judged.len(), "{} of {count}:\n{more}", strict.len());
+    println!("{} too kind, {} too strict, of {count}", wrong.len(), strict.len());
     let mut refused: BTreeMap<&str, usize> = BTreeMap::new();
     for why in judged.iter().filter_map(|one| one.0.as_deref()) {
         *refused.entry(why).or_default() += 1;
     }
     println!("{count} designs, refused: {refused:?}");
-    assert!(
-        wrong.is_empty(),
-        "{} of {count}:\n{}",
-        wrong.len(),
-        wrong.iter().map(|one| format!("{one}\n")).collect::<String>()
-    );
+    let all: String = wrong.iter().chain(&strict).map(|one| format!("{one}\n")).collect();
+    assert!(all.is_empty(), "{} too kind, {} too strict of {count}:\n{all}", wrong.len(), strict.len());
     let count = judged.len();
     let kept = count - refused.values().sum::<usize>();
     assert!(10 * kept >= 6 * count, "{kept} of {count}: {refused:?}");

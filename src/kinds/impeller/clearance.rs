@@ -435,6 +435,10 @@ impl Search<'_> {
         {
             low = limit;
         }
+        // Both limits are straight between the corners: where they have crossed at all of them, they have in between.
+        if low.h.iter().flatten().zip(high.h.iter().flatten()).all(|(low, high)| low > high) {
+            return None;
+        }
         let limits = |time: usize, v: usize| [low.h[time][v], high.h[time][v]];
         let d: [[f64; 2]; 2] = [0, 1].map(|time: usize| {
             [0, 1].map(|v: usize| {

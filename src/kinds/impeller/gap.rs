@@ -7,7 +7,7 @@
 //!
 //! > gap = 2·min over the stations of max over ψ of min(D_o, D_r),
 //!
-//! with D the least distance of the axis, from the tip to 0.3 mm above the blank, from the obverse of one blade and from
+//! with D the least distance of the axis, from the tip to as high as metal stands beside it, from the obverse of one blade and from
 //! the reverse of the next. The tip stands as deep as the floor lets the tool whose radius is half the gap:
 //! t* = √(r_f² − a²) − r with r_f = r + a_p. A station is a part of the way from the hub to the rim, or, where it is
 //! negative, a run-out of the tool out of the hub plane in radii of the design's tool; while its end still reaches into the
@@ -30,20 +30,34 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::Vector3;
 
+use crate::geometry::torus::Torus;
 use crate::kinds::impeller::blade_count::{N_max, e_max, least_gap};
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::nearest::{Axis, Wall};
 use crate::kinds::impeller::part::{Face, HUB, Part};
 use crate::number::trig::sin_cos;
 
+/// How far out of the hub plane the gap is looked at, in radii of the tool.
+pub const RUN_OUT: f64 = 0.4;
 /// Where the gap is looked at, from the hub (0) to the rim (1); negative: run out of the hub plane, in radii of the tool.
-const STATIONS: [f64; 15] = [-0.4, -0.2, 0.0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1.0];
+const STATIONS: [f64; 15] = [-RUN_OUT, -0.2, 0.0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1.0];
 
-/// How far above the blank the axis is looked at, mm.
+/// Most rounds in which depth and height of the axis follow the tool. Each takes the difference to about a tenth, or, of a
+/// tool nearly as wide as the tube, to a half.
+const ROUNDS: usize = 30;
+
+/// How high above its tops the metal beside an axis is looked at in any case, mm.
 const ABOVE: f64 = 0.3;
 
-/// Most rounds in which the depth of the tip follows the tool. Each takes the difference to about a tenth.
-const ROUNDS: usize = 8;
+/// How high above the tops at its foot metal stands within a distance from an axis that passes the middle of a tube of the
+/// radius r: what is metal is r from there at least.
+#[must_use]
+pub fn over_tops(r: f64, reach: f64) -> f64 {
+    (r - (r * r - reach * reach).max(0.0).sqrt()).max(ABOVE)
+}
+
+/// A distance is that of the nearest valley to this, mm.
+const SAME: f64 = 1e-6;
 
 /// The gap, and where it is the least.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,17 +94,19 @@ impl Limits {
     #[must_use]
     pub fn of(part: &Part, count: u32, d_t: f64) -> Self {
         let (torus, e, a_p) = (part.circle.torus, part.e, part.a_p);
+        let part = &evenly_deep(torus, e, a_p);
         let least = least_gap(d_t);
         let mut near = STATIONS.to_vec();
         let beside = Channel::new(part, count, d_t).least(&mut near);
         // Thickness changes the widths of all stations alike.
         let spare = |e: f64| {
-            let part = Part::with(torus, e, a_p);
+            let part = evenly_deep(torus, e, a_p);
             Channel::new(&part, count, d_t).least(&mut near.clone()).width - least
         };
         let fits = |N: u32| {
             let channel = Channel::new(part, N, d_t);
-            STATIONS.iter().skip(2).chain(STATIONS.iter().take(2)).all(|&q| channel.width(q) >= least)
+            let wall = channel.wall();
+            STATIONS.iter().skip(2).chain(STATIONS.iter().take(2)).all(|&q| channel.width(&wall, q) >= least)
         };
         // The gap is narrower than the arc on the parallel, so that the published limits are upper bounds.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held within the form's limits")]
@@ -103,6 +119,12 @@ impl Limits {
             e_max: thickest(e_max(torus, a_p, count, d_t), spare),
         }
     }
+}
+
+/// The part of the limits: all of its rulings end where those between the ends of the blade do at most, at the depth
+/// a_p + (e/2)²/(2(R − r − a_p)). On the straight ends of a thick blade they go deeper.
+fn evenly_deep(torus: Torus, e: f64, a_p: f64) -> Part {
+    Part::with(torus, e, a_p).ending_at(a_p + e * e / 8.0 / (torus.R - torus.r - a_p))
 }
 
 /// The greatest whole number from 1 to `most` for which something holds that holds for all smaller ones.
@@ -156,15 +178,32 @@ pub fn gap(part: &Part, N: u32, d_t: f64) -> Gap {
     let mut channel = Channel::new(part, N, d_t);
     let mut stations = STATIONS.to_vec();
     let mut least = channel.least(&mut stations);
+    // Between a tool that passes and one that does not.
+    let (mut low, mut high) = (0.0, f64::INFINITY);
     for _ in 1..ROUNDS {
-        let next = least.width / 2.0;
+        let mut next = least.width / 2.0;
         if (next - channel.a).abs() < 1e-7 {
-            break;
+            // A station that was left out may have become the least on the way.
+            if stations.len() == STATIONS.len() {
+                return least;
+            }
+            stations = STATIONS.to_vec();
+            let all = channel.least(&mut stations);
+            if all.width > least.width - 2e-7 {
+                return least;
+            }
+            (least, stations) = (all, STATIONS.to_vec());
+            (low, next) = (0.0, least.width / 2.0);
         }
-        channel.a = next;
+        if next > channel.a {
+            low = channel.a;
+        } else {
+            high = channel.a;
+        }
+        channel.a = if next > low && next < high { next } else { f64::midpoint(low, high) };
         least = channel.least(&mut stations);
     }
-    least
+    Gap { width: least.width.min(2.0 * channel.a), ..least }
 }
 
 /// A channel between the obverse of a blade and the reverse of the next, with the tool that is to pass.
@@ -186,7 +225,9 @@ impl<'a> Channel<'a> {
     /// The least width over stations. Those that are far above it are left out: what is not the least for one depth of the
     /// tip is not for another.
     fn least(&self, stations: &mut Vec<f64>) -> Gap {
-        let widths: Vec<Gap> = stations.iter().map(|&q| Gap { width: self.width(q), station: q.max(0.0) }).collect();
+        let wall = self.wall();
+        let gap = |&q: &f64| Gap { width: self.width(&wall, q), station: q.max(0.0) };
+        let widths: Vec<Gap> = stations.iter().map(gap).collect();
         let least = widths.iter().copied().min_by(|one, other| one.width.total_cmp(&other.width));
         let least = least.unwrap_or(Gap { width: 0.0, station: 0.0 });
         let mut widths = widths.iter();
@@ -194,8 +235,13 @@ impl<'a> Channel<'a> {
         least
     }
 
+    /// The faces beside the tool.
+    fn wall(&self) -> Wall {
+        Wall::new(self.part, self.a)
+    }
+
     /// The diameter of the tool that fits at a station.
-    fn width(&self, q: f64) -> f64 {
+    fn width(&self, wall: &Wall, q: f64) -> f64 {
         let torus = self.part.circle.torus;
         let out = (-q).max(0.0) * self.run_out;
         let v = HUB + q.max(0.0) * FRAC_PI_2;
@@ -203,43 +249,26 @@ impl<'a> Channel<'a> {
         let sin_alpha = torus.r / torus.R;
         let u = self.part.circle.u(v);
         let within = self.part.e / (2.0 * rho * sin_alpha);
-        let (mut low, mut high) = (u - self.pitch + within, u - within);
+        let (low, high) = (u - self.pitch + within, u - within);
         if low >= high {
             return 0.0;
         }
-        // From the reverse of the next blade, where D_o − D_r is positive, to the obverse.
-        let wall = Wall::new(self.part, self.a);
-        let mut guess = [None, None];
-        let mut both = |psi: f64| {
-            let [(obverse, at_obverse), (reverse, at_reverse)] = [
+        let seen = |psi: f64, guess: [Option<f64>; 2]| {
+            [
                 wall.nearest(Face::Obverse, &self.axis(v, psi, out), guess[0]),
                 wall.nearest(Face::Reverse, &self.axis(v, psi + self.pitch, out), guess[1]),
-            ];
-            guess = [Some(at_obverse), Some(at_reverse)];
-            [obverse, reverse]
+            ]
         };
-        let difference = |[obverse, reverse]: [f64; 2]| obverse - reverse;
-        let (mut at_low, mut at_high) = (difference(both(low)), difference(both(high)));
-        let mut found: f64 = 0.0;
-        for _ in 0..60 {
-            let part = at_low / (at_low - at_high);
-            let psi = low + (high - low) * if part.is_finite() { part.clamp(0.001, 0.999) } else { 0.5 };
-            let here = both(psi);
-            found = found.max(here[0].min(here[1]));
-            let off = difference(here);
-            if off.abs() < 1e-8 || high - low < 1e-12 {
-                break;
-            }
-            // Illinois: an end that stays counts half.
-            if off > 0.0 {
-                (low, at_low) = (psi, off);
-                at_high *= 0.5;
-            } else {
-                (high, at_high) = (psi, off);
-                at_low *= 0.5;
-            }
-        }
-        2.0 * found
+        // A face may have two valleys under the axis: what was found in one must be the least of both.
+        let mut guess = [None, None];
+        let (found, psi) = widest([low, high], |psi| {
+            let both = seen(psi, guess);
+            guess = both.map(|(_, at)| Some(at));
+            both.map(|(distance, _)| distance)
+        });
+        let fresh = |psi: f64| seen(psi, [None, None]).map(|(distance, _)| distance);
+        let [obverse, reverse] = fresh(psi);
+        2.0 * if obverse.min(reverse) > found - SAME { found } else { widest([low, high], fresh).0 }
     }
 
     /// The axis of the tool at v and ψ, run out of the hub plane.
@@ -252,16 +281,43 @@ impl<'a> Channel<'a> {
         Axis {
             foot: Vector3::new(rho * cos, rho * sin, torus.r * sin_v + out),
             along: -Vector3::new(cos_v * cos, cos_v * sin, sin_v),
-            // The end of a tool too wide for the tube stands above the blank altogether.
-            range: [(-depth).min(ABOVE), ABOVE],
+            range: [-depth, over_tops(torus.r, self.a).max(-depth)],
         }
     }
+}
+
+/// The greatest over ψ, between two of them, of the lesser of the distances from obverse and reverse, and the ψ. Their
+/// difference falls from the reverse of the next blade, where it is positive, to the obverse.
+fn widest([mut low, mut high]: [f64; 2], mut both: impl FnMut(f64) -> [f64; 2]) -> (f64, f64) {
+    let difference = |[obverse, reverse]: [f64; 2]| obverse - reverse;
+    let (mut at_low, mut at_high) = (difference(both(low)), difference(both(high)));
+    let mut found = (0.0, low);
+    for _ in 0..60 {
+        let part = at_low / (at_low - at_high);
+        let psi = low + (high - low) * if part.is_finite() { part.clamp(0.001, 0.999) } else { 0.5 };
+        let here = both(psi);
+        if here[0].min(here[1]) > found.0 {
+            found = (here[0].min(here[1]), psi);
+        }
+        let off = difference(here);
+        if off.abs() < 1e-8 || high - low < 1e-12 {
+            break;
+        }
+        // Illinois: an end that stays counts half.
+        if off > 0.0 {
+            (low, at_low) = (psi, off);
+            at_high *= 0.5;
+        } else {
+            (high, at_high) = (psi, off);
+            at_low *= 0.5;
+        }
+    }
+    found
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::torus::Torus;
 
     /// Check designs: R, r, N, e, a_p, d_t.
     const DESIGNS: [(f64, f64, u32, f64, f64, f64); 3] =
@@ -271,7 +327,7 @@ mod tests {
     fn gaps_are_those_of_the_check_values() {
         // The check values were found on rulings some tenths of a millimetre apart.
         for ((R, r, N, e, a_p, d_t), check) in DESIGNS.into_iter().zip([6.900_679, 10.043_482, 12.418_203]) {
-            let found = gap(&Part::with(Torus { R, r }, e, a_p), N, d_t);
+            let found = gap(&evenly_deep(Torus { R, r }, e, a_p), N, d_t);
             assert!((found.width - check).abs() < 0.0015, "{found:?} {check}");
         }
     }

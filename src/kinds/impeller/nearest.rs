@@ -26,6 +26,9 @@ const STEPS: u32 = 24;
 /// How far from an end of a face it is asked whether the distance falls, in parts of those lines' spacing.
 const NEXT: f64 = 1e-3;
 
+/// Lines of each piece of a face whose lower ends are known.
+const KNOTS: u8 = 12;
+
 /// What the arithmetic may lose, mm.
 const ARITHMETIC: f64 = 1e-9;
 
@@ -51,6 +54,10 @@ struct Line {
     down: Vector3<f64>,
     /// h_0 there.
     top: f64,
+    /// Where the lines of obverse and reverse there end: at the floor.
+    bottoms: [f64; 2],
+    /// That of the mean surface comes to the floor at a_p; its lower end is no higher than those of the faces.
+    middle: f64,
 }
 
 /// A face as far as a tool beside it needs it.
@@ -59,8 +66,8 @@ pub struct Wall {
     part: Part,
     /// From and to which v it goes.
     v: [f64; 2],
-    /// The depth of its lower edge, mm.
-    bottom: f64,
+    /// Where lines of obverse and reverse end: v and depth, straight between, and as deep as the last beyond.
+    knots: [Vec<[f64; 2]>; 2],
     /// The lines that are looked at first.
     lines: Vec<Line>,
     /// Between two of them no distance is less than at the nearer by more than this, mm.
@@ -116,9 +123,26 @@ fn bottoms(row: &[(f64, f64)], reach: f64) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
+/// Where the lines of a face end: where the blank cuts it off, they go on as deep as the last one.
+fn knots(part: &Part, face: Face) -> Vec<[f64; 2]> {
+    let pieces = part.pieces(face);
+    let ends = [pieces.first().map_or(HUB, |piece| piece.v[0]), pieces.last().map_or(RIM, |piece| piece.v[1])];
+    let mut knots = Vec::new();
+    for [from, to] in [[ends[0], HUB], [HUB, RIM], [RIM, ends[1]]] {
+        // The floor falls away from the tangent plane with the square of what the straight ends go on.
+        let steps = if from == to { 0 } else { KNOTS };
+        for step in 0..steps {
+            let v = from + (to - from) * f64::from(step) / f64::from(KNOTS);
+            knots.push([v, part.floor(&part.ruling(face, v), part.top(v))]);
+        }
+    }
+    knots.push([ends[1], part.floor(&part.ruling(face, ends[1]), part.top(ends[1]))]);
+    knots
+}
+
 impl Wall {
     /// The faces of a part's blade beside a tool of the radius a: (e/2 + a)·cot α + a/sin α + 0.5 mm longer than the blade
-    /// at both ends, which a tool that runs out beside it needs, and down to h_1.
+    /// at both ends, which a tool that runs out beside it needs, and down to the floor.
     #[must_use]
     pub fn new(part: &Part, a: f64) -> Self {
         let torus = part.circle.torus;
@@ -135,14 +159,21 @@ impl Wall {
 
     fn over(part: &Part, v: [f64; 2]) -> Self {
         let torus = part.circle.torus;
-        let bottom = part.a_p + part.e * part.e / 4.0 / (2.0 * (torus.R - torus.r - part.a_p));
-        let mut wall = Self { part: *part, v, bottom, lines: Vec::new(), between: 0.0 };
+        let mut wall =
+            Self { part: *part, v, knots: Face::ALL.map(|face| knots(part, face)), lines: Vec::new(), between: 0.0 };
         wall.lines = (0..=LINES).map(|line| wall.line(v[0] + wall.step() * f64::from(line))).collect();
         // A point of a ruling moves no faster with v than the face's points do and its upper end along it, which goes one way.
         let tops = [HUB, RIM].map(|v| part.top(v));
-        let deep = tops.into_iter().map(f64::abs).fold(bottom.abs(), f64::max);
+        let bottoms = wall.knots.iter().flatten().map(|knot| knot[1]);
+        let deep = tops.into_iter().chain(bottoms).map(f64::abs).fold(0.0, f64::max);
         let speed = part.change([HUB, RIM], deep).speed.max(torus.R);
-        wall.between = speed * wall.step() / 2.0 + (tops[0] - tops[1]).abs() + ARITHMETIC;
+        // The lower ends go down to the middle of a face, or of the straight ends, and up again.
+        let rises = wall.knots.iter().map(|knots| {
+            let all = || knots.iter().map(|knot| knot[1]);
+            all().fold(f64::MIN, f64::max) - all().fold(f64::MAX, f64::min)
+        });
+        let slides = rises.fold((tops[0] - tops[1]).abs(), f64::max);
+        wall.between = speed * wall.step() / 2.0 + slides + ARITHMETIC;
         wall
     }
 
@@ -153,7 +184,21 @@ impl Wall {
 
     fn line(&self, v: f64) -> Line {
         let (P, frame, top) = self.part.frame_and_top(v);
-        Line { v, P, b: frame.b, down: -frame.N, top }
+        let bottoms = self.bottoms(v);
+        let middle = self.part.a_p.max(bottoms[0]).max(bottoms[1]);
+        Line { v, P, b: frame.b, down: -frame.N, top, bottoms, middle }
+    }
+
+    /// Where the lines of obverse and reverse at v end.
+    fn bottoms(&self, v: f64) -> [f64; 2] {
+        [0, 1].map(|side: usize| {
+            let knots = &self.knots[side];
+            let after = knots.partition_point(|knot| knot[0] < v).clamp(1, knots.len().max(2) - 1);
+            match (knots.get(after - 1), knots.get(after)) {
+                (Some([v_0, h_0]), Some([v_1, h_1])) => h_0 + (h_1 - h_0) * ((v - v_0) / (v_1 - v_0)).clamp(0.0, 1.0),
+                _ => 0.0,
+            }
+        })
     }
 
     /// The least distance of an axis from a face, and the v where it is; sought about a guess first.
@@ -161,7 +206,7 @@ impl Wall {
     pub fn nearest(&self, face: Face, axis: &Axis, guess: Option<f64>) -> (f64, f64) {
         let aside = self.aside(face);
         if let Some(found) =
-            guess.and_then(|guess| valley(guess, self.step() / 8.0, |v| self.line(v).apart(aside, self.bottom, axis)))
+            guess.and_then(|guess| valley(guess, self.step() / 8.0, |v| self.line(v).apart(aside, axis)))
             && (self.v[0]..=self.v[1]).contains(&found.1)
         {
             return found;
@@ -187,24 +232,36 @@ impl Wall {
     }
 
     fn scan<'a>(&'a self, aside: f64, axis: &'a Axis) -> Scan<'a> {
-        let apart = std::array::from_fn(|line| {
-            self.lines.get(line).map_or(f64::INFINITY, |line| line.apart(aside, self.bottom, axis))
-        });
+        let apart =
+            std::array::from_fn(|line| self.lines.get(line).map_or(f64::INFINITY, |line| line.apart(aside, axis)));
         let most = apart.iter().fold(f64::INFINITY, |least: f64, one| least.min(*one));
         Scan { wall: self, aside, axis, apart, most, least: most - self.between }
     }
 
-    /// The distance of an axis from the ruling of the mean line at v.
+    /// The distance of an axis from a half round of some radius about the ruling of the mean line at v. Points of it stand up
+    /// to the radius times the sine of the lean higher over the tool's end than those of the ruling.
     #[must_use]
-    pub fn from_ruling(&self, v: f64, axis: &Axis) -> f64 {
-        self.line(v).apart(0.0, self.bottom, axis)
+    pub fn from_round(&self, v: f64, radius: f64, axis: &Axis) -> f64 {
+        let line = self.line(v);
+        let upright = line.down.dot(&axis.along);
+        let lower = axis.range[0] - radius * (1.0 - upright * upright).max(0.0).sqrt();
+        line.apart(0.0, &Axis { range: [lower, axis.range[1]], ..*axis }) - radius
     }
 }
 
 impl Line {
     /// The distance of an axis from the line that stands `aside` of this one.
-    fn apart(&self, aside: f64, bottom: f64, axis: &Axis) -> f64 {
-        stretches(self.P + self.b * aside, self.down, [self.top, bottom], axis)
+    fn apart(&self, aside: f64, axis: &Axis) -> f64 {
+        let [obverse, reverse] = self.bottoms;
+        let bottom = if aside > 0.0 {
+            obverse
+        } else if aside < 0.0 {
+            reverse
+        } else {
+            self.middle
+        };
+        // A ruling that begins below the floor is a point.
+        stretches(self.P + self.b * aside, self.down, [self.top, bottom.max(self.top)], axis)
     }
 }
 
@@ -213,7 +270,7 @@ impl Scan<'_> {
     #[must_use]
     pub fn nearest(&self) -> (f64, f64) {
         let (wall, [begin, end]) = (self.wall, self.wall.v);
-        let at = |v: f64| wall.line(v).apart(self.aside, wall.bottom, self.axis);
+        let at = |v: f64| wall.line(v).apart(self.aside, self.axis);
         let step = wall.step();
         // In a valley the least is no farther below a line than the line is from it.
         let reach = step * wall.part.circle.torus.R * 1.5;
@@ -302,7 +359,7 @@ mod tests {
                 let found = seen.nearest().0;
                 let dense = (0..=20_000).map(|line| {
                     let v = wall.v[0] + (wall.v[1] - wall.v[0]) * f64::from(line) / 20_000.0;
-                    wall.line(v).apart(e / 2.0, wall.bottom, &axis)
+                    wall.line(v).apart(e / 2.0, &axis)
                 });
                 let dense = dense.fold(f64::INFINITY, f64::min);
                 assert!(seen.least <= dense && found <= seen.most, "{R} {step}");

@@ -56,7 +56,7 @@ impl Body {
     ///
     /// A point of the mean surface is half the thickness from both faces: an axis that is e from one of them is not inside.
     fn least(&self, axis: &Axis, asked: Option<f64>) -> f64 {
-        let mut least = self.wall.from_ruling(self.v_s, axis) - self.half;
+        let mut least = self.wall.from_round(self.v_s, self.half, axis);
         let less = |least: f64| asked.is_some_and(|asked| least < asked);
         if less(least) {
             return least;

@@ -1,13 +1,14 @@
 //! Contact lanes: where the own-normal tool touches the faces of its channel, with what is to be left on them.
 //!
 //! # Derivation
-//! At a station the distance of the tool's axis, from its tip to 1 mm above the tops, from one face grows evenly as the tool
+//! At a station the distance of the tool's axis, from its tip to as high as metal stands beside it, from one face grows evenly as the tool
 //! turns away from it about the axis of the part. So ψ_o, where it is a + s from the obverse of the blade, is found by
 //! halving, and ψ_r, where it is as far from the reverse of the next blade, likewise; that one is blade 0 turned by
 //! −2π/N. The faces go straight on beyond their ends and are not cut off there: the search stays even, and the run-out has
 //! a direction for as long as the tool is still beside the blade, to a out of it.
 //!
-//! The tool fits at a station where ψ_o ≥ ψ_r.
+//! The tool fits at a station where ψ_o ≥ ψ_r. It must fit from the rim to where it has run out of the hub by as much as the
+//! gap is looked at. Farther out, where what it would touch is cut off, all lanes run half-way between both.
 //!
 //! # Units
 //! Millimetres and radians.
@@ -17,18 +18,19 @@ use std::f64::consts::TAU;
 
 use crate::kinds::impeller::clear::lane::{OwnNormal, out_at, v_at};
 use crate::kinds::impeller::clear::table::Table;
+use crate::kinds::impeller::gap::RUN_OUT;
 use crate::kinds::impeller::nearest::Wall;
 use crate::kinds::impeller::part::{Face, Part};
 use crate::number::trig::{atan2, sin_cos};
 
-/// How far above the tops the axis is looked at, mm.
-pub const ABOVE: f64 = 1.0;
 /// How close contacts are found, radians.
 const CLOSE: f64 = 1e-10;
 /// Farther than this a root is not sought from where it may be, radians.
 const NEAR: f64 = 0.2;
 /// A valley is the lowest where its distance is that of all to this, mm.
 const SAME: f64 = 1e-6;
+/// The first station of a tool that does not fit where it has run out of the hub.
+const LEAST: f64 = 1e-6;
 /// How close the table is, mm at the rim.
 const TABLE: f64 = 3e-5;
 
@@ -67,7 +69,7 @@ impl Beside {
             + if q < 0.0 { -atan2(along * k / torus.R, rho) } else { atan2(along * k / torus.R, rho + out) };
         // Towards lower ψ from the obverse, towards higher from the reverse.
         let away = -face.side();
-        let axis = |x: f64| self.lane.axis(q, middle + away * x, ABOVE);
+        let axis = |x: f64| self.lane.axis(q, middle + away * x, wanted);
         let begin = 1.6 * (self.part.e / 2.0 + wanted) / (rho * sin_alpha) + 0.1;
         // A face may have two valleys under the axis. The one that is the lower at first usually is in the end.
         let guess = Cell::new(near.map(|near| near.at));
@@ -215,7 +217,11 @@ impl Contacts {
     /// ψ_o and ψ_r at a station; farther out than the radius of the tool they are held.
     #[must_use]
     pub fn at(&self, q: f64) -> [f64; 2] {
-        self.table.at(q)
+        let [obverse, reverse] = self.table.at(q);
+        if q < -RUN_OUT * self.lane.tool.a() && obverse < reverse {
+            return [f64::midpoint(obverse, reverse); 2];
+        }
+        [obverse, reverse]
     }
 
     /// How far the tool can turn at a station: ψ_o − ψ_r; negative where it does not fit.
@@ -250,10 +256,13 @@ impl Contacts {
         self.stations().map(value).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// q_f, the least station from which on the tool fits all the way to the rim; `None` where not even there.
+    /// q_f, the least station from which on the tool fits all the way to the rim, 0 where it does so from its run-out on;
+    /// `None` where not even there.
     #[must_use]
     pub fn fits_from(&self) -> Option<f64> {
-        let stations: Vec<f64> = self.table.nodes().filter(|&q| q <= 1.0).collect();
+        let begin = -RUN_OUT * self.lane.tool.a();
+        let inside = self.table.nodes().filter(|&q| q > begin && q <= 1.0);
+        let stations: Vec<f64> = std::iter::once(begin).chain(inside).collect();
         let last = stations.iter().rposition(|&q| self.room(q) < 0.0);
         let Some(last) = last else { return Some(0.0) };
         let (mut low, mut high) = (stations[last], *stations.get(last + 1)?);
@@ -261,7 +270,7 @@ impl Contacts {
             let middle = f64::midpoint(low, high);
             if self.room(middle) < 0.0 { low = middle } else { high = middle }
         }
-        Some(high.max(0.0))
+        Some(high.max(LEAST))
     }
 }
 
@@ -289,7 +298,8 @@ mod tests {
 
     fn beside(at: usize, tool: Tool, s: f64) -> (Beside, f64) {
         let (R, r, N, e, a_p) = DESIGNS[at];
-        let part = Part::with(Torus { R, r }, e, a_p);
+        // The check values were found on rulings that all end alike.
+        let part = Part::with(Torus { R, r }, e, a_p).ending_at(a_p + e * e / 8.0 / (R - r - a_p));
         (Beside::new(&part, OwnNormal::new(part.circle.torus, tool, r + a_p).unwrap(), s), TAU / f64::from(N))
     }
 

@@ -17,7 +17,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::kinds::impeller::clear::body::Body;
-use crate::kinds::impeller::clear::contact::{ABOVE, Contacts, closing, touching};
+use crate::kinds::impeller::clear::contact::{Contacts, closing, touching};
 use crate::kinds::impeller::clear::lane::v_at;
 use crate::kinds::impeller::clear::table::Table;
 use crate::kinds::impeller::clearance::Stand;
@@ -61,7 +61,7 @@ impl Nose<'_> {
         let wanted = self.contacts.lane.tool.a() + self.s;
         let off = |D: f64| {
             let [v, psi] = place(D);
-            self.body.apart(&self.contacts.lane.axis((v - HUB) / FRAC_PI_2, psi, ABOVE)) - wanted
+            self.body.apart(&self.contacts.lane.axis((v - HUB) / FRAC_PI_2, psi, wanted)) - wanted
         };
         let least = self.part.e / 2.0;
         // The axis leans but little: from the distance of one that does not it is not far.

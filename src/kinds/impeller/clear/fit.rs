@@ -38,7 +38,7 @@ const STEP: f64 = 1e-9;
 /// Over which last B the tilt along the face fades, and that away from it.
 pub const FADES: [f64; 2] = [15.0 * TAU / 360.0, 2.0 * TAU / 360.0];
 /// How far beyond an end the tilt away from the face has gone, mm.
-const STRAIGHTENS: f64 = 0.3;
+pub const FADED: f64 = 0.3;
 /// Abscissae at which the error is looked at, between the ends of the fit.
 const LOOKS: u8 = 16;
 
@@ -320,7 +320,7 @@ impl Flank {
     pub fn lifted(&self, v: f64) -> Fit {
         let mut fit = self.faded(v.clamp(HUB, RIM));
         let out = (HUB - v).max(v - RIM).max(0.0) * self.part.circle.torus.R;
-        let part = (1.0 - out / STRAIGHTENS).max(0.0);
+        let part = (1.0 - out / FADED).max(0.0);
         (fit.o, fit.beta) = (fit.o * part, fit.beta * part);
         let least = self.error(v, &fit, [0.0, self.span[1]])[0];
         Fit { o: fit.o + (-least).max(0.0), ..fit }

@@ -14,11 +14,12 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use crate::kinds::impeller::clear::contact::ABOVE;
-use crate::kinds::impeller::clear::fit::{Beyond, FADES, Fit, Flank};
+use crate::geometry::torus::Torus;
+use crate::kinds::impeller::clear::fit::{Beyond, FADED, FADES, Fit, Flank};
 use crate::kinds::impeller::clear::table::Table;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
+use crate::kinds::impeller::gap::over_tops;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, Part, Piece, RIM};
 use crate::machine::rotary::Rotary;
@@ -59,6 +60,15 @@ pub fn passing(through: &Vector3<f64>, along: &Vector3<f64>, R: f64, mut psi: f6
     let (sin, cos) = sin_cos(psi);
     let from = Vector3::new(R * cos, R * sin, 0.0) - through;
     Passing { m: across(from).norm(), at: from.dot(along) }
+}
+
+/// An axis from the tip to as high as metal stands within a distance from it, K being nearest near ψ.
+#[must_use]
+pub fn as_metal(axis: &Axis, torus: Torus, reach: f64, psi: f64) -> Axis {
+    let Passing { m, at } = passing(&axis.foot, &axis.along, torus.R, psi);
+    // Of K's nearest point, from which metal is r away at least.
+    let high = at - torus.r + over_tops(torus.r, m + reach);
+    Axis { range: [axis.range[0], high.max(axis.range[0])], ..*axis }
 }
 
 /// Where the machine's axes stand for a tool's axis, turned about the axis of the part; C is that of the direction `round`,
@@ -155,31 +165,42 @@ impl FlankWay {
         self.passing(v, &self.fit(v).0)
     }
 
+    /// True where the tool's end fits into the tube at v.
+    #[must_use]
+    pub fn fits(&self, v: f64) -> bool {
+        self.passing_at(v).m <= self.widest()
+    }
+
+    /// The farthest from K that the axis may pass.
+    fn widest(&self) -> f64 {
+        WIDEST * (self.r_f - self.tool.r_c) - self.tool.flat_radius()
+    }
+
     /// The abscissa of the tip.
     #[must_use]
     pub fn tip(&self, v: f64, fit: &Fit) -> f64 {
         let Passing { m, at } = self.passing(v, fit);
-        let widest = WIDEST * (self.r_f - self.tool.r_c) - self.tool.flat_radius();
-        at - self.tool.below(self.r_f, m.min(widest)).unwrap_or(self.r_f)
+        at - self.tool.below(self.r_f, m.min(self.widest())).unwrap_or(self.r_f)
     }
 
-    /// v on both sides from which the tool is clear of the blank by d_s.
+    /// v on both sides from which the tool is clear of the blank by d_s. Out there its tilt away from the face has faded.
     fn ends(&self, d_s: f64) -> [f64; 2] {
         let (R, a) = (self.part.circle.torus.R, self.tool.a());
         // Out of the hub plane: the lowest of the axis as far out as the rim.
-        let fit = self.flank.lifted(HUB);
-        let [through, along] = self.line(HUB, &fit);
-        let reach = [self.tip(HUB, &fit), 2.0 * R + a].map(|l| (through + along * l).z);
+        let out = HUB - FADED / R;
+        let fit = self.flank.lifted(out);
+        let [through, along] = self.line(out, &fit);
+        let reach = [self.tip(out, &fit), 2.0 * R + a].map(|l| (through + along * l).z);
         let fall = self.part.frame(HUB).1.t.z;
-        let hub = (d_s + a - reach[0].min(reach[1])) / -fall / R;
+        let hub = FADED + (d_s + a - reach[0].min(reach[1])) / -fall;
         // Out of the rim: upright there.
-        let fit = self.flank.lifted(RIM);
+        let fit = self.flank.lifted(RIM + FADED / R);
         let [through, _] = self.line(RIM, &fit);
         let t = self.part.frame(RIM).1.t;
         let far = R + a + d_s;
         let roots =
             quadratic(t.xy().norm_squared(), 2.0 * t.xy().dot(&through.xy()), through.xy().norm_squared() - far * far);
-        [HUB - hub.max(0.0), RIM + roots.map_or(far, |roots| roots[1]).max(0.0) / R]
+        [HUB - hub.max(0.0) / R, RIM + roots.map_or(far, |roots| roots[1]).max(0.0) / R]
     }
 
     /// The fit at v, from the table, and the abscissa of the tip.
@@ -193,8 +214,14 @@ impl FlankWay {
     pub fn axis(&self, v: f64) -> Axis {
         let (fit, tip) = self.fit(v);
         let [through, along] = self.line(v, &fit);
-        let above = self.r_f - self.part.circle.torus.r + ABOVE;
-        Axis { foot: through, along, range: [tip, above.max(tip)] }
+        Axis { foot: through, along, range: [tip, self.r_f.max(tip)] }
+    }
+
+    /// The same as high as metal stands beside the tool.
+    #[must_use]
+    pub fn beside(&self, v: f64) -> Axis {
+        let psi = self.part.circle.u(v.clamp(HUB, RIM));
+        as_metal(&self.axis(v), self.part.circle.torus, self.tool.a(), psi)
     }
 
     /// Where the machine's axes stand at v, the blade turned about the axis of the part.
@@ -231,7 +258,6 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::*;
-    use crate::geometry::torus::Torus;
 
     /// Check designs: R, r, e, a_p; d is 6.
     const DESIGNS: [(f64, f64, f64, f64); 3] = [(25.0, 15.0, 2.0, 2.0), (25.0, 17.0, 1.0, 4.0), (50.0, 30.0, 2.0, 3.0)];

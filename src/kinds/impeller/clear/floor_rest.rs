@@ -9,18 +9,17 @@
 //! # Units
 //! Millimetres and radians.
 
+use std::cell::Cell;
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use crate::geometry::torus::Torus;
 use crate::kinds::impeller::clear::body::Body;
+use crate::kinds::impeller::clear::poses::{Pose, Poses};
 use crate::kinds::impeller::clear::tool::Tool;
-use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
-use crate::machine::rotary::Rotary;
-use crate::number::trig::{asin, atan2, hypot, sin_cos};
+use crate::number::trig::{atan2, hypot, sin_cos};
 
 /// Stations of the floor that are looked at.
 const ALONG: u8 = 48;
@@ -33,8 +32,6 @@ const STEPS: u8 = 8;
 const HALVINGS: u8 = 12;
 /// Halvings for the place at a distance from a wall.
 const EDGES: u8 = 8;
-/// Poses of one block at most.
-const MOST: f64 = 400.0;
 
 /// What is left on the floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,50 +125,6 @@ fn clear_of(row: &[Vector3<f64>], apart: f64, point: &Vector3<f64>, asked: f64) 
     true
 }
 
-/// A tool in the part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pose {
-    /// Its tip.
-    pub tip: Vector3<f64>,
-    /// Its axis, out of the metal.
-    pub along: Vector3<f64>,
-    /// The angle of its axis to the axis of the part.
-    pub B: f64,
-}
-
-/// How far apart the poses of a block are at most, mm at the tip: on a flank 3 mm wide that leaves cusps of 0.003 mm.
-const APART: f64 = 0.2;
-
-/// The poses of passes, given by their points: both ends of each block and some between, those with the least B first.
-#[must_use]
-pub fn poses<'p>(machine: Rotary, passes: impl Iterator<Item = &'p [Stand]>) -> Vec<Pose> {
-    let pose = |stand: Stand| {
-        let [tip, along] = machine.tool(&stand.at, stand.B, stand.C);
-        Pose { tip, along, B: stand.B }
-    };
-    let mut poses = Vec::new();
-    for pair in passes.flat_map(|points| points.windows(2)) {
-        let tips = [0, 1].map(|end: usize| pose(pair[end]).tip);
-        let steps = ((tips[1] - tips[0]).norm() / APART).ceil().clamp(2.0, MOST);
-        let mut step = 0.0;
-        while step <= steps {
-            poses.push(pose(pair[0].towards(&pair[1], step / steps)));
-            step += 1.0;
-        }
-    }
-    poses.sort_by(|one, other| one.B.total_cmp(&other.B));
-    poses
-}
-
-/// The poses, in the order of their B, of a tool of the radius a that may reach a point of the floor or of a face at v.
-#[must_use]
-pub fn near(poses: &[Pose], torus: Torus, a: f64, v: f64) -> &[Pose] {
-    // The axis of a tool that reaches a point is turned from its normal by no more.
-    let turn = 1.2 * asin((a / torus.r).min(1.0)) + 0.1;
-    let B = RIM - v;
-    &poses[poses.partition_point(|pose| pose.B < B - turn)..poses.partition_point(|pose| pose.B <= B + turn)]
-}
-
 /// The lowest place along the line from c, between r and r_f, that a tool holds; r where it holds none.
 fn reach(tool: Tool, pose: &Pose, c: &Vector3<f64>, out: &Vector3<f64>, [r, r_f]: [f64; 2]) -> f64 {
     let from = c - pose.tip;
@@ -215,16 +168,16 @@ pub fn floor_rest(
     [pitch, beside]: [f64; 2],
     v_s: Option<f64>,
     tool: Tool,
-    (poses, from): (&[Pose], f64),
+    (poses, from): (&Poses, f64),
     across: u32,
 ) -> FloorRest {
     let torus = part.circle.torus;
     let (r, r_f) = (torus.r, torus.r + part.a_p);
     let floor = Floor::new(part, pitch, tool.a(), v_s);
     let mut rest = FloorRest { beside, most: 0.0, v: from };
+    let mut last = None;
     for look in 0..ALONG {
         let v = from + (RIM - from) * (f64::from(look) + 0.5) / f64::from(ALONG);
-        let near = near(poses, torus, tool.a(), v);
         let (sin_v, cos_v) = sin_cos(v);
         let [high, low] = [0, 1].map(|side: usize| psi_at(&floor.sides[side], v));
         let place = |psi: f64| {
@@ -241,18 +194,20 @@ pub fn floor_rest(
             // Of tools whose axis passes farther from the middle of the line than this, none holds a place of it.
             let middle = c + out * f64::midpoint(r, r_f);
             let wide = tool.a() + (r_f - r) / 2.0;
-            let mut deepest = r;
-            for pose in near {
-                let from = middle - pose.tip;
-                let up = from.dot(&pose.along);
-                if from.norm_squared() - up * up > wide * wide {
-                    continue;
-                }
-                deepest = deepest.max(reach(tool, pose, &c, &out, [r, r_f]));
-                if deepest >= r_f {
-                    break;
+            // The pose that holds the deepest place usually does so for the next line.
+            let held = |pose: &Pose| reach(tool, pose, &c, &out, [r, r_f]);
+            let deepest = Cell::new(last.and_then(|last| poses.get(last)).map_or(r, held));
+            // Nor does one hold a deeper place whose end is above that known.
+            let far =
+                poses.of(|bunch| bunch.seen(&middle).beside > wide || bunch.seen(&(c + out * deepest.get())).up < 0.0);
+            for (number, pose) in far {
+                let found = held(pose);
+                if found > deepest.get() {
+                    deepest.set(found);
+                    last = Some(number);
                 }
             }
+            let deepest = deepest.get();
             if r_f - deepest > rest.most {
                 rest = FloorRest { most: r_f - deepest, v, ..rest };
             }
@@ -286,10 +241,11 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::*;
+    use crate::geometry::torus::Torus;
 
     #[test]
     fn a_tool_is_left_through_its_side_or_its_end() {
-        let pose = Pose { tip: Vector3::new(0.0, 0.0, -16.0), along: Vector3::z(), B: 0.0 };
+        let pose = Pose { tip: Vector3::new(0.0, 0.0, -16.0), along: Vector3::z() };
         let (c, down) = (Vector3::zeros(), -Vector3::z());
         let slant = Vector3::new(0.1, 0.0, -(1.0_f64 - 0.01).sqrt());
         for tool in [Tool::flat(6.0), Tool::ball(6.0)] {
@@ -317,7 +273,7 @@ mod tests {
     #[test]
     fn without_a_pass_the_whole_depth_is_left() {
         let part = Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, 2.0);
-        let rest = floor_rest(&part, [PI / 2.0, 0.4], None, Tool::flat(3.0), (&[], HUB), 20);
+        let rest = floor_rest(&part, [PI / 2.0, 0.4], None, Tool::flat(3.0), (&Poses::default(), HUB), 20);
         assert_eq!(rest.most, 2.0);
     }
 }

@@ -24,6 +24,7 @@ use nalgebra::Vector3;
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
+use crate::kinds::impeller::gap::over_tops;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{HUB, RIM};
 use crate::machine::rotary::Rotary;
@@ -82,9 +83,9 @@ impl OwnNormal {
         Stand { at, B, C: psi - TAU }
     }
 
-    /// The tool's axis at a station, from the tip to some height above the tops, in the part.
+    /// The tool's axis at a station, in the part, from the tip as high as metal stands within a distance from it.
     #[must_use]
-    pub fn axis(&self, q: f64, psi: f64, above: f64) -> Axis {
+    pub fn axis(&self, q: f64, psi: f64, reach: f64) -> Axis {
         let ((sin_v, cos_v), (sin, cos)) = (sin_cos(v_at(q)), sin_cos(psi));
         let r = self.torus.r;
         // Out of the hub plane along the axis of the part, out of the rim away from it.
@@ -93,7 +94,7 @@ impl OwnNormal {
         Axis {
             foot: Vector3::new(rho * cos, rho * sin, r * sin_v + up),
             along: -Vector3::new(cos_v * cos, cos_v * sin, sin_v),
-            range: [(r - self.below(q)).min(above), above],
+            range: [r - self.below(q), over_tops(r, reach).max(r - self.below(q))],
         }
     }
 }
@@ -124,7 +125,7 @@ mod tests {
     fn machine_positions_put_the_tip_where_the_axis_says() {
         let (machine, lane) = (Rotary { L }, lane(25.0, 15.0, 2.0, Tool { d: 6.0, r_c: 1.0 }));
         for q in [-8.0, -2.0, 0.0, 0.3, 1.0, 2.5, 9.0] {
-            let (stand, axis) = (lane.stand(machine, q, 2.0), lane.axis(q, 2.0, 1.0));
+            let (stand, axis) = (lane.stand(machine, q, 2.0), lane.axis(q, 2.0, 3.0));
             let tip = machine.to_part(&stand.at, stand.B, stand.C);
             assert!((tip - axis.foot - axis.along * axis.range[0]).norm() < 1e-11, "{q}");
             assert!((Rotary::direction_to_part(&Vector3::z(), stand.B, stand.C) - axis.along).norm() < 1e-12);
@@ -138,7 +139,7 @@ mod tests {
             for q in [-0.9, -0.3, 0.0, 0.4, 1.0, 1.7] {
                 // With its flat out of the blank it is as deep as it may be, and higher at the corner.
                 let flat_inside = q >= -tool.flat_radius() && q <= 1.0 + tool.flat_radius();
-                let axis = lane.axis(q, 1.3, 1.0);
+                let axis = lane.axis(q, 1.3, 3.0);
                 let tip = axis.foot + axis.along * axis.range[0];
                 let side = Vector3::z().cross(&axis.along).try_normalize(1e-9).unwrap_or_else(Vector3::x);
                 let other = axis.along.cross(&side);

@@ -23,6 +23,7 @@ pub mod pass;
 pub mod pieces;
 pub mod placement;
 pub mod plan;
+pub mod poses;
 pub mod programs;
 pub(in crate::kinds::impeller) mod remarks;
 pub mod root;

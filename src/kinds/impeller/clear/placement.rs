@@ -4,7 +4,9 @@
 //! Between two points the axes run evenly (X, Y, Z, B, C), the tip therefore not along the way that is wanted. The error
 //! of a block is the largest deviation, across the direction of travel, of two points of the tool's axis, the tip and one
 //! above the tops, between the even motion and the exact one, at eight places inside; to that comes what the end's rim
-//! gains by a deviation of the axis' direction. The block is made as long as the error allows. For smooth passes the
+//! gains by a deviation of the axis' direction, and how much deeper the end may reach. That is bounded by the ball: with m
+//! the distance of the axis from the point c of K nearest to it, and D how far below c the end stands, no point of it lies
+//! deeper in the tube than √(D² + (a + m)²). The block is made as long as the error allows. For smooth passes the
 //! greatest of eight is within 4 % of the true one; that much is kept back.
 //!
 //! The axes run evenly, the tip does not either: where a feed deviation δ is asked for, its speed at both ends of a block may
@@ -15,8 +17,12 @@
 
 use nalgebra::Vector3;
 
+use crate::geometry::torus::Torus;
+use crate::kinds::impeller::clear::flank::{Passing, passing};
+use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
 use crate::machine::rotary::Rotary;
+use crate::number::trig::{atan2, hypot};
 
 /// Inner places at which a block is looked at.
 const PLACES: u8 = 8;
@@ -38,8 +44,10 @@ pub struct Tolerance {
     pub delta: Option<f64>,
     /// How far above the tip the tool still cuts.
     pub height: f64,
-    /// The radius of the tool.
-    pub a: f64,
+    /// The tool.
+    pub tool: Tool,
+    /// The torus of the part.
+    pub torus: Torus,
 }
 
 /// A tool in the part: the tip, and the direction of its axis.
@@ -53,6 +61,13 @@ fn across(off: Vector3<f64>, travel: Vector3<f64>) -> f64 {
 }
 
 impl Tolerance {
+    /// How deep in the tube the end of a tool reaches at most.
+    fn reach(&self, [tip, along]: &[Vector3<f64>; 2]) -> f64 {
+        let near = tip + along * self.torus.r;
+        let Passing { m, at } = passing(tip, along, self.torus.R, atan2(near.y, near.x));
+        hypot(at - self.tool.r_c, self.tool.flat_radius() + m) + self.tool.r_c
+    }
+
     /// By how much a block from x_0 to x_1 of a way leaves it, mm.
     #[must_use]
     pub fn error(&self, way: &impl Fn(f64) -> Stand, [x_0, x_1]: [f64; 2]) -> f64 {
@@ -84,8 +99,13 @@ impl Tolerance {
             let (tip, turn) = (even[0] - here[0], even[1] - here[1]);
             let (travel, over) = (here[0] - last[0], here[0] - last[0] + (here[1] - last[1]) * self.height);
             let off = across(tip, travel).max(across(tip + turn * self.height, over));
-            let rim = tip.dot(&here[1]).abs() + turn.norm() * self.a;
+            let a = self.tool.a();
+            let rim = tip.dot(&here[1]).abs() + turn.norm() * a;
             most = most.max(off).max(rim);
+            // The end reaches no deeper by more than it has moved.
+            if tip.norm() + turn.norm() * (a + self.height) > most {
+                most = most.max(self.reach(&even) - self.reach(&here));
+            }
             if most > enough {
                 break;
             }

@@ -15,18 +15,19 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::kinds::impeller::clear::body::{Obstacles, turned};
-use crate::kinds::impeller::clear::contact::{ABOVE, Beside, Contacts, slope};
+use crate::kinds::impeller::clear::contact::{Beside, Contacts, slope};
 use crate::kinds::impeller::clear::contour::{self, Contour};
 use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Spindle, Which};
 use crate::kinds::impeller::clear::fit::{FADES, Flank};
 use crate::kinds::impeller::clear::flank::FlankWay;
-use crate::kinds::impeller::clear::floor_rest::{FloorRest, floor_rest, poses};
+use crate::kinds::impeller::clear::floor_rest::{FloorRest, floor_rest};
 use crate::kinds::impeller::clear::holder::{clearance, stick_out};
 use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
 use crate::kinds::impeller::clear::link::{End, link, up};
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
 use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
+use crate::kinds::impeller::clear::poses::Poses;
 use crate::kinds::impeller::clear::root::{Root, face_lines, nose_lines, root};
 use crate::kinds::impeller::clear::round::Round;
 use crate::kinds::impeller::clear::scallop::Ridge;
@@ -34,9 +35,9 @@ use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, Told, ToolTold
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clear::uncut;
 use crate::kinds::impeller::clearance::Stand;
-use crate::kinds::impeller::gap::gap;
+use crate::kinds::impeller::gap::{RUN_OUT, gap};
 use crate::kinds::impeller::nearest::Axis;
-use crate::kinds::impeller::part::{Face, HUB, RIM};
+use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::trig::{atan2, hypot, pow, sin_cos};
 
@@ -57,9 +58,9 @@ const ENDS: u8 = 16;
 const LOOKS_A_LANE: u32 = 3;
 const ACROSS: [u32; 2] = [40, 240];
 /// Stations at which a smaller tool is tried, in radii where it has run out: where the gap is the least comes first.
-const TRIED: [f64; 24] = [
-    0.1, 0.0, 0.05, 0.15, 0.2, -0.2, -0.4, 0.025, 0.075, 0.125, 0.175, 0.225, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.75,
-    0.9, 1.0, -0.6, -0.8, -1.0,
+const TRIED: [f64; 21] = [
+    0.1, 0.0, 0.05, 0.15, 0.2, -0.2, -RUN_OUT, 0.025, 0.075, 0.125, 0.175, 0.225, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.75,
+    0.9, 1.0,
 ];
 /// Room that it must have there, radians: between two of them there may be less.
 const TRIED_ROOM: f64 = 2e-4;
@@ -184,11 +185,17 @@ fn depth(job: &Job, cut: &Cut, which: Which) -> f64 {
     job.part.a_p - cut.allowance(which)
 }
 
+/// The part as far as a tool that cuts to a depth can reach: its end stays in the tube that deep, so that what of the faces
+/// lies deeper does not stand in its way.
+fn down_to(part: &Part, depth: f64) -> Part {
+    Part::with(part.circle.torus, part.e, depth)
+}
+
 /// The contacts of a tool that cuts to a depth, with s left on the walls; `None` where it is wider than the tube.
 fn contacts_of(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<Contacts> {
     let torus = job.part.circle.torus;
     let lane = OwnNormal::new(torus, tool, torus.r + depth)?;
-    Some(Contacts::new(&job.part, job.N, lane, s))
+    Some(Contacts::new(&down_to(&job.part, depth), job.N, lane, s))
 }
 
 /// The station at which lanes begin that are run from another one on: out of the hub where they go all the way.
@@ -215,7 +222,7 @@ fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<(Contacts, f64), DoesN
 
 /// The largest tool of a kind that fits with s on both walls, in whole hundredths.
 fn largest(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<f64> {
-    let part = &job.part;
+    let part = &down_to(&job.part, depth);
     let torus = part.circle.torus;
     let width = gap(part, job.N, tool.d).width - 2.0 * s;
     let fits = |d: f64| {
@@ -405,7 +412,8 @@ impl Draft<'_> {
             epsilon: self.cut.tolerance,
             delta: self.cut.feed,
             height: depth + OVER,
-            a: self.cut.tool(tool).a(),
+            tool: self.cut.tool(tool),
+            torus: self.job.part.circle.torus,
         }
     }
 
@@ -526,7 +534,7 @@ impl Draft<'_> {
                     let psi = contacts.psi(lambda, q);
                     let [reverse, obverse] = contacts.beside_splitter(q);
                     // Clear of a splitter as long as the blade, or of the one that is there.
-                    psi >= reverse || psi <= obverse || obstacles.keeps_splitter(&lane.axis(q, psi, ABOVE), room)
+                    psi >= reverse || psi <= obverse || obstacles.keeps_splitter(&lane.axis(q, psi, room), room)
                 })
             }
         };
@@ -660,12 +668,14 @@ impl Draft<'_> {
                     Face::Reverse => obstacles.keeps_obverse(axis, a),
                 }
             };
-            let axis = |v: f64| turned(&way.axis(v), turn);
+            let axis = |v: f64| turned(&way.beside(v), turn);
+            let fits = |v: f64| !(HUB..=RIM).contains(&v) || way.fits(v);
             let kept = parts(&way.v, |v| {
                 let axis = axis(v);
-                from_blade(&axis) && obstacles.keeps_splitter(&axis, a)
+                fits(v) && from_blade(&axis) && obstacles.keeps_splitter(&axis, a)
             });
-            let by = if parts(&way.v, |v| from_blade(&axis(v))) == [way.v] { By::Splitter } else { By::Blade };
+            let whole = parts(&way.v, |v| fits(v) && from_blade(&axis(v))) == [way.v];
+            let by = if whole { By::Splitter } else { By::Blade };
             self.flank(way, Cutting::Flank { face, level }, turn, way.v[0], &kept, by);
         }
     }
@@ -757,7 +767,7 @@ impl Draft<'_> {
             return (FloorRest { beside, most, v }, Root { over, height: most, v, width: most, width_v: v });
         }
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
-        let poses = poses(machine, passes);
+        let poses = Poses::along(machine, passes);
         let across = (LOOKS_A_LANE * lanes).clamp(ACROSS[0], ACROSS[1]);
         let floor = floor_rest(part, [self.pitch, beside], self.v_s, tool, (&poses, v_at(self.finish_from)), across);
         let mut lines = face_lines(part, Face::Obverse, 0.0, HUB - 1.0);

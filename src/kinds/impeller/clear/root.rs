@@ -21,16 +21,15 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector3;
 
-use crate::kinds::impeller::clear::contact::{ABOVE, Beside};
+use crate::kinds::impeller::clear::contact::Beside;
 use crate::kinds::impeller::clear::cut::Job;
 use crate::kinds::impeller::clear::flank::FlankWay;
-use crate::kinds::impeller::clear::floor_rest::{Pose, near};
 use crate::kinds::impeller::clear::lane::OwnNormal;
 use crate::kinds::impeller::clear::plan::BESIDE;
+use crate::kinds::impeller::clear::poses::{Pose, Poses};
 use crate::kinds::impeller::clear::tool::Tool;
-use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM, Ruling};
-use crate::number::trig::{atan2, hypot, sin_cos};
+use crate::number::trig::{hypot, sin_cos};
 
 /// Lines of a face, and of a half-round nose, that are looked at.
 const LINES: u16 = 160;
@@ -100,33 +99,22 @@ pub fn nose_lines(part: &Part, v_s: f64, turn: f64) -> Vec<Line> {
         .collect()
 }
 
-/// How far a point is from a tool; negative inside.
-fn apart(tool: Tool, pose: &Pose, point: &Vector3<f64>) -> f64 {
-    let from = point - pose.tip;
-    let up = from.dot(&pose.along);
-    let out = (from.norm_squared() - up * up).max(0.0).sqrt() - tool.flat_radius();
-    let down = tool.r_c - up;
-    out.max(down).min(0.0) + hypot(out.max(0.0), down.max(0.0)) - tool.r_c
-}
-
-/// What the poses of a tool, in the order of their B, leave along some lines: where it is more than `over`.
+/// What the poses of a tool leave along some lines: where it is more than `over`.
 #[must_use]
-pub fn root(part: &Part, lines: &[Line], poses: &[Pose], tool: Tool, over: f64) -> Root {
+pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -> Root {
     let torus = part.circle.torus;
     let r_f = torus.r + part.a_p;
     let mut root = Root { over, height: 0.0, v: HUB, width: 0.0, width_v: HUB };
+    let mut last = 0;
     for line in lines {
-        let near = near(poses, torus, tool.a(), line.v);
         let (sin, cos) = sin_cos(line.turn);
-        let mut last = 0;
         // The pose that has held the last place usually holds the next one.
         let mut held = |point: &Vector3<f64>| {
             let point = Vector3::new(point.x * cos - point.y * sin, point.x * sin + point.y * cos, point.z);
-            let holds = |pose: &Pose| apart(tool, pose, &point) <= over;
-            if near.get(last).is_some_and(holds) {
+            if poses.get(last).is_some_and(|pose| pose.apart(tool, &point) <= over) {
                 return true;
             }
-            let found = near.iter().position(holds);
+            let found = poses.holding(tool, &point, over);
             last = found.unwrap_or(last);
             found.is_some()
         };
@@ -192,25 +180,16 @@ fn left(job: &Job, tool: Tool, over: f64) -> Option<f64> {
     let torus = part.circle.torus;
     let lane = OwnNormal::new(torus, tool, torus.r + part.a_p)?;
     let beside = Beside::new(part, lane, 0.0);
-    let pose = |axis: Axis| Pose {
-        tip: axis.foot + axis.along * axis.range[0],
-        along: axis.along,
-        B: atan2(hypot(axis.along.x, axis.along.y), axis.along.z),
-    };
     let mut most: f64 = 0.0;
     for face in Face::ALL {
         let way = FlankWay::new(part, face, tool, [0.0, part.a_p], 0.0);
         let part_of = |station: u16| f64::from(station) / f64::from(STATIONS);
-        let mut poses: Vec<Pose> = (0..=STATIONS)
-            .flat_map(|station| {
-                let q = -tool.a() + (1.0 + 2.0 * tool.a()) * part_of(station);
-                // The run-outs are longer than what lies between them: it is looked at as often as they are.
-                let inside = part_of(station);
-                let at = |q: f64| pose(lane.axis(q, beside.psi(face, q), ABOVE));
-                [pose(way.axis(way.v[0] + (way.v[1] - way.v[0]) * part_of(station))), at(q), at(inside)]
-            })
-            .collect();
-        poses.sort_by(|one, other| one.B.total_cmp(&other.B));
+        let stations = || (0..=STATIONS).map(part_of);
+        let at = |q: f64| Pose::from(lane.axis(q, beside.psi(face, q), 0.0));
+        let along = stations().map(|part| Pose::from(way.axis(way.v[0] + (way.v[1] - way.v[0]) * part)));
+        // The run-outs are longer than what lies between them: it is looked at as often as they are.
+        let out = stations().map(|part| at(-tool.a() + (1.0 + 2.0 * tool.a()) * part));
+        let poses = Poses::new(along.chain(out).chain(stations().map(at)).collect());
         most = most.max(root(part, &face_lines(part, face, 0.0, f64::NEG_INFINITY), &poses, tool, over).height);
     }
     Some(most)

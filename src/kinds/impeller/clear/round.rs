@@ -13,9 +13,9 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::kinds::impeller::clear::body::{Body, Obstacles, turned};
-use crate::kinds::impeller::clear::contact::{ABOVE, closing};
+use crate::kinds::impeller::clear::contact::closing;
 use crate::kinds::impeller::clear::fit::FADES;
-use crate::kinds::impeller::clear::flank::{FlankWay, passing, stand};
+use crate::kinds::impeller::clear::flank::{FlankWay, as_metal, passing, stand};
 use crate::kinds::impeller::clear::table::Table;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
@@ -54,7 +54,7 @@ impl<'a> Round<'a> {
     /// The least D at which the axis is a from the splitter.
     fn clear_of(&self, body: &Body, f: f64) -> f64 {
         let a = self.tool.a();
-        let off = |D: f64| body.apart(&self.beside(f, D)) - a;
+        let off = |D: f64| body.apart(&self.seen(&self.beside(f, D))) - a;
         let low = self.part.e / 2.0 + a;
         if off(low) >= 0.0 {
             return low;
@@ -70,6 +70,11 @@ impl<'a> Round<'a> {
         high
     }
 
+    /// An axis as high as metal stands beside the tool.
+    fn seen(&self, axis: &Axis) -> Axis {
+        as_metal(axis, self.part.circle.torus, self.tool.a(), self.part.circle.u(self.v_s))
+    }
+
     /// The axis along N(v_s), D from the nose's ruling.
     fn beside(&self, f: f64, D: f64) -> Axis {
         let (P, frame) = self.part.frame(self.v_s);
@@ -79,7 +84,7 @@ impl<'a> Round<'a> {
         let pass = passing(&foot, &frame.N, self.part.circle.torus.R, near);
         let r_f = self.ways[0].r_f();
         let tip = pass.at - self.tool.below(r_f, pass.m).unwrap_or(r_f);
-        Axis { foot, along: frame.N, range: [tip, ABOVE.max(tip)] }
+        Axis { foot, along: frame.N, range: [tip, r_f.max(tip)] }
     }
 
     /// The axis at x, of blade 0: along the obverse up to 1, onto N(v_s) up to 2, round the nose up to 3, off N(v_s) up to
@@ -90,7 +95,7 @@ impl<'a> Round<'a> {
             let tip = |axis: &Axis| axis.foot + axis.along * axis.range[0];
             let along = from.along + (to.along - from.along) * part;
             let foot = tip(from) + (tip(to) - tip(from)) * part;
-            Axis { foot, along: along / along.norm(), range: [0.0, self.part.a_p + ABOVE] }
+            Axis { foot, along: along / along.norm(), range: [0.0, self.ways[0].r_f()] }
         };
         let [obverse, reverse] = self.ways;
         if x < 1.0 {
@@ -142,14 +147,19 @@ impl<'a> Round<'a> {
         stand(machine, &axis, &axis.along, self.part.circle.u(self.v_s) - TAU, turn)
     }
 
-    /// True where the whole way keeps clear of both blades of the channel, the splitter turned about the axis of the part.
+    /// True where the whole way keeps clear of both blades of the channel, the splitter turned about the axis of the part, and
+    /// the end of the tool fits into the tube.
     #[must_use]
     pub fn is_clear(&self, pitch: f64, turn: f64) -> bool {
         let a = self.tool.a();
         let obstacles = Obstacles::new(self.part, pitch, a, None);
-        (0..5 * u16::from(LOOKS)).all(|look| {
-            let axis = turned(&self.axis(f64::from(look) / f64::from(LOOKS)), turn);
-            obstacles.keeps_obverse(&axis, a) && obstacles.keeps_reverse(&axis, a)
-        })
+        let fits = |way: &&FlankWay| {
+            (0..=LOOKS).all(|look| way.fits(self.v_s + (RIM - self.v_s) * f64::from(look) / f64::from(LOOKS)))
+        };
+        self.ways.iter().all(fits)
+            && (0..5 * u16::from(LOOKS)).all(|look| {
+                let axis = turned(&self.seen(&self.axis(f64::from(look) / f64::from(LOOKS))), turn);
+                obstacles.keeps_obverse(&axis, a) && obstacles.keeps_reverse(&axis, a)
+            })
     }
 }

@@ -77,7 +77,7 @@ rules! {
         es "tramos que no se cortan porque la herramienta no cabe: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
         en "stretches not cut because the tool does not fit there: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
         remedy "use una herramienta menor o menos álabes; quite a mano lo que quede", "use a smaller tool or fewer blades; remove by hand what is left";
-        why "Una pasada que no cabe cortaría otro álabe: se deja y se dice.", "A pass that does not fit would cut another blade: it is left out and told.";
+        why "Una pasada que no cabe cortaría otro álabe o el fondo: se deja y se dice.", "A pass that does not fit would cut another blade or the floor: it is left out and told.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8");
     "P1213" NoRoomForClearSplitter Stop {}
         es "no hay sitio para álabes intermedios: la fresa de acabado no pasa alrededor de ellos en ningún punto"

@@ -27,7 +27,7 @@ pub struct Dropped {
 pub enum By {
     /// The splitter, or its neighbour where the splitter's own pass is meant.
     Splitter,
-    /// The blade on the other side of the channel.
+    /// The blade on the other side of the channel, or the floor of a tube that is too narrow.
     Blade,
 }
 

@@ -144,15 +144,15 @@ crate::finding::rule::rules! {
     "V0126" ClearCutsBlade Stop { depth: Size, limit: Size, line: usize, program: Text }
         es "la herramienta entra {depth} en la cara de un álabe, en la línea {line} de «{program}»; la tolerancia admite {limit}"
         en "the tool enters the face of a blade by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy "use una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o menos álabes o más delgados", "use a smaller tool in this program (d_t in roughing, d_f in finishing), or fewer or thinner blades";
         why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
-        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N23350 G1 X-2.805", to: "N23350 G1 X-3.105" };
+        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N23350 G1 X-2.837", to: "N23350 G1 X-3.137" };
     "V0127" ClearCutsSplitter Stop { depth: Size, limit: Size, line: usize, program: Text }
         es "la herramienta entra {depth} en un álabe intermedio, en la línea {line} de «{program}»; la tolerancia admite {limit}"
         en "the tool enters a splitter by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy "use una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o menos álabes o más delgados", "use a smaller tool in this program (d_t in roughing, d_f in finishing), or fewer or thinner blades";
         why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
-        example Example::Slip { kind: "impeller", cells: &[("c_s", "0.02"), ("delta", "")], program: "finish", from: "N51470 G1 X-3.496", to: "N51470 G1 X-3.796" };
+        example Example::Slip { kind: "impeller", cells: &[("c_s", "0.02"), ("delta", "")], program: "finish", from: "N51470 G1 X-3.520", to: "N51470 G1 X-3.820" };
     "V0128" ClearMayCut Stop { limit: Size, line: usize, program: Text }
         es "no está demostrado que la herramienta libre las caras en {limit}: pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the tool keeps within {limit} of the faces: it comes nearest in line {line} of \"{program}\""
@@ -163,9 +163,9 @@ crate::finding::rule::rules! {
     "V0129" FloorUnder Stop { depth: Size, limit: Size, program: Text }
         es "la herramienta baja {depth} del fondo en «{program}»; la tolerancia admite {limit}"
         en "the tool goes {depth} below the floor in \"{program}\"; the tolerance allows {limit}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy "use una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o una tol mayor", "use a smaller tool in this program (d_t in roughing, d_f in finishing), or a larger tol";
         why "El cubo queda más delgado de lo diseñado.", "The hub comes out thinner than designed.";
-        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N160 G1 X0.445 Z3.999", to: "N160 G1 X0.445 Z3.899" };
+        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N160 G1 X0.444 Z3.990", to: "N160 G1 X0.444 Z3.890" };
     "V0130" ClearTermsDiffer Stop { at: Text, found: Text, wanted: Text, program: Text }
         es "en la {at} de «{program}» está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} of \"{program}\" {found} is in force, but the form asks for {wanted}"

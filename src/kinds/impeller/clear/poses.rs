@@ -1,0 +1,223 @@
+//! The poses of a tool along its passes, in bunches of some that follow each other, so that what none of a bunch can reach
+//! is left out at once.
+//!
+//! # Derivation
+//! Let no tip of a bunch be farther than δ from that of its middle pose, and no axis, as a unit vector, differ from its axis
+//! by more than θ. Of a point w away from the middle tip neither the distance from any axis of the bunch nor the height
+//! over any end then differs by more than δ + θ·|w| from that of the middle pose: both are lengths of w × A and w·A.
+//!
+//! # Units
+//! Millimetres and radians.
+
+use nalgebra::Vector3;
+
+use crate::kinds::impeller::clear::tool::Tool;
+use crate::kinds::impeller::clearance::Stand;
+use crate::kinds::impeller::nearest::Axis;
+use crate::machine::rotary::Rotary;
+
+/// How far apart the poses of a block are at most, mm at the tip: on a flank 3 mm wide that leaves cusps of 0.003 mm.
+const APART: f64 = 0.2;
+/// Poses of one block at most.
+const MOST: f64 = 400.0;
+/// A bunch of no more poses than this is not parted again.
+const FEW: usize = 6;
+
+/// A tool in the part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Its tip.
+    pub tip: Vector3<f64>,
+    /// Its axis, out of the metal.
+    pub along: Vector3<f64>,
+}
+
+impl From<Axis> for Pose {
+    fn from(axis: Axis) -> Self {
+        Self { tip: axis.foot + axis.along * axis.range[0], along: axis.along }
+    }
+}
+
+impl Pose {
+    /// How far a point is from the axis, and how high over the end.
+    fn seen(&self, point: &Vector3<f64>) -> [f64; 2] {
+        let from = point - self.tip;
+        let up = from.dot(&self.along);
+        [(from.norm_squared() - up * up).max(0.0).sqrt(), up]
+    }
+
+    /// How far a point is from a tool there; negative inside.
+    #[must_use]
+    pub fn apart(&self, tool: Tool, point: &Vector3<f64>) -> f64 {
+        apart(tool, self.seen(point))
+    }
+}
+
+/// How far a point is from a tool that it is seen from: from the axis, and over the end.
+fn apart(tool: Tool, [beside, up]: [f64; 2]) -> f64 {
+    let (out, down) = (beside - tool.flat_radius(), tool.r_c - up);
+    let (beyond, below) = (out.max(0.0), down.max(0.0));
+    // A root and not hypot: no square of a length of the part runs over.
+    out.max(down).min(0.0) + (beyond * beyond + below * below).sqrt() - tool.r_c
+}
+
+/// Poses that follow each other.
+#[derive(Clone, Debug)]
+pub struct Bunch {
+    /// From which to which.
+    of: [usize; 2],
+    middle: Pose,
+    /// δ and θ.
+    off: [f64; 2],
+    /// The bunch after this one and its parts.
+    next: usize,
+}
+
+/// What a bunch of poses looks like from a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// No pose has its axis nearer than this.
+    pub beside: f64,
+    /// No pose has its end lower below the point than this.
+    pub up: f64,
+}
+
+/// The poses of some passes.
+#[derive(Clone, Debug, Default)]
+pub struct Poses {
+    poses: Vec<Pose>,
+    /// A bunch comes before its parts.
+    bunches: Vec<Bunch>,
+}
+
+impl Bunch {
+    /// What it looks like from a point.
+    #[must_use]
+    pub fn seen(&self, point: &Vector3<f64>) -> Seen {
+        let [beside, up] = self.middle.seen(point);
+        let off = self.off[0] + self.off[1] * (point - self.middle.tip).norm();
+        Seen { beside: beside - off, up: up + off }
+    }
+}
+
+impl Poses {
+    /// Poses in the order in which they are taken.
+    #[must_use]
+    pub fn new(poses: Vec<Pose>) -> Self {
+        let mut made = Self { poses, bunches: Vec::new() };
+        if !made.poses.is_empty() {
+            made.bunch([0, made.poses.len()]);
+        }
+        made
+    }
+
+    /// Those of passes, given by their points: both ends of each block and some between.
+    #[must_use]
+    pub fn along<'p>(machine: Rotary, passes: impl Iterator<Item = &'p [Stand]>) -> Self {
+        let pose = |stand: Stand| {
+            let [tip, along] = machine.tool(&stand.at, stand.B, stand.C);
+            Pose { tip, along }
+        };
+        let mut poses = Vec::new();
+        for pair in passes.flat_map(|points| points.windows(2)) {
+            let tips = [0, 1].map(|end: usize| pose(pair[end]).tip);
+            let steps = ((tips[1] - tips[0]).norm() / APART).ceil().clamp(2.0, MOST);
+            let mut step = 0.0;
+            while step <= steps {
+                poses.push(pose(pair[0].towards(&pair[1], step / steps)));
+                step += 1.0;
+            }
+        }
+        Self::new(poses)
+    }
+
+    fn bunch(&mut self, [from, to]: [usize; 2]) {
+        let middle = self.poses[from + (to - from) / 2];
+        let off = self.poses[from..to].iter().fold([0.0_f64; 2], |[tip, turn], pose| {
+            [tip.max((pose.tip - middle.tip).norm()), turn.max((pose.along - middle.along).norm())]
+        });
+        let at = self.bunches.len();
+        self.bunches.push(Bunch { of: [from, to], middle, off, next: 0 });
+        if to - from > FEW {
+            let half = from + (to - from) / 2;
+            self.bunch([from, half]);
+            self.bunch([half, to]);
+        }
+        self.bunches[at].next = self.bunches.len();
+    }
+
+    /// One of them.
+    #[must_use]
+    pub fn get(&self, at: usize) -> Option<&Pose> {
+        self.poses.get(at)
+    }
+
+    /// The poses, with their numbers, of all bunches but those that are left out.
+    pub fn of(&self, mut out: impl FnMut(&Bunch) -> bool) -> impl Iterator<Item = (usize, &Pose)> {
+        let (mut at, mut left) = (0, 0..0);
+        std::iter::from_fn(move || {
+            loop {
+                if let Some(number) = left.next() {
+                    return Some((number, self.poses.get(number)?));
+                }
+                let bunch = self.bunches.get(at)?;
+                if out(bunch) {
+                    at = bunch.next;
+                    continue;
+                }
+                at += 1;
+                let [from, to] = bunch.of;
+                if to - from <= FEW {
+                    left = from..to;
+                }
+            }
+        })
+    }
+
+    /// A pose at which a point is no farther from a tool than `over`.
+    #[must_use]
+    pub fn holding(&self, tool: Tool, point: &Vector3<f64>, over: f64) -> Option<usize> {
+        let far = |bunch: &Bunch| {
+            let Seen { beside, up } = bunch.seen(point);
+            apart(tool, [beside, up]) > over
+        };
+        self.of(far).find(|(_, pose)| pose.apart(tool, point) <= over).map(|(number, _)| number)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Poses on a bent way, leaning more and more.
+    fn bent() -> Vec<Pose> {
+        (0..500_u16)
+            .map(|k| {
+                let (sin, cos) = crate::number::trig::sin_cos(f64::from(k) * 0.01);
+                let along = Vector3::new(0.3 * sin, 0.2 * cos, 1.0).try_normalize(1e-9).unwrap();
+                Pose { tip: Vector3::new(20.0 * cos, 20.0 * sin, f64::from(k % 7) * 0.1), along }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_point_is_held_where_one_of_all_poses_holds_it() {
+        let (all, tools) = (bent(), [Tool::flat(3.0), Tool { d: 3.0, r_c: 0.4 }, Tool::ball(3.0)]);
+        let poses = Poses::new(all.clone());
+        let mut held = 0;
+        for k in 0..600_u16 {
+            let (sin, cos) = crate::number::trig::sin_cos(f64::from(k) * 0.37);
+            let out = 17.0 + f64::from(k % 60) * 0.1;
+            let point = Vector3::new(out * cos, out * sin, f64::from(k % 11) * 0.1 - 0.3);
+            for tool in tools {
+                let one = all.iter().any(|pose| pose.apart(tool, &point) <= 0.02);
+                let found = poses.holding(tool, &point, 0.02);
+                assert_eq!(found.is_some(), one, "{k} {tool:?}");
+                assert!(found.is_none_or(|at| all[at].apart(tool, &point) <= 0.02));
+                held += u32::from(one);
+            }
+        }
+        assert!((300..1500).contains(&held), "{held}");
+        assert_eq!(Poses::default().holding(tools[0], &Vector3::zeros(), 99.0), None);
+    }
+}
