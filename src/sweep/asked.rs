@@ -12,7 +12,7 @@ use crate::sweep::form::{
     VALUES,
 };
 use crate::sweep::objective::{Constraint, Objective, bound, direction, pieces};
-use crate::sweep::plan::{Input, Levels, Method, Plan, Spread, whole};
+use crate::sweep::plan::{Input, Levels, Method, Plan, Spread, grouped, whole};
 use crate::sweep::rules::*;
 use crate::sweep::sobol;
 use crate::text::Text;
@@ -52,6 +52,9 @@ pub fn plan(kind: &dyn Kind, fields: &Fields, designs: Option<Designs>) -> Resul
     let objectives = reading.objectives(level);
     let constraints = reading.constraints(level);
     let count = reading.count(&inputs);
+    if reading.method == Method::Saltelli && objectives.is_empty() {
+        reading.wrong(OBJECTIVES.key(), &NothingExplained {});
+    }
     let Reading { method, findings, notes, .. } = reading;
     let Some(count) = count.filter(|_| findings.is_empty()) else { return Err(findings) };
     let seed = fields.get(&SEED).map_or(1, u64::from);
@@ -101,8 +104,14 @@ impl Reading<'_> {
                 Err(finding) => self.findings.push(*finding),
             }
         }
-        if self.method == Method::Sobol && inputs.len() > sobol::MOST {
-            let row = TooManySampled { count: inputs.len(), most: sobol::MOST };
+        // A plan for indices takes two points of the sequence side by side.
+        let most = match self.method {
+            Method::Sobol => sobol::MOST,
+            Method::Saltelli => sobol::MOST / 2,
+            Method::Factorial | Method::Latin | Method::List => usize::MAX,
+        };
+        if inputs.len() > most {
+            let row = TooManySampled { count: inputs.len(), method: self.method.key(), most };
             self.wrong(METHOD.key(), &row);
         }
         inputs
@@ -218,13 +227,14 @@ impl Reading<'_> {
                     .filter_map(|one| one.levels.count())
                     .fold(1_u128, |all, one| all.saturating_mul(one.into())),
             ),
-            Method::Latin | Method::Sobol => {
+            Method::Latin | Method::Sobol | Method::Saltelli => {
                 let samples = self.fields.get(&SAMPLES);
                 if samples.is_none() {
                     let method = self.method.key();
                     self.wrong(SAMPLES.key(), &SamplesNeeded { method });
                 }
-                samples.map(u128::from)
+                let group = if self.method == Method::Saltelli { grouped(inputs.len()) } else { 1 };
+                samples.map(|samples| u128::from(samples) * u128::from(group))
             }
         }?;
         if count > u128::from(MOST) {

@@ -21,8 +21,8 @@ pub static METHOD: Field<Method, Required> = Field::choice(
     "sweep_method",
     t("Cómo se eligen los diseños", "How the designs are chosen"),
     t(
-        "factorial: todos los niveles con todos; latin y sobol: samples diseños repartidos; list: los de la hoja DISEÑOS",
-        "factorial: every level with every other; latin and sobol: samples designs, spread evenly; list: those of the sheet DESIGNS",
+        "factorial: todos los niveles con todos; latin y sobol: samples diseños repartidos; saltelli: grupos para los índices de Sobol; list: los de la hoja DISEÑOS",
+        "factorial: every level with every other; latin and sobol: samples designs, spread evenly; saltelli: groups for Sobol's indices; list: those of the sheet DESIGNS",
     ),
 );
 /// How many designs are sampled.
@@ -32,7 +32,10 @@ pub static SAMPLES: Field<u32, Optional> = Field::whole(
     Unit::Count,
     [1, SAMPLES_MOST],
     t("Número de diseños", "Number of designs"),
-    t("Con latin y sobol; sobol: mejor una potencia de dos", "With latin and sobol; sobol: best a power of two"),
+    t(
+        "Con latin y sobol; con saltelli, de grupos; sobol y saltelli: mejor una potencia de dos",
+        "With latin and sobol; with saltelli, of groups; sobol and saltelli: best a power of two",
+    ),
 );
 /// What chance begins with.
 pub static SEED: Field<u32, Optional> = Field::whole(

@@ -10,6 +10,7 @@ pub mod csv;
 pub mod file;
 pub mod form;
 pub mod front;
+pub mod indices;
 pub mod objective;
 pub mod plan;
 pub mod ranking;

@@ -18,6 +18,9 @@ choices! {
         Latin = "latin" ("latino", "latin"),
         /// The sequence of Sobol: the most even for powers of two.
         Sobol = "sobol" ("sobol", "sobol"),
+        /// Two designs of the sequence of Sobol, and for each input one with that input of the second and all others of the first: what
+        /// the indices of Sobol are estimated from.
+        Saltelli = "saltelli" ("saltelli", "saltelli"),
         /// The designs of a sheet of their own.
         List = "list" ("lista", "list"),
     }
@@ -165,6 +168,11 @@ fn cut_normal(place: f64, [from, to]: [f64; 2], mean: f64, deviation: f64) -> f6
     f64::midpoint(low, high)
 }
 
+/// Designs of a group of a plan for indices, with so many inputs.
+pub(super) fn grouped(inputs: usize) -> u64 {
+    u64::try_from(inputs).unwrap_or(u64::MAX - 2) + 2
+}
+
 /// Every design that is to be judged, and by what.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -198,7 +206,8 @@ impl Plan {
         level: Level,
         (objectives, constraints): (Vec<Objective>, Vec<Constraint>),
     ) -> Self {
-        let sobol = Sobol::new(inputs.len(), seed);
+        let coordinates = if method == Method::Saltelli { 2 * inputs.len() } else { inputs.len() };
+        let sobol = Sobol::new(coordinates, seed);
         Self { form, inputs, method, seed, count, level, objectives, constraints, sobol }
     }
 
@@ -217,7 +226,7 @@ impl Plan {
                 self.inputs.iter().zip(self.digits(id)).filter_map(|(one, at)| one.level(at)).collect()
             }
             Method::List => self.inputs.iter().filter_map(|one| one.level(id)).collect(),
-            Method::Latin | Method::Sobol => {
+            Method::Latin | Method::Sobol | Method::Saltelli => {
                 let places = self.inputs.iter().enumerate();
                 places.filter_map(|(at, one)| one.sampled(self.place(id, at))).collect()
             }
@@ -250,6 +259,11 @@ impl Plan {
         let of = |digit: u64, count: u64| (digit as f64 + 0.5) / count.max(1) as f64;
         match self.method {
             Method::Sobol => self.sobol.at(id, input),
+            Method::Saltelli => {
+                let (point, design) = self.group(id);
+                let of_second = design == 1 || design == input + 2;
+                self.sobol.at(point, if of_second { self.inputs.len() + input } else { input })
+            }
             Method::Latin => {
                 let axis = u64::try_from(input).unwrap_or(u64::MAX);
                 let slice = permuted(id, self.count, drawn(self.seed, axis, 0));
@@ -261,6 +275,14 @@ impl Plan {
             }
             Method::List => of(id, self.count),
         }
+    }
+
+    /// The group of a design of a plan for indices, and its place in it: 0 and 1 for the two designs, from 2 on for those that have one
+    /// input of the second.
+    #[must_use]
+    pub fn group(&self, id: u64) -> (u64, usize) {
+        let size = grouped(self.inputs.len());
+        (id / size, usize::try_from(id % size).unwrap_or_default())
     }
 
     /// The plan in words for a program, without the folder and the chunks that it is worked in: what two runs must have in common

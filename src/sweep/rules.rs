@@ -106,12 +106,12 @@ rules! {
         remedy "dé menos niveles o pasos mayores, o elija sobol con menos diseños", "give fewer levels or larger steps, or choose sobol with fewer designs";
         why "Con más diseños los resultados ya no se pueden examinar.", "The results of more designs cannot be looked through.";
         example book!("impeller", "SWEEP!D16" = "0.000001");
-    "D0117" TooManySampled Stop { count: usize, most: usize }
-        es "varían {count} entradas; sobol admite {most}"
-        en "{count} inputs vary; sobol allows {most}"
+    "D0117" TooManySampled Stop { count: usize, method: &'static str, most: usize }
+        es "varían {count} entradas; {method} admite {most}"
+        en "{count} inputs vary; {method} allows {most}"
         remedy "elija latin, o varíe menos entradas", "choose latin, or vary fewer inputs";
         why "La sucesión de Sobol tiene aquí esas dimensiones.", "The sequence of Sobol has so many dimensions here.";
-        example Example::Never(t("la lista de entradas no admite tantas", "the list of inputs does not hold so many"));
+        example Example::Made { key: "sweep-many-inputs", how: t("method = saltelli con 21 entradas", "method = saltelli with 21 inputs") };
     "D0118" ObjectiveUnread Stop { text: String }
         es "«{text}» no es un objetivo"
         en "\"{text}\" is not an objective"
@@ -154,6 +154,12 @@ rules! {
         remedy "rellene la celda", "fill in the cell";
         why "Cada fila es un diseño completo.", "Each row is a whole design.";
         example Example::Made { key: "sweep-list-gap", how: t("una celda vacía en la hoja DISEÑOS", "an empty cell on the sheet DESIGNS") };
+    "D0125" NothingExplained Stop {}
+        es "con method = saltelli falta objectives"
+        en "with method = saltelli, objectives is missing"
+        remedy "escriba un objetivo, como time_s min", "write an objective, such as time_s min";
+        why "El plan sirve para saber qué entrada explica la varianza de cada objetivo.", "The plan is there to show which input explains the variance of each objective.";
+        example book!("impeller", "SWEEP!C6" = "saltelli", "SWEEP!C7" = "64", "SWEEP!C10" = "");
 
     "D0201" OtherPlan Stop { path: String }
         es "{path} contiene filas de otro plan, de otro libro o de otra versión"

@@ -2,6 +2,7 @@
 
 use crate::kind::Kind;
 use crate::parameter::{FieldKind, Value, Values};
+use crate::sweep::indices::Index;
 use crate::sweep::objective::Objective;
 use crate::sweep::plan::{Input, Levels, Plan, slice};
 use crate::sweep::row::{Row, State};
@@ -27,6 +28,10 @@ pub struct Effect {
     pub value: Option<f64>,
     /// How much each objective changes for one unit of it, around the workbook's design.
     pub slopes: Vec<Option<f64>>,
+    /// The least and greatest value of the plan; `None` where it is no number.
+    pub ends: Option<[f64; 2]>,
+    /// How much each objective changes when this input alone goes there; `None` where the objective has no value there.
+    pub changes: Vec<[Option<f64>; 2]>,
     /// How far it may be smaller and larger until the design is refused or breaks a constraint, everything else unchanged; `None`
     /// where the workbook's design is not good itself. As far as the plan's range is wide nothing is looked for.
     pub room: Option<[f64; 2]>,
@@ -34,6 +39,8 @@ pub struct Effect {
     pub open: [bool; 2],
     /// The share of each objective's variance that follows this input alone, over the feasible designs of the plan.
     pub shares: Vec<Option<f64>>,
+    /// The indices of Sobol by objective, of a plan that was made for them; then the shares are not estimated.
+    pub indices: Vec<Option<Index>>,
 }
 
 /// The slopes and the room of every input around the design of a workbook. `judge` works a design out.
@@ -53,12 +60,15 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &dyn Fn(Vec<Va
             unit: input.parameter.unit.label(),
             value: None,
             slopes: vec![None; plan.objectives.len()],
+            ends: None,
+            changes: vec![[None; 2]; plan.objectives.len()],
             room: None,
             open: [false; 2],
             shares: vec![None; plan.objectives.len()],
+            indices: vec![None; plan.objectives.len()],
         };
         let (Some(here), Some(own), Some([low, high])) = (&here, &own, limits(input)) else { return plain };
-        let (Some(value), Some(width)) = (here.get(at).and_then(number), width(input)) else { return plain };
+        let (Some(value), Some(ends)) = (here.get(at).and_then(number), span(input)) else { return plain };
         let moved = |to: f64| {
             let mut values = here.clone();
             let to = if input.whole() { to.round() } else { to }.clamp(low, high);
@@ -68,6 +78,7 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &dyn Fn(Vec<Va
             }
             (to, judge(values))
         };
+        let width = ends[1] - ends[0];
         let step = if input.whole() { 1.0 } else { PART * width };
         let (below, above) = (moved(value - step), moved(value + step));
         let slope = |objective: &Objective| {
@@ -81,6 +92,11 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &dyn Fn(Vec<Va
             (to.0 > from.0).then(|| (to.1 - from.1) / (to.0 - from.0))
         };
         let slopes = plan.objectives.iter().map(slope).collect();
+        let at_ends = ends.map(|end| moved(end).1);
+        let change = |objective: &Objective| {
+            at_ends.each_ref().map(|row| of(row, objective).zip(of(own, objective)).map(|(there, here)| there - here))
+        };
+        let changes = plan.objectives.iter().map(change).collect();
         let (mut room, mut open) = (None, [false; 2]);
         if good(own) {
             let ends = [-1.0, 1.0].map(|side| {
@@ -90,7 +106,7 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &dyn Fn(Vec<Va
             room = Some(ends.map(|(by, _)| by));
             open = ends.map(|(_, open)| open);
         }
-        Effect { value: Some(value), slopes, room, open, ..plain }
+        Effect { value: Some(value), slopes, ends: Some(ends), changes, room, open, ..plain }
     };
     plan.inputs.iter().enumerate().map(effect).collect()
 }
@@ -141,18 +157,18 @@ fn limits(input: &Input) -> Option<[f64; 2]> {
     }
 }
 
-/// How wide the plan's range of an input is; `None` where it has no width.
+/// The least and greatest value of an input in the plan; `None` where they are the same.
 #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
-fn width(input: &Input) -> Option<f64> {
-    let width = match &input.levels {
-        Levels::Steps { step, count, .. } => step * count.saturating_sub(1) as f64,
-        Levels::Range { from, to, .. } => to - from,
+fn span(input: &Input) -> Option<[f64; 2]> {
+    let [from, to] = match &input.levels {
+        Levels::Steps { from, step, count } => [*from, from + step * count.saturating_sub(1) as f64],
+        Levels::Range { from, to, .. } => [*from, *to],
         Levels::Values(values) => {
             let numbers = || values.iter().filter_map(number);
-            numbers().fold(f64::MIN, f64::max) - numbers().fold(f64::MAX, f64::min)
+            [numbers().fold(f64::MAX, f64::min), numbers().fold(f64::MIN, f64::max)]
         }
     };
-    (width > 0.0 && width.is_finite()).then_some(width)
+    (to > from && (to - from).is_finite()).then_some([from, to])
 }
 
 /// Sums of an objective in a slice of an input's range.

@@ -5,7 +5,7 @@ use std::io::{Seek, Write};
 
 use rust_xlsxwriter::{
     Chart, ChartAxisLabelPosition, ChartFont, ChartFormat, ChartLegendPosition, ChartLine, ChartMarker,
-    ChartMarkerType, ChartSolidFill, ChartType, ColNum, Color, Format, RowNum, Url, Workbook, Worksheet,
+    ChartMarkerType, ChartSolidFill, ChartType, ColNum, Color, Format, FormatAlign, RowNum, Url, Workbook, Worksheet,
 };
 
 use super::cell::{row_height, write_text};
@@ -26,17 +26,17 @@ use crate::text::{Language, Text, t};
 /// The most rows of the sheet of all designs.
 pub const ALL_MOST: u64 = 20_000;
 /// The row of the headings, from 0; the units stand above it.
-const HEADINGS: RowNum = 4;
+pub(super) const HEADINGS: RowNum = 4;
 /// The most inputs and objectives that are charted against each other.
 const CHARTED: usize = 8;
 /// The most designs of the chart of parallel coordinates: a chart takes 255 curves.
 const CURVES: usize = 50;
-const SIZE: [u32; 2] = [760, 420];
+pub(super) const SIZE: [u32; 2] = [640, 420];
 /// Rows that a chart takes, with its gap.
-const CHART_ROWS: RowNum = 23;
+pub(super) const CHART_ROWS: RowNum = 23;
 
-const DONE: Color = Color::RGB(0x9D_B4CC);
-const BEST: Color = Color::RGB(0xC0_504D);
+pub(super) const DONE: Color = Color::RGB(0x9D_B4CC);
+pub(super) const BEST: Color = Color::RGB(0xC0_504D);
 
 /// Why designs are not among the good ones.
 #[derive(Clone, Debug)]
@@ -72,6 +72,8 @@ pub struct SweepBook<'a> {
     pub why: &'a [Why],
     /// What each input does.
     pub effects: &'a [Effect],
+    /// From how many triples the indices of Sobol come, of how many; `None` for a plan that is not made for them.
+    pub triples: Option<(u64, u64)>,
     /// The language.
     pub language: Language,
 }
@@ -80,7 +82,6 @@ static TOP: Text = t("MEJORES", "TOP");
 static ALL: Text = t("TODOS", "ALL");
 static WHY: Text = t("POR_QUE", "WHY");
 static CHARTS: Text = t("GRAFICOS", "CHARTS");
-static SENSITIVITY: Text = t("SENSIBILIDAD", "SENSITIVITY");
 static CURVES_SHEET: Text = t("CURVAS", "CURVES");
 
 impl SweepBook<'_> {
@@ -102,16 +103,16 @@ impl SweepBook<'_> {
         save(&mut workbook, Additions::default(), out)
     }
 
-    const fn page(&self) -> Page<'_> {
+    pub(super) const fn page(&self) -> Page<'_> {
         Page { part: "", origin: self.source, repeat: (HEADINGS, HEADINGS), landscape: true, single: false }
     }
 
-    fn text<'t>(&self, text: &'t Text) -> &'t str {
+    pub(super) fn text<'t>(&self, text: &'t Text) -> &'t str {
         text.get(self.language)
     }
 
     /// Title, and two lines below it.
-    fn head(
+    pub(super) fn head(
         &self,
         sheet: &mut Worksheet,
         styles: &Styles,
@@ -193,6 +194,22 @@ impl SweepBook<'_> {
         }
     }
 
+    /// The columns of the best designs that compare them: what varies, what is asked for, and what is to be known. The others are on the sheet of
+    /// all, and in the workbook of each.
+    fn brief(&self) -> Table {
+        let Plan { objectives, constraints, .. } = self.plan;
+        let asked = |name: &str| {
+            objectives
+                .iter()
+                .map(|one| one.measure)
+                .chain(constraints.iter().map(|one| one.measure))
+                .any(|one| one.key == name)
+        };
+        let kept =
+            |name: &str| name.starts_with("in_") || asked(name) || ["id", "caution", "codes", FRONT].contains(&name);
+        Table { columns: self.top.columns.iter().filter(|one| kept(&one.name)).cloned().collect() }
+    }
+
     fn write_top(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
         static TITLE: Text = t("Los mejores diseños", "The best designs");
         static LINK: Text = t("libro", "workbook");
@@ -209,7 +226,7 @@ impl SweepBook<'_> {
                 sheet.write_url(row, 0, Url::new(format!("file:///{link}")).set_text(name))?;
             }
         }
-        self.rows(sheet, styles, self.top, 1)?;
+        self.rows(sheet, styles, &self.brief(), 1)?;
         sheet.set_freeze_panes(HEADINGS + 1, 2)?;
         self.page().set_up(sheet, self.language)?;
         Ok(())
@@ -222,8 +239,12 @@ impl SweepBook<'_> {
         } else {
             let rows = self.all.rows();
             Text::new(
-                format!("Aquí están los {rows} mejores; todos, en summary.parquet, para DuckDB o pandas."),
-                format!("The best {rows} are here; all of them in summary.parquet, for DuckDB or pandas."),
+                format!(
+                    "Aquí están los {rows} mejores. Todos, también los rechazados, están en summary.parquet, para DuckDB o pandas, y con --csv en summary.csv."
+                ),
+                format!(
+                    "The best {rows} are here. All of them, also those refused, are in summary.parquet, for DuckDB or pandas, and with --csv in summary.csv."
+                ),
             )
         };
         self.head(sheet, styles, &ALL, &TITLE, self.text(&told))?;
@@ -251,73 +272,18 @@ impl SweepBook<'_> {
             write_text(sheet, HEADINGS, column, self.text(heading), format)?;
             sheet.set_column_width(column, width)?;
         }
-        let share = Format::new().set_num_format("0.0 %");
+        let number = Format::new().set_align(FormatAlign::Top);
+        let share = number.clone().set_num_format("0.0 %");
         for (row, why) in (HEADINGS + 1..).zip(self.why) {
             write_text(sheet, row, 0, &why.code, &styles.symbol)?;
             let [count, all] = [why.count, self.plan.count].map(count);
-            sheet.write_number(row, 1, count)?;
+            sheet.write_number_with_format(row, 1, count, &number)?;
             sheet.write_number_with_format(row, 2, count / all.max(1.0), &share)?;
-            let what = self.text(&why.what);
-            write_text(sheet, row, 3, what, &styles.text)?;
-            sheet.set_row_height(row, row_height(&[(what, 90.0)]))?;
+            let what = unfilled(self.text(&why.what));
+            write_text(sheet, row, 3, &what, &styles.text)?;
+            sheet.set_row_height(row, row_height(&[(what.as_str(), 90.0)]))?;
         }
         sheet.set_freeze_panes(HEADINGS + 1, 0)?;
-        self.page().set_up(sheet, self.language)?;
-        Ok(())
-    }
-
-    fn write_effects(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
-        static TITLE: Text = t("Qué hace cada entrada", "What each input does");
-        static TOLD: Text = t(
-            "Pendientes y márgenes, alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción; ≥: hasta donde se ha mirado. Partes: qué parte de la varianza sigue a esta entrada sola, en los diseños válidos.",
-            "Slopes and room around the workbook's design, other inputs unchanged: how far the input may go down and up before the design is refused or breaks a constraint; ≥: as far as was looked. Shares: the part of the variance that follows this input alone, over the feasible designs.",
-        );
-        self.head(sheet, styles, &SENSITIVITY, &TITLE, self.text(&TOLD))?;
-        let per = t("por unidad", "per unit");
-        let mut headings = vec![
-            (self.text(&t("entrada", "input")).to_owned(), String::new()),
-            (self.text(&t("valor", "value")).to_owned(), String::new()),
-            (self.text(&t("unidad", "unit")).to_owned(), String::new()),
-            (self.text(&t("puede bajar", "may go down")).to_owned(), String::new()),
-            (self.text(&t("puede subir", "may go up")).to_owned(), String::new()),
-        ];
-        for objective in &self.plan.objectives {
-            let measure = objective.measure;
-            headings.push((format!("{} {}", measure.key, self.text(&per)), measure.unit.label().to_owned()));
-        }
-        let share = t("parte de", "share of");
-        headings.extend(
-            self.plan
-                .objectives
-                .iter()
-                .map(|one| (format!("{} {}", self.text(&share), one.measure.key), String::new())),
-        );
-        for (column, (heading, unit)) in (0..).zip(&headings) {
-            write_text(sheet, HEADINGS - 1, column, unit, &styles.number_unit)?;
-            write_text(sheet, HEADINGS, column, heading, &styles.header)?;
-            sheet.set_column_width(column, 18.0)?;
-        }
-        let (room, part) = (Format::new().set_num_format("0.####"), Format::new().set_num_format("0 %"));
-        let open = room.clone().set_num_format("\"≥ \"0.####");
-        for (row, effect) in (HEADINGS + 1..).zip(self.effects) {
-            write_text(sheet, row, 0, &effect.symbol, &styles.symbol)?;
-            if let Some(value) = effect.value {
-                sheet.write_number(row, 1, value)?;
-            }
-            write_text(sheet, row, 2, effect.unit, &styles.unit)?;
-            for ((column, by), ends) in (3..).zip(effect.room.iter().flatten()).zip(effect.open) {
-                sheet.write_number_with_format(row, column, *by, if ends { &open } else { &room })?;
-            }
-            let slopes = (5..).zip(&effect.slopes).map(|cell| (cell, &styles.number));
-            let behind = 5 + ColNum::try_from(effect.slopes.len()).unwrap_or_default();
-            let shares = (behind..).zip(&effect.shares).map(|cell| (cell, &part));
-            for ((column, value), format) in slopes.chain(shares) {
-                if let Some(value) = value {
-                    sheet.write_number_with_format(row, column, *value, format)?;
-                }
-            }
-        }
-        sheet.set_freeze_panes(HEADINGS + 1, 1)?;
         self.page().set_up(sheet, self.language)?;
         Ok(())
     }
@@ -350,6 +316,11 @@ impl SweepBook<'_> {
             }
         }
         let coordinates = row;
+        // A page for each.
+        let breaks: Vec<RowNum> = (4 + CHART_ROWS..=coordinates).step_by(CHART_ROWS as usize).collect();
+        if !breaks.is_empty() {
+            charts.set_page_breaks(&breaks)?;
+        }
         charts.set_column_width(0, 16.0)?;
         self.page().set_up_columns(charts, self.language);
         let count = self.top.rows().min(CURVES);
@@ -391,7 +362,8 @@ impl SweepBook<'_> {
             let shown: Vec<_> = table.columns.iter().filter(|one| one.name == "id" || filled(&one.cells)).collect();
             shown.iter().position(|one| one.name == name).and_then(|at| ColNum::try_from(at).ok()).map(|at| at + first)
         };
-        let series = [(&ALL, self.all, 0, &FEASIBLE, DONE, 4), (&TOP, self.top, 1, &SHOWN, BEST, 7)];
+        let brief = self.brief();
+        let series = [(&ALL, self.all, 0, &FEASIBLE, DONE, 4), (&TOP, &brief, 1, &SHOWN, BEST, 7)];
         let mut chart = Chart::new(ChartType::Scatter);
         let mut drawn = 0;
         for (sheet, table, first, name, ink, size) in series {
@@ -425,9 +397,11 @@ impl SweepBook<'_> {
         chart.y_axis().set_name(up.as_str()).set_font(&font).set_label_position(ChartAxisLabelPosition::Low);
         for (name, is_x) in [(x, true), (y, false)] {
             if let Some([low, high]) = extent(self.all, name) {
-                let edge = if high > low { 0.05 * (high - low) } else { 1.0 };
+                let edge = if high > low { 0.02 * (high - low) } else { 0.5 };
+                let unit = gridded(high - low + 2.0 * edge);
                 let axis = if is_x { chart.x_axis() } else { chart.y_axis() };
-                axis.set_min(rounded(low - edge, edge)).set_max(rounded(high + edge, edge));
+                axis.set_min(((low - edge) / unit).floor() * unit).set_max(((high + edge) / unit).ceil() * unit);
+                axis.set_major_unit(unit);
             }
         }
         let title = format!("{up} / {across}");
@@ -486,20 +460,61 @@ fn extent(table: &Table, name: &str) -> Option<[f64; 2]> {
     })
 }
 
-/// A number with few digits, not farther off than a step.
-fn rounded(value: f64, step: f64) -> f64 {
-    let mut unit = 1.0;
-    while unit > step {
-        unit /= 10.0;
+/// The distance of grid lines that divides a length into some four to ten: 1, 2 or 5 times a power of ten.
+fn gridded(length: f64) -> f64 {
+    let mut ten = 1.0;
+    while ten > length {
+        ten /= 10.0;
     }
-    while unit * 10.0 <= step {
-        unit *= 10.0;
+    while ten * 10.0 <= length {
+        ten *= 10.0;
     }
-    (value / unit).round() * unit
+    let times = length / ten;
+    if times > 5.0 {
+        ten
+    } else if times > 2.0 {
+        ten / 2.0
+    } else {
+        ten / 5.0
+    }
+}
+
+/// The sentence of a row without the values of one design: an ellipsis in the place of each.
+fn unfilled(sentence: &str) -> String {
+    let mut text = String::new();
+    let mut rest = sentence;
+    while let Some((before, (_, after))) =
+        rest.split_once('{').and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
+    {
+        text.push_str(before);
+        text.push('…');
+        rest = after;
+    }
+    text + rest
 }
 
 /// A count as a cell holds it.
 #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
 const fn count(number: u64) -> f64 {
     number as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{gridded, unfilled};
+
+    #[test]
+    fn a_grid_has_some_four_to_ten_round_distances() {
+        for (length, unit) in
+            [(1.0, 0.2), (1.56, 0.2), (2.1, 0.5), (4.2, 0.5), (7.0, 1.0), (0.19, 0.02), (3100.0, 500.0)]
+        {
+            assert!((gridded(length) - unit).abs() < 1e-9 * unit, "{length}: {}", gridded(length));
+        }
+    }
+
+    #[test]
+    fn a_sentence_stands_without_its_values() {
+        assert_eq!(unfilled("{tool} of {d} does not pass: {largest}"), "… of … does not pass: …");
+        assert_eq!((unfilled("plain").as_str(), unfilled("a { b").as_str()), ("plain", "a { b"));
+    }
 }

@@ -11,6 +11,8 @@ use rodete::drawing::{Drawing, template};
 use rodete::figure::{Figure, Ink, Paper, Stroke};
 use rodete::finding::{Example, Finding, Grade, Place, Rule};
 use rodete::kinds::KINDS;
+use rodete::kinds::impeller::parameters::FORM;
+use rodete::parameter::FieldKind;
 use rodete::parameter::Value;
 use rodete::report::stationery::{Logo, Stationery, Template};
 use rodete::report::{self, Attachment, Content, Role};
@@ -226,6 +228,27 @@ fn variants(key: &str, folder: &Path) -> Option<&'static str> {
         }
         "sweep-list-gap" => {
             put(common::workbook::with_variants(&list, &[], &[&["N", "F"], &["4", ""]]));
+            "sweep a.xlsx --dry-run"
+        }
+        "sweep-many-inputs" => {
+            let numbers = FORM.parameters().filter_map(|(_, one)| match one.kind {
+                FieldKind::Real { min, max } => Some((one, min, max)),
+                FieldKind::Whole { min, max } => Some((one, f64::from(min), f64::from(max))),
+                _ => None,
+            });
+            let inputs: Vec<[String; 4]> = numbers
+                .take(21)
+                .map(|(one, min, max)| [one.symbol().to_owned(), min.to_string(), max.to_string(), String::new()])
+                .collect();
+            let inputs: Vec<[&str; 6]> = inputs
+                .iter()
+                .map(|[name, min, max, none]| [name, min, max, none, none, none].map(String::as_str))
+                .collect();
+            put(common::workbook::with_variants(
+                &[("method", "saltelli"), ("samples", "8"), ("objectives", "N_max max")],
+                &inputs,
+                &[],
+            ));
             "sweep a.xlsx --dry-run"
         }
         "sweep-other-plan" => {

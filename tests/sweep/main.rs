@@ -7,6 +7,8 @@ mod command;
 #[path = "../common/mod.rs"]
 mod common;
 mod faults;
+mod interrupted;
 mod measures;
 mod plans;
 mod readers;
+mod sensitivity;

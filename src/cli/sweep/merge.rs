@@ -19,6 +19,7 @@ use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::csv;
 use crate::sweep::file::RowFile;
 use crate::sweep::front;
+use crate::sweep::indices::Indices;
 use crate::sweep::ranking::{Ranked, Ranking};
 use crate::sweep::row::values;
 use crate::sweep::rules::{FrontCut, NoneDone};
@@ -40,6 +41,7 @@ pub(super) fn merge(
     let Study { plan, language, .. } = study;
     let kept = usize::try_from(ALL_MOST).unwrap_or(usize::MAX);
     let (mut ranking, mut shares) = (Ranking::new(plan, kept), Shares::new(plan));
+    let mut indices = Indices::new(plan);
     let needed = |name: &str| {
         ["id", "state", "feasible", "reason"].contains(&name)
             || plan.objectives.iter().any(|one| one.measure.key == name)
@@ -47,7 +49,10 @@ pub(super) fn merge(
     for number in 0..rows.chunks() {
         let part = read(rows, number, &needed)?;
         ranking.take(&part);
-        shares.take(&part);
+        match &mut indices {
+            Some(indices) => indices.take(&part),
+            None => shares.take(&part),
+        }
     }
     let ranked = ranking.end();
     let top = ranked.top(usize::from(arguments.top));
@@ -57,12 +62,20 @@ pub(super) fn merge(
     let links = build_top(study, kinds, rows, &top)?;
     let workshop = Workshop::open(study, arguments.jobs)?;
     let mut effects = around(study.kind, &study.base, plan, &|inputs| workshop.design(0, inputs));
-    for (effect, shares) in effects.iter_mut().zip(shares.end()) {
-        effect.shares = shares;
+    match &indices {
+        Some(indices) => effects.iter_mut().zip(indices.end()).for_each(|(effect, of)| effect.indices = of),
+        None => effects.iter_mut().zip(shares.end()).for_each(|(effect, of)| effect.shares = of),
     }
     let why = why(&ranked, kinds);
     let name = store::file_name(&stem, "-sweep.xlsx");
-    write_book(study, (&ranked, &why), (&best, &links, &all), &effects, &folder, &name)?;
+    write_book(
+        study,
+        (&ranked, &why),
+        (&best, &links, &all),
+        (&effects, indices.map(|one| one.triples())),
+        &folder,
+        &name,
+    )?;
     if ranked.cut {
         finding::general(&[FrontCut { most: front::MOST }.at(Place::File)], *language, terminal);
     }
@@ -207,7 +220,7 @@ fn write_book(
     study: &Study<'_>,
     (ranked, why): (&Ranked, &[Why]),
     (top, links, all): (&Table, &[Option<String>], &Table),
-    effects: &[Effect],
+    (effects, triples): (&[Effect], Option<(u64, u64)>),
     folder: &Folder,
     name: &OsString,
 ) -> Result<(), Refusal> {
@@ -223,6 +236,7 @@ fn write_book(
         front: ranked.front.len(),
         why,
         effects,
+        triples,
         language: study.language,
     };
     let mut set = Set::new(folder, &[study.workbook], Existing::Replace);
