@@ -28,6 +28,10 @@ const DESIGNS: u32 = 200;
 /// By how much the dense search may differ from the gap, mm: its rulings are some tenths of a millimetre apart, and its
 /// stations are not all places.
 const COARSE: f64 = 0.04;
+/// The same of gaps of more than 20 mm, as a part of them.
+const WIDER: f64 = 500.0;
+/// Of tools wider than this, in radii of the tube, none is drawn, and a gap may be too small.
+const WIDE: f64 = 1.6;
 /// What a gap or a refusal begins with that is stricter than the search finds.
 const STRICT: &str = "too strict: ";
 /// What the judges admit beside the tolerance, mm.
@@ -253,7 +257,7 @@ pub fn drawn(number: u32) -> (Design, Cut) {
         let s = chance.one_of([0.0, 0.2, 0.3, 0.5]);
         // Most tools fit.
         let rough = (room - 2.0 * s) * chance.between(0.3, 1.12);
-        if !(1.2..16.0).contains(&rough) || rough > 1.6 * r || s >= a_p {
+        if !(1.2..16.0).contains(&rough) || rough > WIDE * r || s >= a_p {
             continue;
         }
         let finish = if chance.one_in(2) { rough } else { rough * chance.between(0.4, 1.0) };
@@ -354,10 +358,12 @@ fn limits(design: &Design, d_t: f64, grid: u32) -> Vec<String> {
     // The tool that just passes is wider than the gap by as little as it is narrower.
     let found = gap(&part, design.N, d_t).width;
     let room = |d: f64| dense(design, Edge::Even, d, d_t, grid) - d;
-    let [at, beyond] = [found - COARSE, found + COARSE].map(room);
+    // Of wide gaps the least place may lie between the stations.
+    let coarse = COARSE.max(found / WIDER);
+    let [at, beyond] = [found - coarse, found + coarse].map(room);
     if at < 0.0 {
         wrong.push(format!("gap {found}: room {at}"));
-    } else if beyond > 0.0 {
+    } else if beyond > 0.0 && found < WIDE * design.r {
         wrong.push(format!("{STRICT}gap {found}: room {beyond}"));
     }
     let real = Value::Real;

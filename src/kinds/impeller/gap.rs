@@ -18,7 +18,7 @@
 //! Limits are those of the design's own tool: it is a gap at the depth of its tip that must be a third wider than it.
 //!
 //! Stations are close to each other at the hub, where the gap is the least; between them it is less by some thousandths
-//! of a millimetre at most.
+//! of a millimetre, of gaps of more than 20 mm by up to some hundredths.
 //!
 //! # Units
 //! Millimetres and radians.
@@ -281,7 +281,7 @@ impl<'a> Channel<'a> {
         Axis {
             foot: Vector3::new(rho * cos, rho * sin, torus.r * sin_v + out),
             along: -Vector3::new(cos_v * cos, cos_v * sin, sin_v),
-            range: [-depth, over_tops(torus.r, self.a).max(-depth)],
+            range: [-depth, over_tops(torus.r, self.a + self.part.overhang()).max(-depth)],
         }
     }
 }

@@ -68,6 +68,8 @@ pub struct Wall {
     v: [f64; 2],
     /// Where lines of obverse and reverse end: v and depth, straight between, and as deep as the last beyond.
     knots: [Vec<[f64; 2]>; 2],
+    /// How far the upper ends of its lines stand above the turned surface, mm: where it goes straight on, they do.
+    overhang: f64,
     /// The lines that are looked at first.
     lines: Vec<Line>,
     /// Between two of them no distance is less than at the nearer by more than this, mm.
@@ -79,7 +81,7 @@ pub struct Wall {
 pub struct Scan<'a> {
     wall: &'a Wall,
     aside: f64,
-    axis: &'a Axis,
+    axis: Axis,
     apart: [f64; ROW],
     /// The least distance is not more than this.
     pub most: f64,
@@ -159,8 +161,14 @@ impl Wall {
 
     fn over(part: &Part, v: [f64; 2]) -> Self {
         let torus = part.circle.torus;
-        let mut wall =
-            Self { part: *part, v, knots: Face::ALL.map(|face| knots(part, face)), lines: Vec::new(), between: 0.0 };
+        let mut wall = Self {
+            part: *part,
+            v,
+            knots: Face::ALL.map(|face| knots(part, face)),
+            overhang: part.overhang(),
+            lines: Vec::new(),
+            between: 0.0,
+        };
         wall.lines = (0..=LINES).map(|line| wall.line(v[0] + wall.step() * f64::from(line))).collect();
         // A point of a ruling moves no faster with v than the face's points do and its upper end along it, which goes one way.
         let tops = [HUB, RIM].map(|v| part.top(v));
@@ -205,8 +213,9 @@ impl Wall {
     #[must_use]
     pub fn nearest(&self, face: Face, axis: &Axis, guess: Option<f64>) -> (f64, f64) {
         let aside = self.aside(face);
+        let high = self.high(axis);
         if let Some(found) =
-            guess.and_then(|guess| valley(guess, self.step() / 8.0, |v| self.line(v).apart(aside, axis)))
+            guess.and_then(|guess| valley(guess, self.step() / 8.0, |v| self.line(v).apart(aside, &high)))
             && (self.v[0]..=self.v[1]).contains(&found.1)
         {
             return found;
@@ -221,19 +230,25 @@ impl Wall {
 
     /// What is known of the distance of an axis from a face before it is sought.
     #[must_use]
-    pub fn seen<'a>(&'a self, face: Face, axis: &'a Axis) -> Scan<'a> {
+    pub fn seen(&self, face: Face, axis: &Axis) -> Scan<'_> {
         self.scan(self.aside(face), axis)
     }
 
     /// The same of the blade's mean surface.
     #[must_use]
-    pub fn seen_from_middle<'a>(&'a self, axis: &'a Axis) -> Scan<'a> {
+    pub fn seen_from_middle(&self, axis: &Axis) -> Scan<'_> {
         self.scan(0.0, axis)
     }
 
-    fn scan<'a>(&'a self, aside: f64, axis: &'a Axis) -> Scan<'a> {
+    /// An axis as high as the lines beside it that it is to be seen from.
+    fn high(&self, axis: &Axis) -> Axis {
+        Axis { range: [axis.range[0], axis.range[1] + self.overhang], ..*axis }
+    }
+
+    fn scan(&self, aside: f64, axis: &Axis) -> Scan<'_> {
+        let axis = self.high(axis);
         let apart =
-            std::array::from_fn(|line| self.lines.get(line).map_or(f64::INFINITY, |line| line.apart(aside, axis)));
+            std::array::from_fn(|line| self.lines.get(line).map_or(f64::INFINITY, |line| line.apart(aside, &axis)));
         let most = apart.iter().fold(f64::INFINITY, |least: f64, one| least.min(*one));
         Scan { wall: self, aside, axis, apart, most, least: most - self.between }
     }
@@ -270,7 +285,7 @@ impl Scan<'_> {
     #[must_use]
     pub fn nearest(&self) -> (f64, f64) {
         let (wall, [begin, end]) = (self.wall, self.wall.v);
-        let at = |v: f64| wall.line(v).apart(self.aside, self.axis);
+        let at = |v: f64| wall.line(v).apart(self.aside, &self.axis);
         let step = wall.step();
         // In a valley the least is no farther below a line than the line is from it.
         let reach = step * wall.part.circle.torus.R * 1.5;

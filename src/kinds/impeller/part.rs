@@ -190,6 +190,15 @@ impl Part {
         -self.e * self.e / 8.0 * self.across_at(cos_v)
     }
 
+    /// How far the upper ends of its rulings stand above the turned surface at most, at the hub, where the blade goes straight
+    /// on by (e/2)·cot α: (e/2)²/(2(R − r)·sin²α). Nothing for a part whose rulings all end alike.
+    #[must_use]
+    pub fn overhang(&self) -> f64 {
+        let Torus { R, r } = self.circle.torus;
+        let out = self.e / 2.0 * R / r;
+        if self.end.is_some() { 0.0 } else { out * out / (2.0 * (R - r)) }
+    }
+
     /// h_1, the depth at which a ruling that begins at the depth `top` first comes to the floor.
     ///
     /// T changes no faster than a point moves, so that steps of what T still lacks never go past that depth. A ruling of a

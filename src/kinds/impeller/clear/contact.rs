@@ -69,7 +69,8 @@ impl Beside {
             + if q < 0.0 { -atan2(along * k / torus.R, rho) } else { atan2(along * k / torus.R, rho + out) };
         // Towards lower ψ from the obverse, towards higher from the reverse.
         let away = -face.side();
-        let axis = |x: f64| self.lane.axis(q, middle + away * x, wanted);
+        let reach = wanted + self.part.overhang();
+        let axis = |x: f64| self.lane.axis(q, middle + away * x, reach);
         let begin = 1.6 * (self.part.e / 2.0 + wanted) / (rho * sin_alpha) + 0.1;
         // A face may have two valleys under the axis. The one that is the lower at first usually is in the end.
         let guess = Cell::new(near.map(|near| near.at));
@@ -202,7 +203,9 @@ impl Contacts {
             known.borrow_mut().keep(touch);
             psi
         };
-        let table = Table::new(&[-a, 0.0, 1.0, 1.0 + a], [close; 2], |q| {
+        // What it touches for a short while, as the straight end of a thick blade, is not passed by.
+        let pieces = [-a, 0.0, 0.125, 0.25, 0.375, 0.5, 0.75, 1.0, 1.0 + a];
+        let table = Table::new(&pieces, [close; 2], |q| {
             [psi(Face::Obverse, &known[0], q), psi(Face::Reverse, &known[1], q) - pitch]
         });
         Self { lane, pitch, table }

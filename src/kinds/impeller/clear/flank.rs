@@ -40,6 +40,8 @@ pub struct Passing {
     pub m: f64,
     /// The abscissa of the point of K that is nearest to it.
     pub at: f64,
+    /// The sine of its lean along K there.
+    pub lean: f64,
 }
 
 /// The line through a point along a unit vector beside the circle of radius R in the centre plane, nearest near ψ.
@@ -59,15 +61,18 @@ pub fn passing(through: &Vector3<f64>, along: &Vector3<f64>, R: f64, mut psi: f6
     }
     let (sin, cos) = sin_cos(psi);
     let from = Vector3::new(R * cos, R * sin, 0.0) - through;
-    Passing { m: across(from).norm(), at: from.dot(along) }
+    Passing { m: across(from).norm(), at: from.dot(along), lean: along.y * cos - along.x * sin }
 }
 
 /// An axis from the tip to as high as metal stands within a distance from it, K being nearest near ψ.
 #[must_use]
 pub fn as_metal(axis: &Axis, torus: Torus, reach: f64, psi: f64) -> Axis {
-    let Passing { m, at } = passing(&axis.foot, &axis.along, torus.R, psi);
-    // Of K's nearest point, from which metal is r away at least.
-    let high = at - torus.r + over_tops(torus.r, m + reach);
+    let Passing { m, at, lean } = passing(&axis.foot, &axis.along, torus.R, psi);
+    // Metal is r away from K's nearest point at least, and below it: in the blank nothing is farther out or higher up. By its
+    // lean along K an axis has metal above, too.
+    let (reach, up) = (m + reach, lean.abs() * (m + reach));
+    let low = over_tops(torus.r, reach) - torus.r;
+    let high = at + if low + up < 0.0 { low } else { up };
     Axis { range: [axis.range[0], high.max(axis.range[0])], ..*axis }
 }
 
@@ -179,7 +184,7 @@ impl FlankWay {
     /// The abscissa of the tip.
     #[must_use]
     pub fn tip(&self, v: f64, fit: &Fit) -> f64 {
-        let Passing { m, at } = self.passing(v, fit);
+        let Passing { m, at, .. } = self.passing(v, fit);
         at - self.tool.below(self.r_f, m.min(self.widest())).unwrap_or(self.r_f)
     }
 
@@ -221,7 +226,7 @@ impl FlankWay {
     #[must_use]
     pub fn beside(&self, v: f64) -> Axis {
         let psi = self.part.circle.u(v.clamp(HUB, RIM));
-        as_metal(&self.axis(v), self.part.circle.torus, self.tool.a(), psi)
+        as_metal(&self.axis(v), self.part.circle.torus, self.tool.a() + self.part.overhang(), psi)
     }
 
     /// Where the machine's axes stand at v, the blade turned about the axis of the part.

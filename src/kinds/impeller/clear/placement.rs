@@ -64,7 +64,7 @@ impl Tolerance {
     /// How deep in the tube the end of a tool reaches at most.
     fn reach(&self, [tip, along]: &[Vector3<f64>; 2]) -> f64 {
         let near = tip + along * self.torus.r;
-        let Passing { m, at } = passing(tip, along, self.torus.R, atan2(near.y, near.x));
+        let Passing { m, at, .. } = passing(tip, along, self.torus.R, atan2(near.y, near.x));
         hypot(at - self.tool.r_c, self.tool.flat_radius() + m) + self.tool.r_c
     }
 

@@ -72,7 +72,8 @@ impl<'a> Round<'a> {
 
     /// An axis as high as metal stands beside the tool.
     fn seen(&self, axis: &Axis) -> Axis {
-        as_metal(axis, self.part.circle.torus, self.tool.a(), self.part.circle.u(self.v_s))
+        let reach = self.tool.a() + self.part.overhang();
+        as_metal(axis, self.part.circle.torus, reach, self.part.circle.u(self.v_s))
     }
 
     /// The axis along N(v_s), D from the nose's ruling.
