@@ -157,7 +157,7 @@ impl SweepBook<'_> {
             };
             write_text(sheet, HEADINGS - 1, at, column.unit, &styles.number_unit)?;
             write_text(sheet, HEADINGS, at, &column.name, format)?;
-            sheet.set_column_width(at, wide)?;
+            sheet.set_column_width(at, heading_width(&column.name).max(wide))?;
             let number = Format::new().set_num_format(self.digits(&column.name));
             for (row, cell) in (HEADINGS + 1..).zip(0..table.rows()) {
                 match &column.cells {
@@ -421,7 +421,9 @@ impl SweepBook<'_> {
         let axes: Vec<(&String, &Cells, [f64; 2])> =
             names.iter().filter_map(|name| Some((name, self.top.column(name)?, extent(self.top, name)?))).collect();
         for (column, (name, cells, [low, high])) in (1..).zip(&axes) {
-            write_text(sheet, 0, column, name.strip_prefix("in_").unwrap_or(name), &styles.number_header)?;
+            let heading = name.strip_prefix("in_").unwrap_or(name);
+            write_text(sheet, 0, column, heading, &styles.number_header)?;
+            sheet.set_column_width(column, heading_width(heading))?;
             for (row, at) in (1..).zip(0..count) {
                 if let Some(value) = cells.number(at) {
                     let part = if high > low { (value - low) / (high - low) } else { 0.5 };
@@ -497,6 +499,11 @@ fn unfilled(sentence: &str) -> String {
 #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
 const fn count(number: u64) -> f64 {
     number as f64
+}
+
+/// The width of a column in which a heading stands clear of the next.
+fn heading_width(heading: &str) -> f64 {
+    f64::from(u16::try_from(heading.chars().count()).unwrap_or(u16::MAX)) * 1.2 + 2.0
 }
 
 #[cfg(test)]
