@@ -737,7 +737,10 @@ fn widest(design: &Design, a: f64, run_out: f64) -> f64 {
         2.0 * most
     };
     let stations = [-0.4, -0.2, 0.0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1.0];
-    stations.into_iter().map(width).fold(f64::INFINITY, f64::min)
+    let widths = stations.map(width);
+    let least = (0..stations.len()).min_by(|&one, &two| widths[one].total_cmp(&widths[two])).unwrap();
+    let [low, high] = [least.saturating_sub(1), (least + 1).min(stations.len() - 1)].map(|at| stations[at]);
+    (1..16).map(|k| width(low + (high - low) * f64::from(k) / 16.0)).fold(widths[least], f64::min)
 }
 
 #[test]

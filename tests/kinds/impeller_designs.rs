@@ -28,9 +28,7 @@ const DESIGNS: u32 = 200;
 /// By how much the dense search may differ from the gap, mm: its rulings are some tenths of a millimetre apart, and its
 /// stations are not all places.
 const COARSE: f64 = 0.04;
-/// The same of gaps of more than 20 mm, as a part of them.
-const WIDER: f64 = 500.0;
-/// Of tools wider than this, in radii of the tube, none is drawn, and a gap may be too small.
+/// The widest tool that is drawn, in radii of the tube.
 const WIDE: f64 = 1.6;
 /// What a gap or a refusal begins with that is stricter than the search finds.
 const STRICT: &str = "too strict: ";
@@ -219,7 +217,13 @@ fn dense(design: &Design, edge: Edge, d: f64, d_t: f64, grid: u32) -> f64 {
     let run_outs = [-0.2 * d_t, -0.1 * d_t];
     let count = 14 * grid;
     let inside = (0..=count).map(|k| (f64::from(k) / f64::from(count)).powi(2)).chain(STATIONS);
-    run_outs.into_iter().chain(inside).map(|q| width(&rulings, q, a)).fold(f64::INFINITY, f64::min)
+    let mut places: Vec<f64> = run_outs.into_iter().chain(inside).collect();
+    places.sort_by(f64::total_cmp);
+    let widths: Vec<f64> = places.iter().map(|&q| width(&rulings, q, a)).collect();
+    let least = (0..widths.len()).min_by(|&one, &two| widths[one].total_cmp(&widths[two])).unwrap();
+    // About the least of them, where it may be sharp.
+    let [low, high] = [least.saturating_sub(1), (least + 1).min(places.len() - 1)].map(|at| places[at]);
+    (1..8).map(|k| low + (high - low) * f64::from(k) / 8.0).map(|q| width(&rulings, q, a)).fold(widths[least], f64::min)
 }
 
 /// The largest tool that passes: its own width at its own depth.
@@ -358,12 +362,10 @@ fn limits(design: &Design, d_t: f64, grid: u32) -> Vec<String> {
     // The tool that just passes is wider than the gap by as little as it is narrower.
     let found = gap(&part, design.N, d_t).width;
     let room = |d: f64| dense(design, Edge::Even, d, d_t, grid) - d;
-    // Of wide gaps the least place may lie between the stations.
-    let coarse = COARSE.max(found / WIDER);
-    let [at, beyond] = [found - coarse, found + coarse].map(room);
+    let [at, beyond] = [found - COARSE, found + COARSE].map(room);
     if at < 0.0 {
         wrong.push(format!("gap {found}: room {at}"));
-    } else if beyond > 0.0 && found < WIDE * design.r {
+    } else if beyond > 0.0 {
         wrong.push(format!("{STRICT}gap {found}: room {beyond}"));
     }
     let real = Value::Real;

@@ -17,8 +17,8 @@
 //!
 //! Limits are those of the design's own tool: it is a gap at the depth of its tip that must be a third wider than it.
 //!
-//! Stations are close to each other at the hub, where the gap is the least; between them it is less by some thousandths
-//! of a millimetre, of gaps of more than 20 mm by up to some hundredths.
+//! Stations are close to each other at the hub, where the gap is the least. About the least of them it is followed between
+//! them to its bottom, by parabolas.
 //!
 //! # Units
 //! Millimetres and radians.
@@ -59,6 +59,10 @@ pub fn over_tops(r: f64, reach: f64) -> f64 {
 /// A distance is that of the nearest valley to this, mm.
 const SAME: f64 = 1e-6;
 
+/// Between stations the gap is followed down to this, mm, in at most so many steps.
+const BOTTOM: f64 = 1e-4;
+const STEPS: u32 = 20;
+
 /// The gap, and where it is the least.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
@@ -96,7 +100,7 @@ impl Limits {
         let (torus, e, a_p) = (part.circle.torus, part.e, part.a_p);
         let part = &evenly_deep(torus, e, a_p);
         let least = least_gap(d_t);
-        let mut near = STATIONS.to_vec();
+        let mut near = stations();
         let beside = Channel::new(part, count, d_t).least(&mut near);
         // Thickness changes the widths of all stations alike.
         let spare = |e: f64| {
@@ -106,7 +110,9 @@ impl Limits {
         let fits = |N: u32| {
             let channel = Channel::new(part, N, d_t);
             let wall = channel.wall();
-            STATIONS.iter().skip(2).chain(STATIONS.iter().take(2)).all(|&q| channel.width(&wall, q) >= least)
+            // Where this many are too near to each other, they mostly are at the hub.
+            near.iter().all(|&(mut station)| channel.width_at(&wall, &mut station) >= least)
+                && channel.least(&mut stations()).width >= least
         };
         // The gap is narrower than the arc on the parallel, so that the published limits are upper bounds.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held within the form's limits")]
@@ -176,34 +182,56 @@ fn thickest(most: f64, spare: impl Fn(f64) -> f64) -> Option<f64> {
 #[must_use]
 pub fn gap(part: &Part, N: u32, d_t: f64) -> Gap {
     let mut channel = Channel::new(part, N, d_t);
-    let mut stations = STATIONS.to_vec();
-    let mut least = channel.least(&mut stations);
+    let mut near = stations();
+    let mut least = channel.least(&mut near);
     // Between a tool that passes and one that does not.
     let (mut low, mut high) = (0.0, f64::INFINITY);
+    let mut before: Option<(f64, f64)> = None;
     for _ in 1..ROUNDS {
-        let mut next = least.width / 2.0;
-        if (next - channel.a).abs() < 1e-7 {
+        let over = least.width / 2.0 - channel.a;
+        if over.abs() < 1e-7 {
             // A station that was left out may have become the least on the way.
-            if stations.len() == STATIONS.len() {
+            if near.len() == STATIONS.len() {
                 return least;
             }
-            stations = STATIONS.to_vec();
-            let all = channel.least(&mut stations);
-            if all.width > least.width - 2e-7 {
+            near = stations();
+            let all = channel.least(&mut near);
+            if all.width > least.width - BOTTOM {
                 return least;
             }
-            (least, stations) = (all, STATIONS.to_vec());
-            (low, next) = (0.0, least.width / 2.0);
+            (least, near) = (all, stations());
+            (low, before) = (0.0, None);
+            continue;
         }
-        if next > channel.a {
+        if over > 0.0 {
             low = channel.a;
         } else {
             high = channel.a;
         }
-        channel.a = if next > low && next < high { next } else { f64::midpoint(low, high) };
-        least = channel.least(&mut stations);
+        // The first step by what is missing, then by the secant.
+        let slope = before.map_or(-1.0, |(a, at)| (over - at) / (channel.a - a));
+        before = Some((channel.a, over));
+        let next = channel.a - over / slope.min(-1e-3);
+        channel.a = if next > low && next < high { next } else { f64::midpoint(low, high.min(2.0 * channel.a)) };
+        least = channel.least(&mut near);
     }
     Gap { width: least.width.min(2.0 * channel.a), ..least }
+}
+
+/// A place where the gap is looked at.
+#[derive(Clone, Copy, Debug)]
+struct Station {
+    /// Its place in [`STATIONS`].
+    at: usize,
+    /// What passed there last: of another tool, thickness or number of blades it is near.
+    last: Option<Passing>,
+}
+
+/// The ψ of the largest tool that passes, and the v of obverse and reverse that are nearest to it.
+type Passing = (f64, [f64; 2]);
+
+fn stations() -> Vec<Station> {
+    (0..STATIONS.len()).map(|at| Station { at, last: None }).collect()
 }
 
 /// A channel between the obverse of a blade and the reverse of the next, with the tool that is to pass.
@@ -222,17 +250,26 @@ impl<'a> Channel<'a> {
         Self { part, pitch: TAU / f64::from(N.max(2)), a: d_t / 2.0, run_out: d_t / 2.0 }
     }
 
-    /// The least width over stations. Those that are far above it are left out: what is not the least for one depth of the
-    /// tip is not for another.
-    fn least(&self, stations: &mut Vec<f64>) -> Gap {
+    /// The least width over stations and between them. Those that are far above it are left out: what is not the least for
+    /// one depth of the tip is not for another.
+    fn least(&self, stations: &mut Vec<Station>) -> Gap {
         let wall = self.wall();
-        let gap = |&q: &f64| Gap { width: self.width(&wall, q), station: q.max(0.0) };
-        let widths: Vec<Gap> = stations.iter().map(gap).collect();
-        let least = widths.iter().copied().min_by(|one, other| one.width.total_cmp(&other.width));
-        let least = least.unwrap_or(Gap { width: 0.0, station: 0.0 });
-        let mut widths = widths.iter();
-        stations.retain(|_| widths.next().is_some_and(|one| one.width <= 1.2 * least.width + 0.1));
-        least
+        let widths: Vec<f64> = stations.iter_mut().map(|station| self.width_at(&wall, station)).collect();
+        let Some(least) = (0..widths.len()).min_by(|&one, &other| widths[one].total_cmp(&widths[other])) else {
+            return Gap { width: 0.0, station: 0.0 };
+        };
+        let Station { at, mut last } = stations[least];
+        let (mut q, mut width) = (STATIONS[at], widths[least]);
+        if at > 0 && at + 1 < STATIONS.len() {
+            let beside = [at - 1, at + 1].map(|at| match stations.iter().position(|one| one.at == at) {
+                Some(one) => (STATIONS[at], widths[one]),
+                None => (STATIONS[at], self.width(&wall, STATIONS[at], &mut None)),
+            });
+            (q, width) = bottom([beside[0], (q, width), beside[1]], |q| self.width(&wall, q, &mut last));
+        }
+        let mut widths = widths.into_iter();
+        stations.retain(|_| widths.next().is_some_and(|one| one <= 1.2 * width + 0.1));
+        Gap { width, station: q.max(0.0) }
     }
 
     /// The faces beside the tool.
@@ -241,7 +278,12 @@ impl<'a> Channel<'a> {
     }
 
     /// The diameter of the tool that fits at a station.
-    fn width(&self, wall: &Wall, q: f64) -> f64 {
+    fn width_at(&self, wall: &Wall, station: &mut Station) -> f64 {
+        self.width(wall, STATIONS[station.at], &mut station.last)
+    }
+
+    /// The diameter of the tool that fits at a part of the way, with its [`Passing`] there or near it.
+    fn width(&self, wall: &Wall, q: f64, last: &mut Option<Passing>) -> f64 {
         let torus = self.part.circle.torus;
         let out = (-q).max(0.0) * self.run_out;
         let v = HUB + q.max(0.0) * FRAC_PI_2;
@@ -249,8 +291,8 @@ impl<'a> Channel<'a> {
         let sin_alpha = torus.r / torus.R;
         let u = self.part.circle.u(v);
         let within = self.part.e / (2.0 * rho * sin_alpha);
-        let (low, high) = (u - self.pitch + within, u - within);
-        if low >= high {
+        let between = [u - self.pitch + within, u - within];
+        if between[0] >= between[1] {
             return 0.0;
         }
         let seen = |psi: f64, guess: [Option<f64>; 2]| {
@@ -259,16 +301,25 @@ impl<'a> Channel<'a> {
                 wall.nearest(Face::Reverse, &self.axis(v, psi + self.pitch, out), guess[1]),
             ]
         };
+        // Beside both faces, each of which it leaves and nears by about as much.
+        let slope = -2.0 * rho * sin_alpha;
+        let start = last.map_or(f64::midpoint(between[0], between[1]), |(psi, _)| psi);
         // A face may have two valleys under the axis: what was found in one must be the least of both.
-        let mut guess = [None, None];
-        let (found, psi) = widest([low, high], |psi| {
+        let mut guess = last.map_or([None; 2], |(_, feet)| feet.map(Some));
+        let (mut found, mut psi) = widest(between, start, slope, |psi| {
             let both = seen(psi, guess);
             guess = both.map(|(_, at)| Some(at));
             both.map(|(distance, _)| distance)
         });
-        let fresh = |psi: f64| seen(psi, [None, None]).map(|(distance, _)| distance);
-        let [obverse, reverse] = fresh(psi);
-        2.0 * if obverse.min(reverse) > found - SAME { found } else { widest([low, high], fresh).0 }
+        let mut both = seen(psi, [None; 2]);
+        if both[0].0.min(both[1].0) <= found - SAME {
+            (found, psi) = widest(between, psi, slope, |psi| {
+                both = seen(psi, [None; 2]);
+                both.map(|(distance, _)| distance)
+            });
+        }
+        *last = Some((psi, both.map(|(_, at)| at)));
+        2.0 * found
     }
 
     /// The axis of the tool at v and ψ, run out of the hub plane.
@@ -286,33 +337,75 @@ impl<'a> Channel<'a> {
     }
 }
 
-/// The greatest over ψ, between two of them, of the lesser of the distances from obverse and reverse, and the ψ. Their
-/// difference falls from the reverse of the next blade, where it is positive, to the obverse.
-fn widest([mut low, mut high]: [f64; 2], mut both: impl FnMut(f64) -> [f64; 2]) -> (f64, f64) {
-    let difference = |[obverse, reverse]: [f64; 2]| obverse - reverse;
-    let (mut at_low, mut at_high) = (difference(both(low)), difference(both(high)));
-    let mut found = (0.0, low);
-    for _ in 0..60 {
-        let part = at_low / (at_low - at_high);
-        let psi = low + (high - low) * if part.is_finite() { part.clamp(0.001, 0.999) } else { 0.5 };
-        let here = both(psi);
-        if here[0].min(here[1]) > found.0 {
-            found = (here[0].min(here[1]), psi);
+/// The greatest over ψ, between two of them, of the lesser of the distances from obverse and reverse, and the ψ; sought from
+/// a ψ on, where their difference falls with about this slope. It falls from the reverse of the next blade, where it is
+/// positive, to the obverse.
+fn widest([mut low, mut high]: [f64; 2], start: f64, mut slope: f64, mut both: impl FnMut(f64) -> [f64; 2]) -> (f64, f64) {
+    let inside = |psi: f64, low: f64, high: f64| if psi > low && psi < high { psi } else { f64::midpoint(low, high) };
+    let mut psi = inside(start, low, high);
+    let mut found = (0.0, psi);
+    let mut before: Option<(f64, f64)> = None;
+    for step in 0..60 {
+        let [obverse, reverse] = both(psi);
+        if obverse.min(reverse) > found.0 {
+            found = (obverse.min(reverse), psi);
         }
-        let off = difference(here);
+        let off = obverse - reverse;
         if off.abs() < 1e-8 || high - low < 1e-12 {
             break;
         }
-        // Illinois: an end that stays counts half.
         if off > 0.0 {
-            (low, at_low) = (psi, off);
-            at_high *= 0.5;
+            low = psi;
         } else {
-            (high, at_high) = (psi, off);
-            at_low *= 0.5;
+            high = psi;
         }
+        if let Some((psi_before, off_before)) = before {
+            let secant = (off - off_before) / (psi - psi_before);
+            if secant < 0.0 {
+                slope = secant;
+            }
+        }
+        before = Some((psi, off));
+        // Where it bends, the secant may come near from one side only.
+        let next = if step % 8 == 7 { f64::midpoint(low, high) } else { psi - off / slope };
+        psi = inside(next, low, high);
     }
     found
+}
+
+/// The bottom between three places of which the middle one is the lowest, each with its height: by parabolas, until neither
+/// these nor the middles of both sides lead more than [`BOTTOM`] lower.
+fn bottom(mut three: [(f64, f64); 3], mut value: impl FnMut(f64) -> f64) -> (f64, f64) {
+    let mut aside = 0;
+    for _ in 0..STEPS {
+        let [(x_0, y_0), (x_1, y_1), (x_2, y_2)] = three;
+        let (left, right) = ((y_0 - y_1) / (x_1 - x_0), (y_2 - y_1) / (x_2 - x_1));
+        // Of the parabola through all three: slope at the middle, and half the bend.
+        let bend = (left + right) / (x_2 - x_0);
+        let at = (right * (x_1 - x_0) - left * (x_2 - x_1)) / (x_2 - x_0);
+        let x = if at * at > 4.0 * bend * BOTTOM {
+            x_1 - at / (2.0 * bend)
+        } else if aside == 2 {
+            break;
+        } else if x_2 - x_1 > x_1 - x_0 {
+            aside += 1;
+            f64::midpoint(x_1, x_2)
+        } else {
+            aside += 1;
+            f64::midpoint(x_0, x_1)
+        };
+        let new = (x, value(x));
+        if new.1 < y_1 - BOTTOM {
+            aside = 0;
+        }
+        three = match (new.1 < y_1, x < x_1) {
+            (true, true) => [three[0], new, three[1]],
+            (true, false) => [three[1], new, three[2]],
+            (false, true) => [new, three[1], three[2]],
+            (false, false) => [three[0], three[1], new],
+        };
+    }
+    three[1]
 }
 
 #[cfg(test)]
@@ -324,11 +417,30 @@ mod tests {
         [(25.0, 15.0, 4, 2.0, 2.0, 6.0), (25.0, 17.0, 2, 1.0, 4.0, 6.0), (50.0, 30.0, 5, 2.0, 3.0, 6.0)];
 
     #[test]
-    fn gaps_are_those_of_the_check_values() {
-        // The check values were found on rulings some tenths of a millimetre apart.
+    fn at_the_stations_gaps_are_those_of_the_check_values_and_between_them_a_little_less() {
+        // The check values were found at stations, on rulings some tenths of a millimetre apart.
         for ((R, r, N, e, a_p, d_t), check) in DESIGNS.into_iter().zip([6.900_679, 10.043_482, 12.418_203]) {
-            let found = gap(&evenly_deep(Torus { R, r }, e, a_p), N, d_t);
-            assert!((found.width - check).abs() < 0.0015, "{found:?} {check}");
+            let part = evenly_deep(Torus { R, r }, e, a_p);
+            let channel = Channel { a: check / 2.0, ..Channel::new(&part, N, d_t) };
+            let wall = channel.wall();
+            let widths = stations().into_iter().map(|mut station| channel.width_at(&wall, &mut station));
+            let least = widths.fold(f64::INFINITY, f64::min);
+            assert!((least - check).abs() < 0.0015, "{least} {check}");
+            let found = gap(&part, N, d_t).width;
+            assert!(found < least + 1e-4 && found > least - 0.01, "{found} {least}");
+        }
+    }
+
+    #[test]
+    fn a_bottom_is_found_where_it_is_round_and_where_it_is_sharp() {
+        for at in (1..20).map(|step| 0.05 * f64::from(step)) {
+            let round = |x: f64| (x - at) * (x - at) * (1.0 + x);
+            let sharp = |x: f64| (x - at).max((at - x) * 4.0);
+            let kinked = |x: f64| round(x) + (x - 0.5).max(0.0);
+            for value in [&round as &dyn Fn(f64) -> f64, &sharp, &kinked] {
+                let (x, y) = bottom([0.0, at * 0.9, 1.0].map(|x| (x, value(x))), value);
+                assert!(y < value(at) + 1e-2, "{at} {x} {y}");
+            }
         }
     }
 
