@@ -29,7 +29,7 @@ use std::rc::Rc;
 
 use nalgebra::{Vector2, Vector3};
 
-use crate::kinds::impeller::part::{Change, Face, HUB, Part, Piece, RIM, Ruling};
+use crate::kinds::impeller::part::{Face, HUB, Part, Piece, RIM, Ruling};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::{Rotary, Turned};
 use crate::number::trig::hypot;
@@ -197,16 +197,22 @@ impl Limit {
     }
 
     fn moved(mut self, by: f64) -> Self {
-        self.h.iter_mut().flatten().for_each(|h| *h += by);
+        for h in &mut self.h {
+            h[0] += by;
+            h[1] += by;
+        }
         self
     }
 
     fn within(&self, depths: [f64; 2]) -> bool {
-        self.h.iter().flatten().all(|h| (depths[0]..=depths[1]).contains(h))
+        let held = |h: f64| h >= depths[0] && h <= depths[1];
+        let [[a, b], [c, d]] = self.h;
+        held(a) && held(b) && held(c) && held(d)
     }
 
     fn sum(&self) -> f64 {
-        self.h.iter().flatten().sum()
+        let [[a, b], [c, d]] = self.h;
+        a + b + c + d
     }
 }
 
@@ -219,9 +225,15 @@ struct Span {
     bottom: f64,
     /// As far as limits of h may run.
     beyond: [f64; 2],
-    change: Change,
+    /// What the points move by between the two v, how far that is from straight, and what the rulings turn by.
+    moves: [f64; 3],
+    /// No point of it is farther from the part's axis.
+    rho: f64,
     floors: Limit,
-    trim: Option<Trim>,
+    /// Above which h nothing lies in the blank.
+    trim: Option<Limit>,
+    /// All of it lies outside the blank.
+    outside: bool,
 }
 
 /// The work on one way.
@@ -344,8 +356,17 @@ impl Search<'_> {
             let beyond = [top - (bottom - top) * BEYOND, bottom + (bottom - top) * BEYOND];
             let change = walls.part.change(v, beyond[1].max(-beyond[0]));
             let floors = Limit::through([walls.part.floors(of, v, &rulings, &change); 2]);
-            let trim = Trim::of(walls, of, &rulings, (top + bottom) / 2.0);
-            Rc::new(Span { rulings, tops, top, bottom, beyond, change, floors, trim })
+            let span = v[1] - v[0];
+            let moves = [change.speed * span, change.acceleration * span * span, change.turn * span];
+            let mut square = 0.0_f64;
+            for point in rulings.iter().flat_map(|ruling| beyond.map(|h| ruling.at(h))) {
+                square = square.max(point.x * point.x + point.y * point.y);
+            }
+            let rho = square.sqrt() + moves[0] / 2.0;
+            let cut = Trim::of(walls, of, &rulings, (top + bottom) / 2.0);
+            let outside = cut.as_ref().is_some_and(|cut| cut.greatest([top, bottom]) + moves[1] / 8.0 < 0.0);
+            let trim = cut.and_then(|cut| cut.limit(moves[1], moves[2]));
+            Rc::new(Span { rulings, tops, top, bottom, beyond, moves, rho, floors, trim, outside })
         };
         Rc::clone(self.spans.entry((piece, v.map(f64::to_bits))).or_insert_with(new))
     }
@@ -368,10 +389,11 @@ impl Search<'_> {
             return Some((0.0, true));
         }
         let known = self.span(piece, v);
-        let Span { rulings, tops, top, bottom, beyond, change, floors, trim } = &*known;
-        let (rulings, tops, top, bottom, beyond) = (*rulings, *tops, *top, *bottom, *beyond);
-        let span = v[1] - v[0];
-        let (v_speed, v_bend, v_turn) = (change.speed * span, change.acceleration * span * span, change.turn * span);
+        if known.outside {
+            return None;
+        }
+        let Span { rulings, tops, top, bottom, beyond, rho, .. } = *known;
+        let [v_speed, v_bend, v_turn] = known.moves;
 
         let pivot = Vector3::new(0.0, 0.0, walls.machine.L);
         let Q = ends.map(|end| end.at + pivot);
@@ -384,15 +406,17 @@ impl Search<'_> {
                 N: turned.direction(&ruling.N),
             })
         });
-        let corners = || seen.iter().flatten();
-        let far = corners().flat_map(|ruling| beyond.map(|h| ruling.at(h).norm())).fold(0.0, f64::max);
-        let rho = rulings
-            .iter()
-            .flat_map(|ruling| beyond.map(|h| ruling.at(h)))
-            .map(|point| point.x * point.x + point.y * point.y)
-            .fold(0.0, f64::max)
-            .sqrt()
-            + v_speed / 2.0;
+        let (mut far, mut highest, mut least) = (0.0_f64, f64::MIN, f64::INFINITY);
+        let upright = seen[0][0].N.z > 0.0;
+        let mut alike = true;
+        for ruling in [&seen[0][0], &seen[0][1], &seen[1][0], &seen[1][1]] {
+            far = far.max(ruling.at(beyond[0]).norm_squared()).max(ruling.at(beyond[1]).norm_squared());
+            let (foot, slope) = (ruling.foot.z, ruling.N.z);
+            highest = highest.max(foot - slope * top).max(foot - slope * bottom);
+            least = least.min(slope.abs());
+            alike &= (slope > 0.0) == upright;
+        }
+        let far = far.sqrt();
         let step = ends[1].B - ends[0].B;
         let slide = Q.map(|Q| (Vector3::new(-Q.z, 0.0, Q.x) * step - by).norm());
         let slide = slide[0].max(slide[1]);
@@ -401,23 +425,14 @@ impl Search<'_> {
         let bend = |axis: usize| B * B * (Q[0][axis].abs().max(Q[1][axis].abs()) + far) + (2.0 * B + C) * C * rho;
         let (bend, rise_bend) = (bend(0), bend(2));
 
-        // Nothing of it above the plane of the tool's end, or nothing in the blank.
-        let highest = corners().flat_map(|ruling| [top, bottom].map(|h| ruling.at(h).z)).fold(f64::MIN, f64::max);
+        // Nothing of it above the plane of the tool's end.
         if highest + (rise_bend + v_bend) / 8.0 + strays < 0.0 {
             return None;
         }
-        if let Some(trim) = trim
-            && trim.greatest([top, bottom]) + v_bend / 8.0 < 0.0
-        {
-            return None;
-        }
 
-        let (mut low, mut high) = (Limit::level(top), *floors);
-        let slopes = seen.map(|at| at.map(|ruling| ruling.N.z));
-        let least =
-            slopes.iter().flatten().copied().map(f64::abs).fold(f64::INFINITY, f64::min) - (v_turn + B + C) / 2.0;
-        let upright = slopes[0][0] > 0.0;
-        if least > STEEP && slopes.iter().flatten().all(|slope| (*slope > 0.0) == upright) {
+        let (mut low, mut high) = (Limit::level(top), known.floors);
+        let least = least - (v_turn + B + C) / 2.0;
+        if least > STEEP && alike {
             let limit = Limit::through(seen.map(|at| at.map(|ruling| ruling.foot.z / ruling.N.z)));
             let [in_time, in_v] = limit.changes;
             let out = (rise_bend + 2.0 * (B + C) * in_time + v_bend + 2.0 * v_turn * in_v) / 8.0 + strays;
@@ -429,7 +444,7 @@ impl Search<'_> {
                 low = if limit.sum() > low.sum() && limit.within(beyond) { limit } else { low };
             }
         }
-        if let Some(limit) = trim.as_ref().and_then(|trim| trim.limit(v_bend, v_turn))
+        if let Some(limit) = known.trim
             && limit.sum() > low.sum()
             && limit.within(beyond)
         {

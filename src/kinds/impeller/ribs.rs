@@ -285,27 +285,32 @@ impl<'a> Band<'a> {
         Some(if (one - other) * end < 0.0 { one } else { other })
     }
 
-    /// The x at which a pose is beside a line, if it cuts it there. The middle of the tool is nearest to the line at its own
-    /// angle about the axis of the part.
-    fn beside(&self, pose: &Pose, line: &Line, off: f64) -> Option<f64> {
+    /// The x at which a pose is beside a line, if it cuts it there, and the square of the distance. The middle of the tool is
+    /// nearest to the line at its own angle about the axis of the part.
+    fn beside(&self, pose: &Pose, line: &Line, off: f64) -> Option<(f64, f64)> {
         let middle = remainder(line.u - pose.psi);
         let [square, _, up] = pose.apart(line, middle);
         let radius = self.a - off;
-        (square <= radius * radius && up >= off).then_some(middle)
+        (square <= radius * radius && up >= off).then_some((middle, square))
     }
 
     /// The end of what a pose cuts on one line: where the distance from its axis is the radius, or the line falls away to the
     /// tool's end.
     fn on_line(&self, pose: &Pose, line: &Line, less: f64, end: f64) -> Option<f64> {
-        let middle = self.beside(pose, line, less)?;
+        let (middle, least) = self.beside(pose, line, less)?;
         let radius = self.a - less;
         let off = |x: f64| {
             let [square, slope, up] = pose.apart(line, x);
             (square - radius * radius, slope, up - less)
         };
-        let mut x = middle + end * (1.5 * radius / line.rho).min(FRAC_PI_2);
-        if off(x).0 > 0.0 {
+        let far = (1.5 * radius / line.rho).min(FRAC_PI_2);
+        let mut x = middle + end * far;
+        let beyond = off(x).0;
+        if beyond > 0.0 {
             let (mut inside, mut outside) = (middle, x);
+            // As if the square of the distance grew with the square of the way.
+            let missing = radius * radius - least;
+            x = middle + end * far * (missing / (beyond + missing)).sqrt();
             for _ in 0..60 {
                 let (above, slope, _) = off(x);
                 if above > 0.0 {

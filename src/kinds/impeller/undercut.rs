@@ -98,27 +98,27 @@ impl Beside<'_> {
         // h_0 does not grow with v.
         let top = self.part.top(v_1);
         let change = self.part.change(cell.t, self.piece.bottom.max(-top));
-        let rulings = cell.t.map(|v| self.part.ruling(self.piece.face, v));
-        let [h_1, h_2] = self.part.floors(self.piece, cell.t, &rulings, &change);
+        let rulings = [v_0, v_1, v].map(|v| self.part.ruling(self.piece.face, v));
+        let [at_0, at_1, ruling] = rulings;
+        let [h_1, h_2] = self.part.floors(self.piece, cell.t, &[at_0, at_1], &change);
         let h_1 = h_1.max(h_2);
         // What the tool's end and a point of the face beside it move against each other.
         let ways = [(pace.speed + pace.turn * 2.0 * a) * along / 2.0, change.speed * over / 2.0];
         let way = ways[0] + ways[1];
         let first = ways[0] > ways[1];
-        let ruling = self.part.ruling(self.piece.face, v);
         let low = ruling.at(h_1);
         let R = self.part.circle.torus.R;
         if low.z - ways[1] > 0.0 || (low.x * low.x + low.y * low.y).sqrt() - ways[1] > R {
             return Bounds { upper: f64::NEG_INFINITY, middle: f64::NEG_INFINITY, first };
         }
         // Down to which depth points may be above the tool's end, and the distance from the axis down to there.
-        let (tip, axis) = self.stretch.tool(s);
+        let tools = [s_0, s_1, s].map(|s| self.stretch.tool(s));
+        let (tip, axis) = tools[2];
         let up = (ruling.foot - tip).dot(&axis);
         let fall = ruling.N.dot(&axis);
         let deepest = |margin: f64| if fall > 0.1 { ((up + margin) / fall).min(h_1) } else { h_1 };
-        let distance = |s: f64, v: f64, deepest: f64| {
-            let (tip, axis) = self.stretch.tool(s);
-            let ruling = self.part.ruling(self.piece.face, v);
+        let distance = |s: usize, v: usize, deepest: f64| {
+            let ((tip, axis), ruling) = (tools[s], rulings[v]);
             let (from, down) = (ruling.foot - tip, -ruling.N);
             let (from, down) = (from - axis * from.dot(&axis), down - axis * down.dot(&axis));
             let square = down.norm_squared();
@@ -129,11 +129,11 @@ impl Beside<'_> {
         if lowest < top {
             return Bounds { upper: f64::NEG_INFINITY, middle: f64::NEG_INFINITY, first };
         }
-        let corners = [(s_0, v_0), (s_0, v_1), (s_1, v_0), (s_1, v_1)]
+        let corners = [(0, 0), (0, 1), (1, 0), (1, 1)]
             .map(|(s, v)| distance(s, v, lowest).0)
             .into_iter()
             .fold(f64::INFINITY, f64::min);
-        let by_way = distance(s, v, lowest).0 - pace.speed * along / 2.0 - ways[1];
+        let by_way = distance(2, 2, lowest).0 - pace.speed * along / 2.0 - ways[1];
         let least = (corners - way).max(by_way);
         let bent =
             |speed: f64, acceleration: f64, side: f64| (speed * speed / least + acceleration) * side * side / 8.0;
@@ -144,7 +144,7 @@ impl Beside<'_> {
         };
         let exact = deepest(0.0).min(self.part.floor(&ruling, self.part.top(v)));
         let middle = if exact >= top {
-            let (distance, point) = distance(s, v, exact);
+            let (distance, point) = distance(2, 2, exact);
             if self.part.trimmed(&point) { a - distance } else { f64::NEG_INFINITY }
         } else {
             f64::NEG_INFINITY
