@@ -340,7 +340,12 @@ impl<'a> Channel<'a> {
 /// The greatest over ψ, between two of them, of the lesser of the distances from obverse and reverse, and the ψ; sought from
 /// a ψ on, where their difference falls with about this slope. It falls from the reverse of the next blade, where it is
 /// positive, to the obverse.
-fn widest([mut low, mut high]: [f64; 2], start: f64, mut slope: f64, mut both: impl FnMut(f64) -> [f64; 2]) -> (f64, f64) {
+fn widest(
+    [mut low, mut high]: [f64; 2],
+    start: f64,
+    mut slope: f64,
+    mut both: impl FnMut(f64) -> [f64; 2],
+) -> (f64, f64) {
     let inside = |psi: f64, low: f64, high: f64| if psi > low && psi < high { psi } else { f64::midpoint(low, high) };
     let mut psi = inside(start, low, high);
     let mut found = (0.0, psi);
