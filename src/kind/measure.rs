@@ -11,7 +11,8 @@ choices! {
     /// What a design is judged by.
     #[derive(PartialOrd, Ord)]
     pub enum Level {
-        /// The derived limits, and the programs as they are planned: nothing is read back.
+        /// The derived limits, and the programs as they are planned: nothing is read back, and what they leave or spoil is not
+        /// searched for.
         Limits = "limits" ("límites", "limits"),
         /// The programs as they are read back from their text, with all checks.
         Program = "program" ("programa", "program"),

@@ -106,6 +106,12 @@ pub trait Method: Send + Sync + 'static {
     /// For a position that no program may carry.
     fn programs(design: &Self::Design, model: &Self::Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>>;
 
+    /// What the programs leave or spoil by their method, where that is searched along their ways: found together with the
+    /// programs, but not of a design that is judged by its limits alone.
+    fn shortfalls(_: &Self::Design, _: &Self::Model) -> Vec<Finding> {
+        Vec::new()
+    }
+
     /// What is known before the first program is judged.
     fn memo(design: &Self::Design, model: &Self::Model) -> Self::Memo;
 
@@ -247,6 +253,7 @@ impl<M: Method> Kind for Of<M> {
             language: fields.language(),
         };
         let Written { programs, mut findings } = M::programs(&design, &model, &origin).map_err(refused)?;
+        findings.extend(M::shortfalls(&design, &model));
         let (mut memo, mut verification) = (M::memo(&design, &model), Verification::default());
         let mut accounts = Vec::new();
         for program in &programs {

@@ -236,17 +236,24 @@ impl Method for Impeller {
             return Ok(Written { programs: made.programs, findings });
         }
         let made = match &model.tracks {
-            Ok(tracks) => programs(design, tracks, origin).map(|made| (tracks, made)),
+            Ok(tracks) => programs(design, tracks, origin),
             Err(error) => Err(*error),
         };
-        let (tracks, made) = made.map_err(|error| vec![out_of_format(error, vec!["R", "R_B", "H"])])?;
+        let made = made.map_err(|error| vec![out_of_format(error, vec!["R", "R_B", "H"])])?;
         let mut findings = remarks(design, &made, model.calibration.as_ref().map(|(_, axis)| *axis));
         findings.extend(too_narrow(design, &model.limits));
-        findings.extend(shortfalls(design, tracks));
+        Ok(Written { programs: made.programs, findings })
+    }
+
+    fn shortfalls(design: &Design, model: &Model) -> Vec<Finding> {
+        if design.clear.is_some() {
+            return Vec::new();
+        }
+        let mut findings = model.tracks.as_ref().map_or(Vec::new(), |tracks| shortfalls(design, tracks));
         if !design.method_given {
             findings.push(PublishedLeavesMetal {}.at(Place::Parameters(vec!["method"])));
         }
-        Ok(Written { programs: made.programs, findings })
+        findings
     }
 
     fn memo(design: &Design, model: &Model) -> Known {
