@@ -187,7 +187,7 @@ fn build(
         set.check(&store::file_name(&item.stem, &ending))?;
     }
     let language = settings.language.unwrap_or(filled.values.language);
-    let wants = Wants { scene: filled.form.viewer || settings.view };
+    let wants = Wants { scene: filled.form.viewer || settings.view, ..Wants::default() };
     let outcome = made.outcome.insert(reading::compute(&item.workbook, filled, settings.kinds, wants, verdict)?);
     made.overtaken = overtaken();
     if made.overtaken || outcome.stopped() {

@@ -68,7 +68,7 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
         tools: arguments.tools.as_deref(),
         language,
     };
-    let mut followed = follow(&wanted, verdict, Wants { scene: folder.is_some() })?;
+    let mut followed = follow(&wanted, verdict, Wants { scene: folder.is_some(), ..Wants::default() })?;
     if let (Some(folder), Some(output)) = (&folder, &arguments.output) {
         let inputs: Vec<&Path> = std::iter::once(path).chain(&arguments.tools).map(PathBuf::as_path).collect();
         let mut set = Set::new(folder, &inputs, Existing::Replace);

@@ -143,7 +143,7 @@ fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<O
         tools: control.tools.as_deref(),
         language,
     };
-    let scene = follow(&wanted, verdict, Wants { scene: true })?.outcome.scene.transpose()?;
+    let scene = follow(&wanted, verdict, Wants { scene: true, ..Wants::default() })?.outcome.scene.transpose()?;
     Ok(scene.map(|scene| scene.titled(title, language)))
 }
 
@@ -157,7 +157,8 @@ fn of_workbook(
     plan::twice(std::slice::from_ref(&arguments.input))?;
     let (_, filled) = reading::read(&arguments.input, kinds, verdict)?;
     let language = arguments.lang.unwrap_or(filled.values.language);
-    let outcome = reading::compute(&arguments.input, filled, kinds, Wants { scene: true }, verdict)?;
+    let outcome =
+        reading::compute(&arguments.input, filled, kinds, Wants { scene: true, ..Wants::default() }, verdict)?;
     Ok(outcome.scene.transpose()?.map(|scene| scene.titled(title, language)))
 }
 

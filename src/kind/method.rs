@@ -113,7 +113,7 @@ pub trait Method: Send + Sync + 'static {
     }
 
     /// What is known before the first program is judged.
-    fn memo(design: &Self::Design, model: &Self::Model) -> Self::Memo;
+    fn memo(design: &Self::Design, model: &Self::Model, wants: Wants) -> Self::Memo;
 
     /// Which cells, changed how, give a program fewer blocks.
     fn fewer(design: &Self::Design, program: &Program) -> Text;
@@ -254,7 +254,7 @@ impl<M: Method> Kind for Of<M> {
         };
         let Written { programs, mut findings } = M::programs(&design, &model, &origin).map_err(refused)?;
         findings.extend(M::shortfalls(&design, &model));
-        let (mut memo, mut verification) = (M::memo(&design, &model), Verification::default());
+        let (mut memo, mut verification) = (M::memo(&design, &model, wants), Verification::default());
         let mut accounts = Vec::new();
         for program in &programs {
             let (setting, plan) = (M::setting(&design, program), M::plan(&design, &model, program));

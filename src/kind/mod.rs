@@ -107,6 +107,8 @@ impl fmt::Debug for dyn Kind + '_ {
 pub struct Wants {
     /// What can be shown in a browser.
     pub scene: bool,
+    /// No more than a row of a sweep takes: advice that no finding needs is not worked out.
+    pub row: bool,
 }
 
 /// The typst files that a kind brings to the report, their texts. They stand in the folder `kind` below the templates of all

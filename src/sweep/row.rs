@@ -86,10 +86,12 @@ pub fn judged(kind: &dyn Kind, base: &Values, plan: &Plan, id: u64, inputs: Vec<
             }
             Err(refusal) => row.refused(&refusal),
         },
-        (Ok(fields), Level::Program) => match kind.run(fields, Vec::new(), source(), Wants::default()) {
-            Ok(outcome) => row.outcome(kind, plan, &outcome),
-            Err(refusal) => row.refused(&refusal),
-        },
+        (Ok(fields), Level::Program) => {
+            match kind.run(fields, Vec::new(), source(), Wants { row: true, ..Wants::default() }) {
+                Ok(outcome) => row.outcome(kind, plan, &outcome),
+                Err(refusal) => row.refused(&refusal),
+            }
+        }
     }
     row
 }

@@ -134,7 +134,7 @@ pub fn simulate(bytes: &[u8]) -> Work {
     let Some(motions) = followed(&values, &program) else { return Work { read: 1, motions: 0 } };
     let source = Provenance { workbook: "fuzz.nc".to_owned(), sha256: "0".repeat(64), version: "0" };
     let fields = Fields::of(&parameters::FORM, values).expect("fields");
-    match lathe::simulated(fields, source, Some(program), Wants { scene: true }) {
+    match lathe::simulated(fields, source, Some(program), Wants { scene: true, ..Wants::default() }) {
         Ok(Simulated { outcome, .. }) => {
             said(&outcome.findings);
             for quantity in &outcome.quantities {

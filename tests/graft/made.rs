@@ -73,7 +73,7 @@ pub fn outcome(filled: Filled) -> Outcome {
     let kind = KINDS.iter().find(|kind| kind.form().schema == filled.form.schema).expect("its kind");
     let source = Provenance { workbook: "book.xlsx".to_owned(), sha256: "0".repeat(64), version: "0.0.0" };
     let fields = Fields::of(filled.form, filled.values).expect("all that the form requires");
-    kind.run(fields, filled.findings, source, Wants { scene: false }).expect("an outcome")
+    kind.run(fields, filled.findings, source, Wants::default()).expect("an outcome")
 }
 
 /// Results as they are put into a book, with the sheets and the cells of the inputs.

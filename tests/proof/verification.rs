@@ -17,6 +17,7 @@ use rodete::gcode::control::MILLING;
 use rodete::gcode::header::Origin;
 use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::program::Program;
+use rodete::kind::Wants;
 use rodete::kinds::impeller::blade::Blade;
 use rodete::kinds::impeller::blade_count::e_max;
 use rodete::kinds::impeller::design::Design;
@@ -286,7 +287,7 @@ impl Prepared {
         let program = self.programs.iter().find(|program| program.key == key).unwrap();
         let text = change(&program.text());
         let mut read = Interpreter::over(text.as_bytes(), program.setting());
-        let mut checks: Vec<Check> = judge(geometry, program, &mut read, &mut Known::new(geometry));
+        let mut checks: Vec<Check> = judge(geometry, program, &mut read, &mut Known::new(geometry, Wants::default()));
         let mut characters = Characters::new(program);
         text.lines().for_each(|line| characters.line(line));
         checks.push(characters.check());
@@ -505,7 +506,7 @@ proptest! {
         let made = programs(&design, &tracks, &origin).unwrap();
         let program = made.programs.iter().find(|program| program.key == "splitter").unwrap();
         let geometry = Geometry { design: &design, blade: &blade, splitter: Some(&splitter), clear: None };
-        let checks = judge(geometry, program, &mut program.read_back(), &mut Known::new(geometry));
+        let checks = judge(geometry, program, &mut program.read_back(), &mut Known::new(geometry, Wants::default()));
         let blades = checks.iter().find(|check| check.key() == "blades").unwrap();
         let on_the_way = blades.at().unwrap().along.is_none();
         prop_assert_eq!(blades.grade(), if on_the_way && blades.value().en.starts_with('-') { Some(Grade::Stop) } else { None }, "{:?}", blades);

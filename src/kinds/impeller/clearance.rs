@@ -25,7 +25,7 @@
 //! Millimetres and radians.
 
 use std::collections::{BTreeMap, BinaryHeap};
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use nalgebra::{Vector2, Vector3};
 
@@ -107,14 +107,19 @@ pub enum Until {
 }
 
 /// The faces that a tool must keep clear of.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Walls {
     part: Part,
     machine: Rotary,
     radius: f64,
     pieces: Vec<Piece>,
     turns: Vec<f64>,
+    /// What searches have found out about pieces of them; the next search goes on from there.
+    spans: Mutex<Spans>,
 }
+
+/// What is known of pieces of the faces, by their v.
+type Spans = BTreeMap<(usize, [u64; 2]), Arc<Span>>;
 
 /// Which motion: blocks of the way and, of a single one, the part of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -217,6 +222,7 @@ impl Limit {
 }
 
 /// The rulings between two v of a piece.
+#[derive(Debug)]
 struct Span {
     rulings: [Ruling; 2],
     tops: [f64; 2],
@@ -242,8 +248,7 @@ struct Search<'a> {
     way: &'a [Stand],
     /// By how much runs of blocks leave the straight motion.
     runs: BTreeMap<(usize, usize), f64>,
-    /// What is known of pieces of the faces, by their v.
-    spans: BTreeMap<(usize, [u64; 2]), Rc<Span>>,
+    spans: Spans,
     /// The least distance from the axis that was seen, and where.
     seen: (f64, Option<Place>),
     work: usize,
@@ -257,7 +262,7 @@ impl Walls {
             let v = [piece.v[0].max(from), piece.v[1]];
             (v[0] < v[1]).then_some(Piece { v, ..piece })
         });
-        Self { part, machine, radius, pieces: pieces.collect(), turns }
+        Self { part, machine, radius, pieces: pieces.collect(), turns, spans: Mutex::default() }
     }
 
     /// The clearance of the tool along a way.
@@ -267,11 +272,13 @@ impl Walls {
             walls: self,
             way,
             runs: BTreeMap::new(),
-            spans: BTreeMap::new(),
+            // Another search at the same time begins with none: what it finds is the same.
+            spans: std::mem::take(&mut *self.spans.lock().unwrap_or_else(PoisonError::into_inner)),
             seen: (f64::INFINITY, None),
             work: 0,
         };
         let lower = search.run(until, budget);
+        *self.spans.lock().unwrap_or_else(PoisonError::into_inner) = std::mem::take(&mut search.spans);
         let (upper, place) = search.seen;
         let lower = lower.min(upper) - self.radius - ARITHMETIC;
         Bounds { lower, upper: upper - self.radius, place, work: search.work }
@@ -344,7 +351,7 @@ impl Search<'_> {
     }
 
     /// What is known of the rulings between two v of a piece, whatever the tool does.
-    fn span(&mut self, piece: usize, v: [f64; 2]) -> Rc<Span> {
+    fn span(&mut self, piece: usize, v: [f64; 2]) -> Arc<Span> {
         let walls = self.walls;
         let new = || {
             let of = &walls.pieces[piece];
@@ -366,9 +373,9 @@ impl Search<'_> {
             let cut = Trim::of(walls, of, &rulings, (top + bottom) / 2.0);
             let outside = cut.as_ref().is_some_and(|cut| cut.greatest([top, bottom]) + moves[1] / 8.0 < 0.0);
             let trim = cut.and_then(|cut| cut.limit(moves[1], moves[2]));
-            Rc::new(Span { rulings, tops, top, bottom, beyond, moves, rho, floors, trim, outside })
+            Arc::new(Span { rulings, tops, top, bottom, beyond, moves, rho, floors, trim, outside })
         };
-        Rc::clone(self.spans.entry((piece, v.map(f64::to_bits))).or_insert_with(new))
+        Arc::clone(self.spans.entry((piece, v.map(f64::to_bits))).or_insert_with(new))
     }
 
     /// The lower bound of a cell, and whether to halve it in time; `None` where nothing of it counts.

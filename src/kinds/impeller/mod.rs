@@ -58,7 +58,7 @@ use crate::gcode::word::NumberFormat;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
-use crate::kind::{Chapters, Chart, Proved, out_of_format};
+use crate::kind::{Chapters, Chart, Proved, Wants, out_of_format};
 use crate::kinds;
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
@@ -256,8 +256,8 @@ impl Method for Impeller {
         findings
     }
 
-    fn memo(design: &Design, model: &Model) -> Known {
-        Known::new(model.geometry(design))
+    fn memo(design: &Design, model: &Model, wants: Wants) -> Known {
+        Known::new(model.geometry(design), wants)
     }
 
     fn fewer(design: &Design, program: &Program) -> Text {

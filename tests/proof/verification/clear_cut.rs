@@ -14,6 +14,7 @@ use rodete::finding::Grade;
 use rodete::gcode::header::Origin;
 use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::program::{Program, Role};
+use rodete::kind::Wants;
 use rodete::kinds::impeller::blade::Blade;
 use rodete::kinds::impeller::clear::cut::{Job, Which};
 use rodete::kinds::impeller::clear::plan::Plan;
@@ -76,7 +77,7 @@ impl Cut {
         let geometry = Geometry { design: &self.design, blade: &self.blade, splitter: None, clear: Some(&self.plan) };
         let (program, text) = (self.program(key), text.join("\n"));
         let mut read = Interpreter::over(text.as_bytes(), program.setting());
-        let mut checks: Vec<Check> = judge(geometry, program, &mut read, &mut Known::new(geometry));
+        let mut checks: Vec<Check> = judge(geometry, program, &mut read, &mut Known::new(geometry, Wants::default()));
         let mut characters = Characters::new(program);
         text.lines().for_each(|line| characters.line(line));
         checks.push(characters.check());

@@ -5,6 +5,7 @@
 
 use crate::finding::{Finding, Place, Raise, Size};
 use crate::gcode::program::Program;
+use crate::kind::Wants;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::figures::Curve;
 use crate::kinds::impeller::ideal::Ideal;
@@ -64,6 +65,7 @@ impl Measured {
 pub struct KnownTracks {
     neighbours: Neighbours,
     tracks: Vec<Measured>,
+    wants: Wants,
 }
 
 /// What is known from the programs that were judged before.
@@ -80,7 +82,7 @@ pub struct Known {
 impl Known {
     /// Nothing yet.
     #[must_use]
-    pub fn new(geometry: Geometry<'_>) -> Self {
+    pub fn new(geometry: Geometry<'_>, wants: Wants) -> Self {
         let Geometry { design, splitter, .. } = geometry;
         // A clear cut runs along none of them.
         let tracks = Track::ALL.into_iter().filter(|_| design.clear.is_none()).filter_map(|track| {
@@ -88,7 +90,7 @@ impl Known {
             let (way, clearances) = (Way::default(), Clearances::default());
             Some(Measured { along, way, clearances, done: false, turn: None })
         });
-        let tracks = KnownTracks { neighbours: Neighbours::new(design, splitter), tracks: tracks.collect() };
+        let tracks = KnownTracks { neighbours: Neighbours::new(design, splitter), tracks: tracks.collect(), wants };
         Self { tracks, clear_moves: Vec::new(), finish_moves: Vec::new() }
     }
 
@@ -191,7 +193,10 @@ impl Cutting<'_, '_> {
         let metal = greatest(measured, |along| (along.at_most()[1], &along.metal));
         let at_most = |most: &Extreme| Text::same(format!("≤ {}", mm(up(most.value()))));
         let told = design.tol.unwrap_or(NAMED);
-        let wanted = (total.value() > told).then(|| needed(design, total.value(), told));
+        // A finding names the n, or that there is none.
+        let found = if design.tol.is_some() { total.value() > told } else { metal.value() > INTO_METAL };
+        let asked = total.value() > told && (found || !self.known.wants.row);
+        let wanted = asked.then(|| needed(design, total.value(), told));
         let (n, tolerance) = (wanted.flatten(), size(told));
         let name = t("Punta entre bloques: desviación máxima", "Tip between blocks: maximum deviation");
         let limit = Text::same(design.tol.map(mm).unwrap_or_default());

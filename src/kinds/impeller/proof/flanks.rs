@@ -96,7 +96,7 @@ impl Way {
 }
 
 /// The blades and splitters about one.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Neighbours {
     /// All blades or splitters but one, seen from that one.
     like: [Walls; 2],

@@ -29,7 +29,7 @@ use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
-use crate::kind::{Chapters, Chart, Drawing, Proved, Series, out_of_format};
+use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Wants, out_of_format};
 use crate::kinds::pipe::hole::bounds::too_high;
 use crate::kinds::pipe::hole::cut::{Cut, TooHigh, cut};
 use crate::kinds::pipe::hole::design::Design;
@@ -131,7 +131,7 @@ impl Method for Hole {
         Ok(Written { programs: vec![full(design, cut, origin).map_err(no_room)?], findings: remarks(design, held) })
     }
 
-    fn memo(_: &Design, _: &Model) -> Curve {
+    fn memo(_: &Design, _: &Model, _: Wants) -> Curve {
         Curve::new()
     }
 

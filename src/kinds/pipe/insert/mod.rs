@@ -41,7 +41,7 @@ use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
-use crate::kind::{Chapters, Chart, Drawing, Proved, Series, out_of_format};
+use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Wants, out_of_format};
 use crate::kinds;
 use crate::kinds::pipe::insert::bounds::{Rest, Worst};
 use crate::kinds::pipe::insert::cut::{Cut, cut};
@@ -157,7 +157,7 @@ impl Method for Insert {
         Ok(Written { programs: vec![program.map_err(no_room)?], findings: remarks(design, rest) })
     }
 
-    fn memo(_: &Design, _: &Model) -> Curve {
+    fn memo(_: &Design, _: &Model, _: Wants) -> Curve {
         Curve::new()
     }
 
