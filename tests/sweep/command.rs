@@ -188,5 +188,16 @@ fn a_forecast_writes_nothing() {
     let folder = folder("limits");
     let told = done(folder.path(), "--dry-run");
     assert!(told.starts_with("36 designs, 3 inputs:\n  R (3)\n  N (3)\n  e (4)\n"), "{told}");
+    // Eight that are not refused, and those refused on the way.
+    let (tried, rest) = told.split_once(" tried, ").unwrap();
+    let tried: u32 = tried.rsplit('\n').next().unwrap().trim().parse().unwrap();
+    let refused: u32 = rest.split_once(" refused: ").unwrap().0.parse().unwrap();
+    assert!(refused > 0 && tried == refused + 8, "{told}");
+    assert!(rest.contains(" on one core, ") && !rest.contains("were tried"), "{told}");
+    // All that there are, where none is good.
+    let settings = [("method", "factorial"), ("level", "limits")];
+    fs::write(folder.path().join("a.xlsx"), with_variants(&settings, &[["e", "50", "60", "5", "", ""]], &[])).unwrap();
+    let told = done(folder.path(), "--dry-run");
+    assert!(told.contains("3 tried, 3 refused: ") && told.contains("rodete refused all that were tried"), "{told}");
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }

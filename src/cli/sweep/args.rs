@@ -23,7 +23,7 @@ pub(in crate::cli) struct Sweep {
     /// Take the first N designs of the plan only
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub(in crate::cli) limit: Option<u64>,
-    /// Work out eight designs, and print how many there are and how long all would take; write nothing
+    /// Work out a few designs, and print how many there are and how long all would take; write nothing
     #[arg(long, conflicts_with_all = ["chunk", "merge", "submit", "fresh"])]
     pub(in crate::cli) dry_run: bool,
     /// How many of the best designs are written as workbooks

@@ -28,14 +28,12 @@ use crate::sweep::asked;
 use crate::sweep::form::NAME;
 use crate::sweep::plan::Plan;
 use crate::sweep::rules::{ChunksMissing, NoSweepSheet, WrongChunk};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 use crate::workbook::{self, sweep_sheet};
 
 /// Designs of a chunk, where nothing else is asked for, and the most chunks.
 const CHUNK: u64 = 1000;
 const CHUNKS_MOST: u64 = 1000;
-/// Designs that are timed for a forecast.
-const TIMED: u64 = 8;
 
 /// A workbook with its plan.
 pub(super) struct Study<'a> {
@@ -137,11 +135,10 @@ pub(super) fn checked(bytes: &[u8], filled: &workbook::Filled, kind: &dyn Kind) 
 /// How many designs there are, and how long all would take.
 fn forecast(arguments: &Sweep, study: &Study<'_>, terminal: &mut Terminal) -> Result<Exit, Refusal> {
     let workshop = Workshop::open(study, arguments.jobs)?;
-    let seconds = workshop.timed(TIMED);
+    let tried = workshop.tried();
     let plan = &study.plan;
-    let hours = seconds * count(plan.count);
     let jobs = workshop.jobs();
-    let chunks = arguments.chunks.unwrap_or_else(|| slurm::chunks(plan.count, seconds));
+    let chunks = arguments.chunks.unwrap_or_else(|| slurm::chunks(plan.count, tried.mean()));
     let axes: String = plan
         .inputs
         .iter()
@@ -150,18 +147,31 @@ fn forecast(arguments: &Sweep, study: &Study<'_>, terminal: &mut Terminal) -> Re
             format!("  {} ({levels})\n", one.symbol())
         })
         .collect();
-    let each = format!("{:.1}", seconds * 1000.0);
-    let [core, here] = [hours, hours / count(jobs)].map(duration);
+    let each = format!("{:.1}", tried.mean() * 1000.0);
+    let range = |jobs: u64| {
+        let [least, most] = tried.range().map(|one| duration(one * count(plan.count) / count(jobs)));
+        let same = least == most;
+        let range = Text::new(format!("{least} a {most}"), format!("{least} to {most}"));
+        if same { least } else { range.get(study.language).to_owned() }
+    };
+    let (core, here) = (range(1), range(jobs));
+    let (all, refused, inputs) = (tried.count(), tried.refused, plan.inputs.len());
+    let unknown = if tried.judged > 0 {
+        t("", "")
+    } else {
+        t(
+            "rodete rechaza todos los probados: no se sabe cuánto tarda uno que no lo sea\n",
+            "rodete refused all that were tried: how long one takes that is not refused is not known\n",
+        )
+    };
     let text = Text::new(
         format!(
-            "{} diseños, {} entradas:\n{axes}{each} ms por diseño y núcleo; {core} en un núcleo, {here} con --jobs {jobs}; {chunks} trozos para Slurm\n",
-            plan.count,
-            plan.inputs.len()
+            "{} diseños, {inputs} entradas:\n{axes}{all} probados, {refused} rechazados: {each} ms por diseño y núcleo\n{}{core} en un núcleo, {here} con --jobs {jobs}; trozos para Slurm: {chunks}\n",
+            plan.count, unknown.es
         ),
         format!(
-            "{} designs, {} inputs:\n{axes}{each} ms a design and core; {core} on one core, {here} with --jobs {jobs}; {chunks} chunks for Slurm\n",
-            plan.count,
-            plan.inputs.len()
+            "{} designs, {inputs} inputs:\n{axes}{all} tried, {refused} refused: {each} ms a design and core\n{}{core} on one core, {here} with --jobs {jobs}; chunks for Slurm: {chunks}\n",
+            plan.count, unknown.en
         ),
     );
     terminal.out(text.get(study.language));
@@ -182,7 +192,7 @@ fn all(
         .unwrap_or_else(|| beside(study.workbook).join(store::file_name(&store::stem(study.workbook), "-sweep")));
     let wanted = chunk.map(|(_, of)| of).or(arguments.chunks);
     let usual = || match &arguments.submit {
-        Some(_) => Ok(slurm::chunks(study.plan.count, Workshop::open(study, arguments.jobs)?.timed(TIMED))),
+        Some(_) => Ok(slurm::chunks(study.plan.count, Workshop::open(study, arguments.jobs)?.tried().mean())),
         None => Ok(study.plan.count.div_ceil(CHUNK).clamp(1, CHUNKS_MOST)),
     };
     let rows = Rows::open(&folder, study, wanted, usual, arguments.fresh)?;
