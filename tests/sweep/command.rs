@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 
 use rodete::kinds::impeller::cases::CASES;
 
-use crate::common::workbook::{with_variants, with_variants_of};
+use crate::common::workbook::{thick, with_variants, with_variants_of};
 
 /// 36 designs, some of them refused: judged by the derived limits, or by the programs.
 fn book(level: &str) -> Vec<u8> {
@@ -143,10 +143,10 @@ fn rows_are_written_for_refused_designs_and_name_no_folder() {
 fn designs_that_are_cut_clear_are_compared_by_what_their_judges_measure() {
     let case = CASES.iter().find(|case| case.name == "clear").unwrap();
     let settings = [("method", "factorial"), ("objectives", "under_floor_mm min; clearance_mm max")];
-    let inputs = [["R", "", "", "", "25; 26", ""], ["a_p", "", "", "", "1.5; 2", ""]];
+    let inputs = [["R", "", "", "", "25; 26", ""], ["a_p", "", "", "", "1.5; 2", ""], ["e", "", "", "", "2", ""]];
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    fs::write(at.join("a.xlsx"), with_variants_of(case, &settings, &inputs, &[])).unwrap();
+    fs::write(at.join("a.xlsx"), with_variants_of(&thick(case), &settings, &inputs, &[])).unwrap();
     let told = done(at, "-o s --csv --jobs 2");
     assert!(told.starts_with("4 designs: 4 done, 0 refused, 0 failed; 4 feasible, "), "{told}");
     let csv = fs::read_to_string(at.join("s/summary.csv")).unwrap();

@@ -17,7 +17,7 @@ use rodete::text::Language;
 use rodete::workbook::sweep_sheet;
 use rustix::process::{Pid, Signal, kill_process};
 
-use crate::common::workbook::with_variants;
+use crate::common::workbook::{quick, thick, with_variants_of};
 
 /// A folder with a workbook of 48 designs, judged by their programs.
 fn folder() -> tempfile::TempDir {
@@ -29,7 +29,7 @@ fn folder() -> tempfile::TempDir {
 fn book() -> Vec<u8> {
     let settings = [("method", "factorial"), ("objectives", "time_s min; clearance_mm max")];
     let inputs = [["R", "24", "30", "2", "", ""], ["N", "", "", "", "4; 5; 6", ""], ["e", "1", "4", "1", "", ""]];
-    with_variants(&settings, &inputs, &[])
+    with_variants_of(&thick(quick()), &settings, &inputs, &[])
 }
 
 fn sweep(folder: &Path, words: &str) -> Command {
