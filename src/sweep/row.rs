@@ -50,7 +50,8 @@ pub struct Row {
     pub cautions: i64,
     /// Their codes, each once, in the order of the codes.
     pub codes: Vec<&'static str>,
-    /// Why it was not done: the code of the first stop; of one that is done, the constraint that is broken.
+    /// Why it was not done: the code of the first stop; of one that is done, the constraint that is broken, or the objective
+    /// that has no value.
     pub reason: Option<String>,
     /// The value that the reason found, where it is a number.
     pub value: Option<f64>,
@@ -183,13 +184,15 @@ impl Row {
             self.measures.get(at).copied().flatten()
         };
         let broken = plan.constraints.iter().find(|one| of(one.measure.key).is_none_or(|value| one.room(value) < 0.0));
-        let valued = plan.objectives.iter().all(|one| of(one.measure.key).is_some());
-        self.feasible = broken.is_none() && valued;
+        let unvalued = plan.objectives.iter().find(|one| of(one.measure.key).is_none());
+        self.feasible = broken.is_none() && unvalued.is_none();
         if let Some(broken) = broken {
             let value = of(broken.measure.key);
             self.reason = Some(broken.to_string());
             (self.value, self.limit) = (value, Some(broken.bound));
             self.margin = value.map(|value| broken.room(value));
+        } else if let Some(unvalued) = unvalued {
+            self.reason = Some(unvalued.to_string());
         }
     }
 }

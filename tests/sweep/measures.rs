@@ -84,3 +84,13 @@ fn a_clear_design_that_is_refused_tells_by_how_much_it_misses_the_limit() {
         assert!(margin < 0.0 && (margin + (found - with).abs()).abs() < 1e-12, "{row:?}");
     }
 }
+
+#[test]
+fn a_design_without_a_value_of_an_objective_says_so() {
+    // What is cut as published has no floor to be under.
+    let row = design("full", &[], "under_floor_mm min");
+    assert_eq!((row.state, row.feasible, row.reason.as_deref()), (State::Done, false, Some("under_floor_mm min")));
+    assert_eq!((row.value, row.limit, row.margin), (None, None, None));
+    let row = design("full", &[], "time_s min");
+    assert_eq!((row.state, row.feasible, row.reason), (State::Done, true, None));
+}

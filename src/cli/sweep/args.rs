@@ -30,7 +30,7 @@ pub(in crate::cli) struct Sweep {
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(0..=1000))]
     pub(in crate::cli) top: u16,
     /// Write all rows as DIR/summary.csv, too
-    #[arg(long, conflicts_with_all = ["chunk", "submit", "dry_run"])]
+    #[arg(long, conflicts_with_all = ["chunk", "dry_run"])]
     pub(in crate::cli) csv: bool,
     /// Begin anew: remove what an earlier run left in the folder
     #[arg(long, conflicts_with = "merge")]

@@ -198,13 +198,10 @@ fn all(
     let rows = Rows::open(&folder, study, wanted, usual, arguments.fresh)?;
     if let Some((number, _)) = chunk {
         let workshop = Workshop::open(study, arguments.jobs)?;
-        workshop.chunk(
-            &rows,
-            number,
-            &mut progress::Progress::new(study, study.plan.chunk(number, rows.chunks())),
-            terminal,
-        )?;
-        return Ok(Exit::Done);
+        let mut progress = progress::Progress::new(study, study.plan.chunk(number, rows.chunks()));
+        let worked = workshop.chunk(&rows, number, &mut progress, terminal);
+        progress.end(terminal);
+        return worked.map(|()| Exit::Done);
     }
     if arguments.submit.is_some() {
         return slurm::submit(arguments, study, &folder, &rows, terminal);
@@ -212,10 +209,9 @@ fn all(
     if !arguments.merge {
         let workshop = Workshop::open(study, arguments.jobs)?;
         let mut progress = progress::Progress::new(study, 0..study.plan.count);
-        for number in 0..rows.chunks() {
-            workshop.chunk(&rows, number, &mut progress, terminal)?;
-        }
+        let worked = (0..rows.chunks()).try_for_each(|number| workshop.chunk(&rows, number, &mut progress, terminal));
         progress.end(terminal);
+        worked?;
     }
     let missing: Vec<u64> = (0..rows.chunks()).filter(|number| rows.state(*number) != State::Whole).collect();
     if !missing.is_empty() {
