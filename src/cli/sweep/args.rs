@@ -32,6 +32,9 @@ pub(in crate::cli) struct Sweep {
     /// Write all rows as DIR/summary.csv, too
     #[arg(long, conflicts_with_all = ["chunk", "dry_run"])]
     pub(in crate::cli) csv: bool,
+    /// Typeset what came out as DIR/<stem>-sweep.pdf, too
+    #[arg(long, conflicts_with_all = ["chunk", "dry_run"])]
+    pub(in crate::cli) report: bool,
     /// Begin anew: remove what an earlier run left in the folder
     #[arg(long, conflicts_with = "merge")]
     pub(in crate::cli) fresh: bool,

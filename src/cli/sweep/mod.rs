@@ -8,6 +8,8 @@ mod slurm;
 mod work;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use self::args::Sweep;
 use self::folder::{Rows, State};
@@ -41,7 +43,11 @@ pub(super) struct Study<'a> {
     workbook: &'a Path,
     /// The kind.
     kind: &'a dyn Kind,
-    /// Its values.
+    /// The SHA-256 of its bytes.
+    sha256: String,
+    /// Its values, with their cells.
+    values: Values,
+    /// Its values without cells, as every design begins with them.
     base: Values,
     /// The plan.
     plan: Plan,
@@ -57,7 +63,7 @@ pub(super) struct Study<'a> {
 
 /// Works out what is asked for, and prints what came of it.
 pub(super) fn run(arguments: &Sweep, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
-    interrupt::listen();
+    let interrupted = interrupt::listen();
     let chunk = match arguments.chunk.as_deref().map(chunk_of).transpose() {
         Ok(chunk) => chunk,
         Err(refusal) => return refused(&refusal, spoken(arguments.lang, None), terminal),
@@ -76,7 +82,7 @@ pub(super) fn run(arguments: &Sweep, kinds: &[&dyn Kind], terminal: &mut Termina
     let done = if arguments.dry_run {
         forecast(arguments, &study, terminal)
     } else {
-        all(arguments, &study, chunk, kinds, terminal)
+        all(arguments, &study, chunk, kinds, &interrupted, terminal)
     };
     done.unwrap_or_else(|refusal| refused(&refusal, study.language, terminal))
 }
@@ -105,13 +111,16 @@ fn study<'a>(arguments: &'a Sweep, kinds: &[&'a dyn Kind]) -> Result<Study<'a>, 
     let plan = plan.limited(arguments.limit);
     // What the workbook says is whole, though the values that vary come from the plan.
     Fields::of(filled.form, filled.values.clone()).map_err(wrong)?;
-    let told = plan.told(&store::sha256(&bytes), env!("CARGO_PKG_VERSION")).to_string();
+    let sha256 = store::sha256(&bytes);
+    let told = plan.told(&sha256, env!("CARGO_PKG_VERSION")).to_string();
     let name: String = store::sha256(told.as_bytes()).chars().take(8).collect();
-    let mut base = filled.values;
+    let mut base = filled.values.clone();
     base.cells.clear();
     Ok(Study {
         workbook: path,
         kind: *kind,
+        sha256,
+        values: filled.values,
         base,
         plan,
         told,
@@ -184,6 +193,7 @@ fn all(
     study: &Study<'_>,
     chunk: Option<(u64, u64)>,
     kinds: &[&dyn Kind],
+    interrupted: &Arc<AtomicBool>,
     terminal: &mut Terminal,
 ) -> Result<Exit, Refusal> {
     let folder = arguments
@@ -219,7 +229,7 @@ fn all(
         let missing = u64::try_from(missing.len()).unwrap_or(u64::MAX);
         return Err(ChunksMissing { list, missing, chunks }.refused(Exit::Incomplete, Place::File));
     }
-    merge::merge(arguments, study, kinds, &rows, terminal)
+    merge::merge(arguments, study, kinds, &rows, interrupted, terminal)
 }
 
 /// The chunk that an option asks for.

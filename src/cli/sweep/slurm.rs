@@ -38,7 +38,7 @@ const TASK: &str = r#"#!/bin/bash
 if [ -n "${SLURM_ARRAY_TASK_ID:-}" ]; then
     part=(--chunk "$SLURM_ARRAY_TASK_ID/@CHUNKS@")
 else
-    part=(--merge @CSV@--top @TOP@)
+    part=(--merge @CSV@@REPORT@--top @TOP@)
 fi
 @PROGRAM@ sweep @WORKBOOK@ -o @FOLDER@ @LIMIT@@LANG@"${part[@]}" &
 wait $!
@@ -105,6 +105,7 @@ fn script(arguments: &Sweep, study: &Study<'_>, place: &Path, rows: &Rows<'_>, p
     TASK.replace("@CHUNKS@", &rows.chunks().to_string())
         .replace("@TOP@", &arguments.top.to_string())
         .replace("@CSV@", if arguments.csv { "--csv " } else { "" })
+        .replace("@REPORT@", if arguments.report { "--report " } else { "" })
         .replace("@LIMIT@", &limit)
         .replace("@LANG@", &lang)
         .replace("@PROGRAM@", &quoted(program))

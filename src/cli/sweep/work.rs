@@ -67,6 +67,11 @@ impl<'a> Workshop<'a> {
         }
     }
 
+    /// Does work that is divided in parts, so many of them at once.
+    pub(super) fn side_by_side<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        self.pool.install(work)
+    }
+
     /// Designs of the plan in an order by chance, always the same one, worked out one by one until so many of them are not refused,
     /// with the time that each took: what is refused early costs little, and says nothing of the others.
     pub(super) fn tried(&self) -> Tried {
