@@ -28,9 +28,18 @@ pub(super) const HEADINGS: RowNum = 4;
 const CHARTED: usize = 8;
 /// The most designs of the chart of parallel coordinates: a chart takes 255 curves.
 const CURVES: usize = 50;
-pub(super) const SIZE: [u32; 2] = [640, 420];
+/// Size of a chart, pixels: a little less than ten columns of the usual width and twenty rows.
+pub(super) const SIZE: [u32; 2] = [634, 396];
+/// Columns below a chart.
+const COLUMNS: ColNum = 10;
+/// How far a chart stands from the upper left corner of its first cell, so that no page break runs along its frame.
+const INSET: u32 = 3;
 /// Rows that a chart takes, with its gap.
-pub(super) const CHART_ROWS: RowNum = 23;
+pub(super) const CHART_ROWS: RowNum = 21;
+/// The row of the first chart, from 0.
+const FIRST_CHART: RowNum = 4;
+/// Charts of an upright page: their rows and those above the first fill it.
+const ON_PAGE: RowNum = 2;
 
 pub(super) const DONE: Color = Color::RGB(0x9D_B4CC);
 pub(super) const BEST: Color = Color::RGB(0xC0_504D);
@@ -239,7 +248,7 @@ impl SweepBook<'_> {
         );
         let charts = workbook.add_worksheet();
         self.head(charts, styles, &CHARTS, &TITLE, "")?;
-        let mut row = 4;
+        let mut row = FIRST_CHART;
         let objectives: Vec<&str> =
             self.results.plan.objectives.iter().map(|one| one.measure.key).take(CHARTED).collect();
         let inputs: Vec<String> =
@@ -254,19 +263,21 @@ impl SweepBook<'_> {
         }
         for (x, y) in pairs {
             if let Some(chart) = self.scatter(&x, y) {
-                charts.insert_chart(row, 0, &chart)?;
+                charts.insert_chart_with_offset(row, 0, &chart, INSET, INSET)?;
                 row += CHART_ROWS;
             }
         }
         let coordinates = row;
-        // A page for each.
-        let breaks: Vec<RowNum> = (4 + CHART_ROWS..=coordinates).step_by(CHART_ROWS as usize).collect();
+        let count = self.results.top.rows().min(CURVES);
+        let end = coordinates + if count > 0 { CHART_ROWS } else { 0 };
+        let breaks: Vec<RowNum> =
+            (FIRST_CHART + ON_PAGE * CHART_ROWS..end).step_by((ON_PAGE * CHART_ROWS) as usize).collect();
         if !breaks.is_empty() {
             charts.set_page_breaks(&breaks)?;
         }
-        charts.set_column_width(0, 16.0)?;
-        self.page().set_up_columns(charts, self.language);
-        let count = self.results.top.rows().min(CURVES);
+        // The lines above are longer than a chart is wide.
+        charts.set_print_area(0, 0, end.max(FIRST_CHART) - 1, COLUMNS - 1)?;
+        Page { landscape: false, ..self.page() }.set_up_fitted(charts, self.language);
         if count > 0 {
             let curves = workbook.add_worksheet();
             let axes = self.write_curves(curves, styles, count)?;
@@ -292,7 +303,13 @@ impl SweepBook<'_> {
             chart.legend().set_hidden();
             chart.set_width(SIZE[0]).set_height(SIZE[1]);
             chart.set_alt_text(self.text(&COORDINATES));
-            workbook.worksheet_from_name(self.text(&CHARTS))?.insert_chart(coordinates, 0, &chart)?;
+            workbook.worksheet_from_name(self.text(&CHARTS))?.insert_chart_with_offset(
+                coordinates,
+                0,
+                &chart,
+                INSET,
+                INSET,
+            )?;
         }
         Ok(())
     }
@@ -365,14 +382,15 @@ impl SweepBook<'_> {
             .iter()
             .filter_map(|name| Some((name, self.results.top.column(name)?, extent(self.results.top, name)?)))
             .collect();
+        let number = Format::new().set_num_format("0.000");
         for (column, (name, cells, [low, high])) in (1..).zip(&axes) {
             let heading = name.strip_prefix("in_").unwrap_or(name);
             write_text(sheet, 0, column, heading, &styles.number_header)?;
-            sheet.set_column_width(column, heading_width(heading))?;
+            sheet.set_column_width(column, heading_width(heading).max(8.0))?;
             for (row, at) in (1..).zip(0..count) {
                 if let Some(value) = cells.number(at) {
                     let part = if high > low { (value - low) / (high - low) } else { 0.5 };
-                    sheet.write_number(row, column, part)?;
+                    sheet.write_number_with_format(row, column, part, &number)?;
                 }
             }
         }
