@@ -6,13 +6,13 @@ use std::process::{Command, Output};
 
 use rodete::kinds::impeller::cases::CASES;
 
-use crate::common::workbook::{thick, with_variants, with_variants_of};
+use crate::common::workbook::{quick, thick, with_variants, with_variants_of};
 
 /// 36 designs, some of them refused: judged by the derived limits, or by the programs.
 fn book(level: &str) -> Vec<u8> {
     let settings = [("method", "factorial"), ("level", level), ("objectives", "gap_true max; e_max min")];
     let inputs = [["R", "22", "30", "4", "", ""], ["N", "", "", "", "4; 5; 6", ""], ["e", "1", "4", "1", "", ""]];
-    with_variants(&settings, &inputs, &[])
+    with_variants_of(&thick(quick()), &settings, &inputs, &[])
 }
 
 /// A folder with the workbook.

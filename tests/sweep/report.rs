@@ -6,17 +6,19 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use rodete::parameter;
+use rodete::text::Language;
 use serde_json::Value;
 
-use crate::common::workbook::with_variants;
+use crate::common::workbook::{quick, thick, with_variants_of};
 
-/// A folder with a workbook of 24 designs of two objectives, some of them refused.
-fn folder() -> tempfile::TempDir {
+/// A folder with a workbook of 24 designs of two objectives, some of them refused, around a design.
+fn folder(around: &[(&'static str, parameter::Value)]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let settings = [("method", "factorial"), ("objectives", "time_s min; clearance_mm max")];
     let inputs =
         [["N", "", "", "", "4; 5; 6", ""], ["e", "1", "4", "1", "", ""], ["splitters", "", "", "", "yes; no", ""]];
-    fs::write(folder.path().join("a.xlsx"), with_variants(&settings, &inputs, &[])).unwrap();
+    fs::write(folder.path().join("a.xlsx"), with_variants_of(around, &settings, &inputs, &[])).unwrap();
     folder
 }
 
@@ -46,7 +48,7 @@ fn contents(folder: &Path) -> Value {
 #[test]
 fn the_report_is_set_from_the_plan_its_rows_and_the_title_block() {
     for (language, title, front) in [("es", "Informe del barrido", "frente"), ("en", "Report of the sweep", "front")] {
-        let folder = folder();
+        let folder = folder(&quick().values(Language::En));
         let output = sweep(folder.path(), Some(&keeps()), &format!("--lang {language}"));
         assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
         let told = String::from_utf8(output.stdout).unwrap();
@@ -81,6 +83,8 @@ fn the_report_is_set_from_the_plan_its_rows_and_the_title_block() {
         // Tolerances, then what each input does to each objective.
         assert_eq!(chapters[3]["tables"].as_array().unwrap().len(), 3);
         assert_eq!(rows(3, 0).len(), 3);
+        assert_eq!((&rows(3, 0)[1][0], &rows(3, 0)[1][2]), (&"e".into(), &"2".into()));
+        assert!(!rows(3, 0)[1][4].as_str().unwrap().is_empty(), "how far e may go up: {:?}", rows(3, 0)[1]);
         let text = contents.to_string();
         assert!(!text.contains(&folder.path().to_string_lossy().into_owned()), "no folder is named");
     }
@@ -88,7 +92,7 @@ fn the_report_is_set_from_the_plan_its_rows_and_the_title_block() {
 
 #[test]
 fn a_report_that_cannot_be_set_keeps_nothing_else_from_being_written() {
-    let folder = folder();
+    let folder = folder(&thick(quick()));
     let output = sweep(folder.path(), Some("/no/such/typst"), "");
     let told = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(6), "{told}");
@@ -107,7 +111,7 @@ fn the_compiler_inside_sets_the_report_in_both_languages() {
         ("es", ["Informe del barrido", "Qué varía", "Los mejores diseños", "Qué hace cada entrada", "Página 1 de"]),
         ("en", ["Report of the sweep", "What varies", "The best designs", "What each input does", "Page 1 of"]),
     ] {
-        let folder = folder();
+        let folder = folder(&thick(quick()));
         let output = sweep(folder.path(), None, &format!("--lang {language}"));
         assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
         let text = Command::new("pdftotext").arg(folder.path().join("s/a-sweep.pdf")).arg("-").output();

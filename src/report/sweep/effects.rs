@@ -43,11 +43,15 @@ impl Setter<'_> {
             tables.push(self.effect(measure, at));
         }
         for (columns, rows) in tables {
-            let columns = std::iter::once(symbol.clone()).chain(columns).collect();
+            // What no row has is left out: with too few groups there are no indices.
+            let told: Vec<bool> = (0..columns.len())
+                .map(|at| rows.iter().any(|row| row.get(at).is_some_and(|one| !one.is_empty())))
+                .collect();
+            let columns = std::iter::once(symbol.clone()).chain(kept(columns, &told)).collect();
             let rows = effects
                 .iter()
                 .zip(rows)
-                .map(|(one, row)| std::iter::once(self.words.line(&one.symbol)).chain(row).collect());
+                .map(|(one, row)| std::iter::once(self.words.line(&one.symbol)).chain(kept(row, &told)).collect());
             chapter.tables.push(Table { columns, rows: rows.collect(), note: String::new() });
         }
         chapter
@@ -84,4 +88,9 @@ impl Setter<'_> {
         };
         (columns, self.results.effects.iter().map(row).collect())
     }
+}
+
+/// Those of some cells that are told.
+fn kept<T>(cells: Vec<T>, told: &[bool]) -> impl Iterator<Item = T> {
+    cells.into_iter().zip(told).filter(|(_, told)| **told).map(|(cell, _)| cell)
 }
