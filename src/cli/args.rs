@@ -257,8 +257,8 @@ pub(super) struct New {
     /// Values to start from; each kind has its own [default: the first of the kind; of an impeller with --sweep: full]
     #[arg(long)]
     pub(super) case: Option<String>,
-    /// Add the sheet SWEEP, which says how inputs vary
-    #[arg(long, conflicts_with = "into")]
+    /// Add the sheet SWEEP, which says how inputs vary; with --into also to a form that is there already
+    #[arg(long)]
     pub(super) sweep: bool,
 }
 

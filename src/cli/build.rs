@@ -196,7 +196,7 @@ fn build(
     let notes = into.as_ref().map(|into| into.notes().to_vec()).unwrap_or_default();
     verdict.findings.extend(notes);
     let scene = outcome.scene.take().transpose()?;
-    let logo = match stationery::logo(&item.workbook, outcome) {
+    let logo = match stationery::logo(&item.workbook, outcome.fields.values()) {
         Ok(Some((logo, file))) => {
             outcome.files.push(file);
             Some(logo)

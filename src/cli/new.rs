@@ -9,11 +9,13 @@ use super::rules::*;
 use super::terminal::Terminal;
 use super::{fault, finding, into, refused, show};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::graft::rules::FormThere;
 use crate::graft::{Donor, Host};
 use crate::kind::Kind;
 use crate::parameter::Case;
 use crate::store::{self, Existing, Folder, Set, Written};
 use crate::text::{Language, Text};
+use crate::workbook::names::Made;
 use crate::workbook::{self, sweep_sheet, template};
 
 /// Writes the workbook and says what to do next.
@@ -26,11 +28,14 @@ pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal)
             for file in written {
                 let path = show::path(&file.path);
                 let word = if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.clone() };
-                let word = if arguments.into.is_some() { format!("{word} --into") } else { word };
-                let command = if arguments.sweep { "sweep" } else { "build" };
+                let (command, end) = match (arguments.sweep, &arguments.into) {
+                    (true, _) => ("sweep", ""),
+                    (false, Some(_)) => ("build", " --into"),
+                    (false, None) => ("build", ""),
+                };
                 let text = Text::new(
-                    format!("{path} está listo para rellenar; después: rodete {command} {word}\n"),
-                    format!("{path} is ready to edit; then: rodete {command} {word}\n"),
+                    format!("{path} está listo para rellenar; después: rodete {command} {word}{end}\n"),
+                    format!("{path} is ready to edit; then: rodete {command} {word}{end}\n"),
                 );
                 terminal.out(text.get(language));
             }
@@ -52,7 +57,7 @@ fn write(arguments: &New, language: Language, kinds: &[&dyn Kind]) -> Result<(Ve
         NoSuchCase { kind, case, cases }.refused(Exit::CommandLine, Place::File)
     })?;
     if let Some(book) = &arguments.into {
-        return put(book, *kind, case, language);
+        return put(book, *kind, case, arguments, language);
     }
     let file = arguments.file.clone().unwrap_or_else(|| PathBuf::from(format!("{}.xlsx", form.kind)));
     let name = workbook_name(&file)?;
@@ -71,11 +76,17 @@ fn write(arguments: &New, language: Language, kinds: &[&dyn Kind]) -> Result<(Ve
     Ok((set.commit()?, folder.settled().cloned().into_iter().collect()))
 }
 
-/// Puts the form into a workbook.
+/// Puts the form into a workbook, with its sheet of variants where that is asked for; into one that has the form, that sheet alone.
 ///
 /// # Errors
 /// Exit 3 where no form may be put in, 4 where the workbook cannot be read, 5 where it cannot be written.
-fn put(book: &Path, kind: &dyn Kind, case: &Case, language: Language) -> Result<(Vec<Written>, Vec<Finding>), Refusal> {
+fn put(
+    book: &Path,
+    kind: &dyn Kind,
+    case: &Case,
+    arguments: &New,
+    language: Language,
+) -> Result<(Vec<Written>, Vec<Finding>), Refusal> {
     let bytes = workbook::open(book)?;
     store::replaceable(book, &[])?;
     let folder = Folder::open(book.parent().unwrap_or(Path::new("")))?;
@@ -83,10 +94,24 @@ fn put(book: &Path, kind: &dyn Kind, case: &Case, language: Language) -> Result<
     let present = host.present();
     let mut told: Vec<Finding> = folder.settled().cloned().into_iter().collect();
     told.extend(host.notes().iter().cloned());
+    let grow = |host: Host<'_>, (donor, sheets): (Vec<u8>, Vec<Made>)| {
+        host.put(&Donor { bytes: &donor, sheets: &sheets, inputs: Vec::new(), source: "" })
+    };
     let (values, lists) = (case.values(language), (case.listed)(language));
-    let (donor, sheets) =
-        into::composed(book, |out| template::write_into(kind, &values, &lists, &case.note, language, &present, out))?;
-    let grown = host.put(&Donor { bytes: &donor, sheets: &sheets, inputs: Vec::new(), source: "" })?;
+    let variants = arguments.sweep.then(|| sweep_sheet::suggested(kind.suggested(), language));
+    let held = (values.as_slice(), lists.as_slice(), variants.as_ref());
+    let form = into::composed(book, |out| template::write_into(kind, held, &case.note, language, &present, out))?;
+    let grown = match grow(host, form) {
+        Err(refusal) if arguments.sweep && refusal.findings.iter().any(|one| one.is(FormThere::RULE)) => {
+            // A form that is of another kind, or that cannot be read, is in the way.
+            let Ok(filled) = workbook::read(&bytes, &[kind.form()]) else { return Err(refusal) };
+            let language = arguments.lang.unwrap_or(filled.values.language);
+            let variants = sweep_sheet::suggested(kind.suggested(), language);
+            let sheet = into::composed(book, |out| template::write_variants_into(kind, &variants, language, out))?;
+            grow(Host::open(&bytes)?, sheet)?
+        }
+        grown => grown?,
+    };
     let mut set = Set::new(&folder, &[], Existing::Replace);
     set.replace(book, &bytes, &grown)?;
     let mut written = set.commit()?;

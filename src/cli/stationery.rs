@@ -11,7 +11,7 @@ use super::show;
 use crate::escape::{excerpt, printable};
 use crate::finding::{Finding, Place, Raise};
 use crate::kind::{NamedFile, Outcome};
-use crate::parameter::title_block;
+use crate::parameter::{Values, title_block};
 use crate::report::rules::{LogoNotRead, NamedFileChanged, TemplatesNotRead};
 use crate::report::stationery::{self, Logo, Template};
 use crate::store;
@@ -30,12 +30,12 @@ const SHOWN: usize = 80;
 ///
 /// # Errors
 /// A caution at its cell, where there is no such file beside the workbook or below its folder, or it is no picture.
-pub(super) fn logo(workbook: &Path, outcome: &Outcome) -> Result<Option<(Logo, NamedFile)>, Box<Finding>> {
-    let name = outcome.fields.values().line(&title_block::LOGO);
+pub(super) fn logo(workbook: &Path, values: &Values) -> Result<Option<(Logo, NamedFile)>, Box<Finding>> {
+    let name = values.line(&title_block::LOGO);
     if name.is_empty() {
         return Ok(None);
     }
-    let located = |finding| Box::new(outcome.fields.locate(finding));
+    let located = |finding| Box::new(values.locate(finding));
     let shown = || excerpt(name, SHOWN);
     let place = || Place::Parameters(vec![title_block::LOGO.key()]);
     let not_read = |reason| located(LogoNotRead { name: shown(), reason }.at(place()));
@@ -57,7 +57,7 @@ pub(super) fn logo(workbook: &Path, outcome: &Outcome) -> Result<Option<(Logo, N
 pub(super) fn named(workbook: &Path, outcome: &Outcome, verified: &[NamedFile]) -> Vec<Finding> {
     let name = outcome.fields.values().line(&title_block::LOGO);
     let mut findings = Vec::new();
-    let now = match logo(workbook, outcome) {
+    let now = match logo(workbook, outcome.fields.values()) {
         Ok(now) => now.map(|(_, now)| now.sha256),
         Err(caution) => {
             findings.push(*caution);

@@ -14,6 +14,7 @@ pub mod rules;
 mod shorten;
 pub mod stationery;
 mod svg;
+pub mod sweep;
 mod templates;
 mod ticks;
 

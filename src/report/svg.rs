@@ -3,6 +3,7 @@
 //! The unit of the drawing is the millimetre of paper. Captions and legends are set by the templates, with the same
 //! inks: [`pen`](crate::typeset::pen::pen).
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::ticks::ticks;
@@ -60,10 +61,53 @@ pub(super) fn svg(figure: &Figure, language: Language) -> Option<String> {
         let at = frame.at(label.at);
         word(&mut body, at, 3.3, "middle", "#1d232b", label.text.get(language));
     }
-    let [width, height] = frame.size;
-    Some(format!(
+    Some(document(&body, frame.size))
+}
+
+/// Dots of one colour and size on a graph.
+pub(super) struct Dots {
+    /// Their colour.
+    pub colour: &'static str,
+    /// Their radius on paper, mm.
+    pub radius: f64,
+    /// Where they are.
+    pub at: Vec<[f64; 2]>,
+}
+
+/// A graph of dots as an SVG document, the first drawn first; of those that fall on one another one is drawn. `None` if there is none,
+/// or a coordinate is not finite.
+pub(super) fn dots(axes: &Axes, dots: &[Dots], language: Language) -> Option<String> {
+    let all = || dots.iter().flat_map(|one| &one.at);
+    if !all().flatten().all(|coordinate| coordinate.is_finite()) {
+        return None;
+    }
+    let first = *all().next()?;
+    let [low, high] = all()
+        .fold([first; 2], |[low, high], [x, y]| [[low[0].min(*x), low[1].min(*y)], [high[0].max(*x), high[1].max(*y)]]);
+    // A dot stands clear of the frame, and one alone in the middle.
+    let edge = [0, 1].map(|axis| if high[axis] > low[axis] { 0.02 * (high[axis] - low[axis]) } else { 0.5 });
+    let bounds = [0, 1].map(|axis| [low[axis] - edge[axis], high[axis] + edge[axis]]);
+    let mut body = String::new();
+    let frame = graph(&mut body, axes, bounds, language);
+    for one in dots {
+        let mut drawn = BTreeSet::new();
+        for &at in &one.at {
+            let at = frame.at(at).map(|coordinate| format!("{coordinate:.1}"));
+            let [x, y] = &at;
+            let dot = format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" fill=\"{}\"/>\n", one.radius, one.colour);
+            if drawn.insert(at) {
+                body.push_str(&dot);
+            }
+        }
+    }
+    Some(document(&body, frame.size))
+}
+
+/// An SVG document of a size in mm.
+fn document(body: &str, [width, height]: [f64; 2]) -> String {
+    format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.2}mm\" height=\"{height:.2}mm\" viewBox=\"0 0 {width:.2} {height:.2}\">\n{body}</svg>\n"
-    ))
+    )
 }
 
 /// Minimum and maximum coordinates: x, then y.

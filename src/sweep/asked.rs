@@ -134,7 +134,7 @@ impl Reading<'_> {
         let (from, to, step) = (row.get(&FROM), row.get(&TO), row.get(&STEP));
         let distribution = row.get(&DISTRIBUTION);
         let levels = match (from, to, row.get(&VALUES)) {
-            (None, None, Some(values)) if step.is_none() => {
+            (None, None, Some(values)) if step.is_none() && pieces(&values).next().is_some() => {
                 if distribution.is_some() {
                     let told = DistributionWithoutRange { symbol }.at(at(&[&DISTRIBUTION.row]));
                     return Err(Box::new(told));

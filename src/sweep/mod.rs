@@ -14,6 +14,7 @@ pub mod indices;
 pub mod objective;
 pub mod plan;
 pub mod ranking;
+pub mod results;
 pub mod row;
 pub mod rules;
 pub mod sensitivity;

@@ -18,7 +18,8 @@ impl Objective {
     /// A value so that less is better.
     #[must_use]
     pub fn cost(&self, value: f64) -> f64 {
-        if self.most { -value } else { value }
+        // Of two zeros neither is the better one.
+        if self.most { 0.0 - value } else { value + 0.0 }
     }
 }
 

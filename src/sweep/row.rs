@@ -5,6 +5,7 @@ use crate::kind::measure::{Known, Level};
 use crate::kind::{Kind, Outcome, Provenance, Wants};
 use crate::parameter::field::Fields;
 use crate::parameter::{Value, Values};
+use crate::proof::check::Check;
 use crate::sweep::plan::Plan;
 
 /// How the work on a design ended.
@@ -49,7 +50,8 @@ pub struct Row {
     pub cautions: i64,
     /// Their codes, each once, in the order of the codes.
     pub codes: Vec<&'static str>,
-    /// Why it was not done: the code of the first stop; of one that is done, the constraint that is broken.
+    /// Why it was not done: the code of the first stop; of one that is done, the constraint that is broken, or the objective
+    /// that has no value.
     pub reason: Option<String>,
     /// The value that the reason found, where it is a number.
     pub value: Option<f64>,
@@ -81,7 +83,10 @@ pub fn judged(kind: &dyn Kind, base: &Values, plan: &Plan, id: u64, inputs: Vec<
         (Err(refusal), _) => row.refused(&refusal),
         (Ok(fields), Level::Limits) => match kind.limits(&fields) {
             Ok(limits) => {
-                row.found(&limits.findings);
+                row.found(&limits.findings, &[]);
+                if limits.findings.iter().any(Finding::is_fault) {
+                    row.fails(&limits.findings);
+                }
                 row.measured(kind, plan, &Known { quantities: &limits.quantities, ..Known::default() });
             }
             Err(refusal) => row.refused(&refusal),
@@ -130,7 +135,7 @@ impl Row {
     }
 
     fn outcome(&mut self, kind: &dyn Kind, plan: &Plan, outcome: &Outcome) {
-        self.found(&outcome.findings);
+        self.found(&outcome.findings, &outcome.checks);
         match outcome.exit() {
             Exit::Done => {}
             Exit::Fault => self.fails(&outcome.findings),
@@ -140,7 +145,7 @@ impl Row {
     }
 
     fn refused(&mut self, refusal: &Refusal) {
-        self.found(&refusal.findings);
+        self.found(&refusal.findings, &[]);
         self.state = State::Refused;
         if refusal.exit == Exit::Fault {
             self.fails(&refusal.findings);
@@ -153,8 +158,8 @@ impl Row {
         self.message = first.map(|one| without_place(&one.what.en));
     }
 
-    /// Takes in what was found.
-    fn found(&mut self, findings: &[Finding]) {
+    /// Takes in what was found, by the checks too.
+    fn found(&mut self, findings: &[Finding], checks: &[Check]) {
         let count = |grade: Grade| findings.iter().filter(|one| one.grade == grade).count();
         let count = |grade: Grade| i64::try_from(count(grade)).unwrap_or(i64::MAX);
         (self.stops, self.cautions) = (count(Grade::Stop), count(Grade::Caution));
@@ -164,7 +169,7 @@ impl Row {
         let Some(first) = findings.iter().find(|one| one.grade == Grade::Stop) else { return };
         self.state = State::Refused;
         self.reason = Some(first.code().to_owned());
-        (self.value, self.limit) = (number(&first.value), number(&first.limit));
+        (self.value, self.limit) = (number(&first.value).or_else(|| measured(first, checks)), number(&first.limit));
         self.margin = self.value.zip(self.limit).map(|(value, limit)| -(limit - value).abs());
     }
 
@@ -181,15 +186,24 @@ impl Row {
             self.measures.get(at).copied().flatten()
         };
         let broken = plan.constraints.iter().find(|one| of(one.measure.key).is_none_or(|value| one.room(value) < 0.0));
-        let valued = plan.objectives.iter().all(|one| of(one.measure.key).is_some());
-        self.feasible = broken.is_none() && valued;
+        let unvalued = plan.objectives.iter().find(|one| of(one.measure.key).is_none());
+        self.feasible = broken.is_none() && unvalued.is_none();
         if let Some(broken) = broken {
             let value = of(broken.measure.key);
             self.reason = Some(broken.to_string());
             (self.value, self.limit) = (value, Some(broken.bound));
             self.margin = value.map(|value| broken.room(value));
+        } else if let Some(unvalued) = unvalued {
+            self.reason = Some(unvalued.to_string());
         }
     }
+}
+
+/// What the check of a finding measured: where the finding tells two bounds, the stricter one.
+fn measured(of: &Finding, checks: &[Check]) -> Option<f64> {
+    let finds =
+        |check: &&Check| check.finding().is_some_and(|found| found.code() == of.code() && found.value == of.value);
+    checks.iter().find(finds).and_then(Check::measured).filter(|number| number.is_finite())
 }
 
 /// The number that a value begins with, as `9.71 mm`; `None` where there is none.
@@ -212,11 +226,39 @@ fn without_place(said: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::finding::Raise;
+    use crate::finding::sample::Stopped;
+    use crate::gcode::control::LINUXCNC;
+    use crate::gcode::program::Program;
+    use crate::gcode::word::NumberFormat;
+    use crate::machine::axis::Position;
+    use crate::proof::check::{Question, bounded};
+    use crate::text::Text;
 
     #[test]
     fn values_of_findings_are_read_as_numbers() {
         assert_eq!([number("9.71 mm"), number("≥ −0.5 mm"), number("12.5°")], [Some(9.71), Some(-0.5), Some(12.5)]);
         assert_eq!((number("N_max"), number(""), number("∞")), (None, None, None));
+    }
+
+    #[test]
+    fn of_a_value_between_two_bounds_the_stricter_one_counts() {
+        let program = Program {
+            key: "finish",
+            title: Text::same("Finish"),
+            control: &LINUXCNC,
+            format: NumberFormat::Fixed,
+            block_step: None,
+            start: Position::default(),
+            parts: Vec::new(),
+        };
+        let check = Question::new("splitters", Text::same("Clearance"), &program)
+            .showing(bounded(-0.15, -0.14), Text::same("≥ −0.005 mm"))
+            .seen(1)
+            .measuring(-0.15)
+            .holds(false, |place| Stopped { what: Text::same("cuts"), todo: Text::same("less") }.at(place));
+        let found = check.finding().cloned().expect("a finding");
+        assert_eq!((measured(&found, &[check]), number(&found.limit)), (Some(-0.15), Some(-0.005)));
     }
 
     #[test]

@@ -12,7 +12,7 @@ rules! {
     "D0101" NoSweepSheet Stop { sheet: Text }
         es "el libro no tiene la hoja {sheet}"
         en "the workbook has no sheet {sheet}"
-        remedy "cree un libro con ella, con rodete new y la opción --sweep, y copie los datos", "make a workbook that has it with rodete new and the option --sweep, and copy the data";
+        remedy "póngala con rodete new, la clase del libro y las opciones --sweep --into LIBRO", "put it in with rodete new, the kind of the workbook, and the options --sweep --into BOOK";
         why "La hoja dice qué entradas varían y cómo.", "The sheet says which inputs vary, and how.";
         example Example::Made { key: "sweep-without-sheet", how: t("rodete sweep impeller.xlsx, de un libro sin hoja SWEEP", "rodete sweep impeller.xlsx, of a workbook without a sheet SWEEP") };
     "D0102" NothingVaries Stop { sheet: Text }

@@ -1,5 +1,7 @@
 //! How much the result follows each input: around the design of the workbook, and over the whole plan.
 
+use rayon::prelude::*;
+
 use crate::kind::Kind;
 use crate::parameter::{FieldKind, Value, Values};
 use crate::sweep::indices::Index;
@@ -43,9 +45,9 @@ pub struct Effect {
     pub indices: Vec<Option<Index>>,
 }
 
-/// The slopes and the room of every input around the design of a workbook. `judge` works a design out.
+/// The slopes and the room of every input around the design of a workbook, input by input side by side. `judge` works a design out.
 #[must_use]
-pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &dyn Fn(Vec<Value>) -> Row) -> Vec<Effect> {
+pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(Vec<Value>) -> Row + Sync)) -> Vec<Effect> {
     let here: Option<Vec<Value>> = plan.inputs.iter().map(|one| base.values.get(one.parameter.key).cloned()).collect();
     let own = here.as_ref().map(|here| judge(here.clone()));
     let good = |row: &Row| row.state == State::Done && row.feasible;
@@ -108,7 +110,7 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &dyn Fn(Vec<Va
         }
         Effect { value: Some(value), slopes, ends: Some(ends), changes, room, open, ..plain }
     };
-    plan.inputs.iter().enumerate().map(effect).collect()
+    plan.inputs.par_iter().enumerate().map(effect).collect()
 }
 
 /// How far one may go, at most so far, while all that is looked at is good; and whether it is good to the end. Looks at distances

@@ -14,11 +14,8 @@ use super::page::{Page, properties};
 use super::save::{Additions, save};
 use super::style::{Styles, digits, grade_fill};
 use crate::finding::Grade;
-use crate::kind::Kind;
 use crate::parameter::Parameter;
-use crate::sweep::plan::Plan;
-use crate::sweep::ranking::Counts;
-use crate::sweep::sensitivity::Effect;
+use crate::sweep::results::Results;
 use crate::sweep::table::{Cells, FRONT, Table};
 use crate::table::Unit;
 use crate::text::{Language, Text, t};
@@ -31,49 +28,29 @@ pub(super) const HEADINGS: RowNum = 4;
 const CHARTED: usize = 8;
 /// The most designs of the chart of parallel coordinates: a chart takes 255 curves.
 const CURVES: usize = 50;
-pub(super) const SIZE: [u32; 2] = [640, 420];
+/// Size of a chart, pixels: a little less than ten columns of the usual width and twenty rows.
+pub(super) const SIZE: [u32; 2] = [634, 396];
+/// Columns below a chart.
+const COLUMNS: ColNum = 10;
+/// How far a chart stands from the upper left corner of its first cell, so that no page break runs along its frame.
+const INSET: u32 = 3;
 /// Rows that a chart takes, with its gap.
-pub(super) const CHART_ROWS: RowNum = 23;
+pub(super) const CHART_ROWS: RowNum = 21;
+/// The row of the first chart, from 0.
+const FIRST_CHART: RowNum = 4;
+/// Charts of an upright page: their rows and those above the first fill it.
+const ON_PAGE: RowNum = 2;
 
 pub(super) const DONE: Color = Color::RGB(0x9D_B4CC);
 pub(super) const BEST: Color = Color::RGB(0xC0_504D);
 
-/// Why designs are not among the good ones.
-#[derive(Clone, Debug)]
-pub struct Why {
-    /// The code of a finding, or a constraint.
-    pub code: String,
-    /// What it says; empty for a constraint.
-    pub what: Text,
-    /// How many designs.
-    pub count: u64,
-}
-
 /// What the workbook shows.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct SweepBook<'a> {
-    /// The kind.
-    pub kind: &'a dyn Kind,
-    /// The plan.
-    pub plan: &'a Plan,
-    /// The name of the workbook that was swept.
-    pub source: &'a str,
-    /// The rows of the best designs, in their order, each with the file of its workbook where there is one.
-    pub top: &'a Table,
-    /// Those files, as they are found from the folder of this workbook.
+    /// What came of the sweep.
+    pub results: Results<'a>,
+    /// The files of the best designs, as they are found from the folder of this workbook.
     pub links: &'a [Option<String>],
-    /// The rows of all designs, or the best of them.
-    pub all: &'a Table,
-    /// How many designs of each state there are.
-    pub counts: Counts,
-    /// Designs on the front.
-    pub front: usize,
-    /// Why the others are not good.
-    pub why: &'a [Why],
-    /// What each input does.
-    pub effects: &'a [Effect],
-    /// From how many triples the indices of Sobol come, of how many; `None` for a plan that is not made for them.
-    pub triples: Option<(u64, u64)>,
     /// The language.
     pub language: Language,
 }
@@ -97,14 +74,14 @@ impl SweepBook<'_> {
         self.write_all(workbook.add_worksheet(), &styles)?;
         self.write_why(workbook.add_worksheet(), &styles)?;
         self.write_effects(workbook.add_worksheet(), &styles)?;
-        if self.all.rows() > 0 && !self.plan.objectives.is_empty() {
+        if self.results.all.rows() > 0 && !self.results.plan.objectives.is_empty() {
             self.write_charts(&mut workbook, &styles)?;
         }
         save(&mut workbook, Additions::default(), out)
     }
 
     pub(super) const fn page(&self) -> Page<'_> {
-        Page { part: "", origin: self.source, repeat: (HEADINGS, HEADINGS), landscape: true, single: false }
+        Page { part: "", origin: self.results.source, repeat: (HEADINGS, HEADINGS), landscape: true, single: false }
     }
 
     pub(super) fn text<'t>(&self, text: &'t Text) -> &'t str {
@@ -122,18 +99,8 @@ impl SweepBook<'_> {
     ) -> Result<(), WriteError> {
         sheet.set_name(self.text(name))?;
         write_text(sheet, 0, 0, self.text(title), &styles.title)?;
-        let Counts { done, refused, failed, feasible } = self.counts;
-        let (all, front) = (self.plan.count, self.front);
-        let told = Text::new(
-            format!(
-                "{all} diseños de {}: {done} hechos, {refused} rechazados, {failed} fallidos; {feasible} válidos, {front} en el frente",
-                self.source
-            ),
-            format!(
-                "{all} designs of {}: {done} done, {refused} refused, {failed} failed; {feasible} feasible, {front} on the front",
-                self.source
-            ),
-        );
+        let Text { es, en } = self.results.counted();
+        let told = Text::new(format!("{}: {es}", self.results.source), format!("{}: {en}", self.results.source));
         write_text(sheet, 1, 0, self.text(&told), &styles.source)?;
         write_text(sheet, 2, 0, more, &styles.source)?;
         Ok(())
@@ -185,29 +152,13 @@ impl SweepBook<'_> {
 
     /// How a column's numbers are shown.
     fn digits(&self, name: &str) -> &'static str {
-        let measure = self.kind.measures().iter().find(|one| one.key == name).map(|one| one.unit);
-        let input = self.plan.inputs.iter().find(|one| name.strip_prefix("in_") == Some(&one.symbol()));
+        let measure = self.results.kind.measures().iter().find(|one| one.key == name).map(|one| one.unit);
+        let input = self.results.plan.inputs.iter().find(|one| name.strip_prefix("in_") == Some(&one.symbol()));
         match (measure, input.map(|one| one.parameter)) {
             (Some(unit), _) => digits(unit),
             // As it was typed.
             (None, Some(Parameter { unit: Unit::None, .. })) | (None, _) => "General",
         }
-    }
-
-    /// The columns of the best designs that compare them: what varies, what is asked for, and what is to be known. The others are on the sheet of
-    /// all, and in the workbook of each.
-    fn brief(&self) -> Table {
-        let Plan { objectives, constraints, .. } = self.plan;
-        let asked = |name: &str| {
-            objectives
-                .iter()
-                .map(|one| one.measure)
-                .chain(constraints.iter().map(|one| one.measure))
-                .any(|one| one.key == name)
-        };
-        let kept =
-            |name: &str| name.starts_with("in_") || asked(name) || ["id", "caution", "codes", FRONT].contains(&name);
-        Table { columns: self.top.columns.iter().filter(|one| kept(&one.name)).cloned().collect() }
     }
 
     fn write_top(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
@@ -226,7 +177,7 @@ impl SweepBook<'_> {
                 sheet.write_url(row, 0, Url::new(format!("file:///{link}")).set_text(name))?;
             }
         }
-        self.rows(sheet, styles, &self.brief(), 1)?;
+        self.rows(sheet, styles, &self.results.brief(), 1)?;
         sheet.set_freeze_panes(HEADINGS + 1, 2)?;
         self.page().set_up(sheet, self.language)?;
         Ok(())
@@ -234,10 +185,10 @@ impl SweepBook<'_> {
 
     fn write_all(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
         static TITLE: Text = t("Todos los diseños", "All designs");
-        let told = if self.all.rows() as u64 == self.plan.count {
+        let told = if self.results.all.rows() as u64 == self.results.plan.count {
             t("Los filtros de los encabezados eligen filas.", "The filters in the headings choose rows.")
         } else {
-            let rows = self.all.rows();
+            let rows = self.results.all.rows();
             Text::new(
                 format!(
                     "Aquí están los {rows} mejores. Todos, también los rechazados, están en summary.parquet, para DuckDB o pandas, y con --csv en summary.csv."
@@ -248,8 +199,8 @@ impl SweepBook<'_> {
             )
         };
         self.head(sheet, styles, &ALL, &TITLE, self.text(&told))?;
-        let placed = self.rows(sheet, styles, self.all, 0)?;
-        let last = HEADINGS + RowNum::try_from(self.all.rows()).unwrap_or_default();
+        let placed = self.rows(sheet, styles, self.results.all, 0)?;
+        let last = HEADINGS + RowNum::try_from(self.results.all.rows()).unwrap_or_default();
         if let (Some((_, end)), true) = (placed.last(), last > HEADINGS) {
             sheet.autofilter(HEADINGS, 0, last, *end)?;
         }
@@ -274,14 +225,14 @@ impl SweepBook<'_> {
         }
         let number = Format::new().set_align(FormatAlign::Top);
         let share = number.clone().set_num_format("0.0 %");
-        for (row, why) in (HEADINGS + 1..).zip(self.why) {
+        for (row, why) in (HEADINGS + 1..).zip(self.results.why) {
             write_text(sheet, row, 0, &why.code, &styles.symbol)?;
-            let [count, all] = [why.count, self.plan.count].map(count);
+            let [count, all] = [why.count, self.results.plan.count].map(count);
             sheet.write_number_with_format(row, 1, count, &number)?;
             sheet.write_number_with_format(row, 2, count / all.max(1.0), &share)?;
-            let what = unfilled(self.text(&why.what));
-            write_text(sheet, row, 3, &what, &styles.text)?;
-            sheet.set_row_height(row, row_height(&[(what.as_str(), 90.0)]))?;
+            let what = self.text(&why.what);
+            write_text(sheet, row, 3, what, &styles.text)?;
+            sheet.set_row_height(row, row_height(&[(what, 90.0)]))?;
         }
         sheet.set_freeze_panes(HEADINGS + 1, 0)?;
         self.page().set_up(sheet, self.language)?;
@@ -297,11 +248,12 @@ impl SweepBook<'_> {
         );
         let charts = workbook.add_worksheet();
         self.head(charts, styles, &CHARTS, &TITLE, "")?;
-        let mut row = 4;
-        let objectives: Vec<&str> = self.plan.objectives.iter().map(|one| one.measure.key).take(CHARTED).collect();
+        let mut row = FIRST_CHART;
+        let objectives: Vec<&str> =
+            self.results.plan.objectives.iter().map(|one| one.measure.key).take(CHARTED).collect();
         let inputs: Vec<String> =
-            self.plan.inputs.iter().map(|one| format!("in_{}", one.symbol())).take(CHARTED).collect();
-        let numbers = |name: &str| self.all.column(name).is_some_and(|cells| !matches!(cells, Cells::Text(_)));
+            self.results.plan.inputs.iter().map(|one| format!("in_{}", one.symbol())).take(CHARTED).collect();
+        let numbers = |name: &str| self.results.all.column(name).is_some_and(|cells| !matches!(cells, Cells::Text(_)));
         let mut pairs: Vec<(String, &str)> = Vec::new();
         for (at, x) in objectives.iter().enumerate() {
             pairs.extend(objectives[at + 1..].iter().map(|y| ((*x).to_owned(), *y)));
@@ -311,19 +263,21 @@ impl SweepBook<'_> {
         }
         for (x, y) in pairs {
             if let Some(chart) = self.scatter(&x, y) {
-                charts.insert_chart(row, 0, &chart)?;
+                charts.insert_chart_with_offset(row, 0, &chart, INSET, INSET)?;
                 row += CHART_ROWS;
             }
         }
         let coordinates = row;
-        // A page for each.
-        let breaks: Vec<RowNum> = (4 + CHART_ROWS..=coordinates).step_by(CHART_ROWS as usize).collect();
+        let count = self.results.top.rows().min(CURVES);
+        let end = coordinates + if count > 0 { CHART_ROWS } else { 0 };
+        let breaks: Vec<RowNum> =
+            (FIRST_CHART + ON_PAGE * CHART_ROWS..end).step_by((ON_PAGE * CHART_ROWS) as usize).collect();
         if !breaks.is_empty() {
             charts.set_page_breaks(&breaks)?;
         }
-        charts.set_column_width(0, 16.0)?;
-        self.page().set_up_columns(charts, self.language);
-        let count = self.top.rows().min(CURVES);
+        // The lines above are longer than a chart is wide.
+        charts.set_print_area(0, 0, end.max(FIRST_CHART) - 1, COLUMNS - 1)?;
+        Page { landscape: false, ..self.page() }.set_up_fitted(charts, self.language);
         if count > 0 {
             let curves = workbook.add_worksheet();
             let axes = self.write_curves(curves, styles, count)?;
@@ -349,7 +303,13 @@ impl SweepBook<'_> {
             chart.legend().set_hidden();
             chart.set_width(SIZE[0]).set_height(SIZE[1]);
             chart.set_alt_text(self.text(&COORDINATES));
-            workbook.worksheet_from_name(self.text(&CHARTS))?.insert_chart(coordinates, 0, &chart)?;
+            workbook.worksheet_from_name(self.text(&CHARTS))?.insert_chart_with_offset(
+                coordinates,
+                0,
+                &chart,
+                INSET,
+                INSET,
+            )?;
         }
         Ok(())
     }
@@ -362,8 +322,8 @@ impl SweepBook<'_> {
             let shown: Vec<_> = table.columns.iter().filter(|one| one.name == "id" || filled(&one.cells)).collect();
             shown.iter().position(|one| one.name == name).and_then(|at| ColNum::try_from(at).ok()).map(|at| at + first)
         };
-        let brief = self.brief();
-        let series = [(&ALL, self.all, 0, &FEASIBLE, DONE, 4), (&TOP, &brief, 1, &SHOWN, BEST, 7)];
+        let brief = self.results.brief();
+        let series = [(&ALL, self.results.all, 0, &FEASIBLE, DONE, 4), (&TOP, &brief, 1, &SHOWN, BEST, 7)];
         let mut chart = Chart::new(ChartType::Scatter);
         let mut drawn = 0;
         for (sheet, table, first, name, ink, size) in series {
@@ -387,7 +347,7 @@ impl SweepBook<'_> {
             return None;
         }
         let unit = |name: &str| {
-            let unit = self.all.columns.iter().find(|one| one.name == name).map_or("", |one| one.unit);
+            let unit = self.results.all.columns.iter().find(|one| one.name == name).map_or("", |one| one.unit);
             let plain = name.strip_prefix("in_").unwrap_or(name);
             if unit.is_empty() { plain.to_owned() } else { format!("{plain} [{unit}]") }
         };
@@ -396,7 +356,7 @@ impl SweepBook<'_> {
         chart.x_axis().set_name(across.as_str()).set_font(&font).set_label_position(ChartAxisLabelPosition::Low);
         chart.y_axis().set_name(up.as_str()).set_font(&font).set_label_position(ChartAxisLabelPosition::Low);
         for (name, is_x) in [(x, true), (y, false)] {
-            if let Some([low, high]) = extent(self.all, name) {
+            if let Some([low, high]) = extent(self.results.all, name) {
                 let edge = if high > low { 0.02 * (high - low) } else { 0.5 };
                 let unit = gridded(high - low + 2.0 * edge);
                 let axis = if is_x { chart.x_axis() } else { chart.y_axis() };
@@ -415,24 +375,27 @@ impl SweepBook<'_> {
     /// The columns of the parallel coordinates, one row a design, from 0 to 1; gives how many there are.
     fn write_curves(&self, sheet: &mut Worksheet, styles: &Styles, count: usize) -> Result<usize, WriteError> {
         sheet.set_name(self.text(&CURVES_SHEET))?;
-        let inputs = self.plan.inputs.iter().map(|one| format!("in_{}", one.symbol()));
+        let inputs = self.results.plan.inputs.iter().map(|one| format!("in_{}", one.symbol()));
         let names: Vec<String> =
-            inputs.chain(self.plan.objectives.iter().map(|one| one.measure.key.to_owned())).collect();
-        let axes: Vec<(&String, &Cells, [f64; 2])> =
-            names.iter().filter_map(|name| Some((name, self.top.column(name)?, extent(self.top, name)?))).collect();
+            inputs.chain(self.results.plan.objectives.iter().map(|one| one.measure.key.to_owned())).collect();
+        let axes: Vec<(&String, &Cells, [f64; 2])> = names
+            .iter()
+            .filter_map(|name| Some((name, self.results.top.column(name)?, extent(self.results.top, name)?)))
+            .collect();
+        let number = Format::new().set_num_format("0.000");
         for (column, (name, cells, [low, high])) in (1..).zip(&axes) {
             let heading = name.strip_prefix("in_").unwrap_or(name);
             write_text(sheet, 0, column, heading, &styles.number_header)?;
-            sheet.set_column_width(column, heading_width(heading))?;
+            sheet.set_column_width(column, heading_width(heading).max(8.0))?;
             for (row, at) in (1..).zip(0..count) {
                 if let Some(value) = cells.number(at) {
                     let part = if high > low { (value - low) / (high - low) } else { 0.5 };
-                    sheet.write_number(row, column, part)?;
+                    sheet.write_number_with_format(row, column, part, &number)?;
                 }
             }
         }
         for (row, at) in (1..).zip(0..count) {
-            if let Some(id) = self.top.column("id").and_then(|cells| cells.number(at)) {
+            if let Some(id) = self.results.top.column("id").and_then(|cells| cells.number(at)) {
                 sheet.write_number_with_format(row, 0, id, &styles.index)?;
             }
         }
@@ -481,20 +444,6 @@ fn gridded(length: f64) -> f64 {
     }
 }
 
-/// The sentence of a row without the values of one design: an ellipsis in the place of each.
-fn unfilled(sentence: &str) -> String {
-    let mut text = String::new();
-    let mut rest = sentence;
-    while let Some((before, (_, after))) =
-        rest.split_once('{').and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
-    {
-        text.push_str(before);
-        text.push('…');
-        rest = after;
-    }
-    text + rest
-}
-
 /// A count as a cell holds it.
 #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
 const fn count(number: u64) -> f64 {
@@ -508,7 +457,7 @@ fn heading_width(heading: &str) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{gridded, unfilled};
+    use super::gridded;
 
     #[test]
     fn a_grid_has_some_four_to_ten_round_distances() {
@@ -517,11 +466,5 @@ mod tests {
         {
             assert!((gridded(length) - unit).abs() < 1e-9 * unit, "{length}: {}", gridded(length));
         }
-    }
-
-    #[test]
-    fn a_sentence_stands_without_its_values() {
-        assert_eq!(unfilled("{tool} of {d} does not pass: {largest}"), "… of … does not pass: …");
-        assert_eq!((unfilled("plain").as_str(), unfilled("a { b").as_str()), ("plain", "a { b"));
     }
 }

@@ -25,8 +25,9 @@ impl SweepBook<'_> {
     /// The sheet, with a chart of the changes for each objective, and one of the indices where there are any.
     pub(super) fn write_effects(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
         static TITLE: Text = t("Qué hace cada entrada", "What each input does");
-        let told = self.told();
-        self.head(sheet, styles, &SENSITIVITY, &TITLE, self.text(&told))?;
+        let told = self.results.explained();
+        let told = told.each_ref().map(|one| self.text(one)).join(" ");
+        self.head(sheet, styles, &SENSITIVITY, &TITLE, &told)?;
         for (column, (heading, unit)) in (0..).zip(self.headings()) {
             write_text(sheet, HEADINGS - 1, column, &unit, &styles.number_unit)?;
             write_text(sheet, HEADINGS, column, &heading, &styles.header)?;
@@ -35,7 +36,7 @@ impl SweepBook<'_> {
         sheet.set_row_height(HEADINGS, 30)?;
         let (room, part) = (Format::new().set_num_format("0.####"), Format::new().set_num_format("0.0 %"));
         let open = room.clone().set_num_format("\"≥ \"0.####");
-        for (row, effect) in (HEADINGS + 1..).zip(self.effects) {
+        for (row, effect) in (HEADINGS + 1..).zip(self.results.effects) {
             write_text(sheet, row, 0, &effect.symbol, &styles.symbol)?;
             write_text(sheet, row, 2, effect.unit, &styles.unit)?;
             let mut cells: Vec<(ColNum, Option<f64>, &Format)> = vec![(1, effect.value, &room)];
@@ -48,7 +49,7 @@ impl SweepBook<'_> {
                 cells.extend([(column, *slope), (column + 1, *low), (column + 2, *high)].map(|(c, v)| (c, v, &room)));
             }
             let behind = self.behind();
-            if self.triples.is_some() {
+            if self.results.triples.is_some() {
                 for (at, index) in (0..).zip(&effect.indices) {
                     let Some(index) = index else { continue };
                     let values = [index.first, index.off[0], index.total, index.off[1]];
@@ -73,30 +74,7 @@ impl SweepBook<'_> {
 
     /// The first column behind those around the design of the workbook.
     fn behind(&self) -> ColNum {
-        BEFORE + AROUND * ColNum::try_from(self.plan.objectives.len()).unwrap_or_default()
-    }
-
-    /// What the columns hold.
-    fn told(&self) -> Text {
-        let around = t(
-            "Alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción (≥: hasta donde se ha mirado), y cuánto cambia cada objetivo.",
-            "Around the workbook's design, other inputs unchanged: how far the input may go down and up before the design is refused or breaks a constraint (≥: as far as was looked), and how much each objective changes.",
-        );
-        let over = match self.triples {
-            None => t(
-                "Partes: qué parte de la varianza sigue a esta entrada sola, en los diseños válidos.",
-                "Shares: the part of the variance that follows this input alone, over the feasible designs.",
-            ),
-            Some((of, all)) => Text::new(
-                format!(
-                    "Índices de Sobol, de {of} de {all} grupos cuyos diseños son válidos: qué parte de la varianza explica esta entrada sola, y sola y con las demás; ±: en 19 de cada 20 casos."
-                ),
-                format!(
-                    "Sobol's indices, from {of} of {all} groups whose designs are feasible: which part of the variance this input explains alone, and alone and with others; ±: in 19 of 20 cases."
-                ),
-            ),
-        };
-        Text::new(format!("{} {}", around.es, over.es), format!("{} {}", around.en, over.en))
+        BEFORE + AROUND * ColNum::try_from(self.results.plan.objectives.len()).unwrap_or_default()
     }
 
     /// The headings with their units.
@@ -114,12 +92,12 @@ impl SweepBook<'_> {
         static INDICES: [Text; 4] = [t("sola", "alone"), t("±", "±"), t("total", "total"), t("±", "±")];
         let mut headings: Vec<(String, String)> =
             INPUTS.iter().map(|one| (self.text(one).to_owned(), String::new())).collect();
-        for Objective { measure, .. } in &self.plan.objectives {
+        for Objective { measure, .. } in &self.results.plan.objectives {
             let unit = measure.unit.label();
             headings.extend(AROUND.iter().map(|one| (format!("{} {}", measure.key, self.text(one)), unit.to_owned())));
         }
-        for Objective { measure, .. } in &self.plan.objectives {
-            if self.triples.is_some() {
+        for Objective { measure, .. } in &self.results.plan.objectives {
+            if self.results.triples.is_some() {
                 headings
                     .extend(INDICES.iter().map(|one| (format!("{} {}", measure.key, self.text(one)), String::new())));
             } else {
@@ -140,20 +118,20 @@ impl SweepBook<'_> {
             t("qué parte de su varianza explica cada entrada", "which part of its variance each input explains");
         static ENDS: [Text; 2] = [t("desde", "from"), t("hasta", "to")];
         static BOTH: [Text; 2] = [t("sola", "alone"), t("total", "total")];
-        let mut row = HEADINGS + 3 + RowNum::try_from(self.effects.len()).unwrap_or_default();
-        for (at, Objective { measure, .. }) in (0..).zip(&self.plan.objectives) {
+        let mut row = HEADINGS + 3 + RowNum::try_from(self.results.effects.len()).unwrap_or_default();
+        for (at, Objective { measure, .. }) in (0..).zip(&self.results.plan.objectives) {
             let unit = measure.unit.label();
             let axis =
                 if unit.is_empty() { format!("Δ {}", measure.key) } else { format!("Δ {} [{unit}]", measure.key) };
             let column = BEFORE + at * AROUND;
-            let moves = self.effects.iter().any(|one| one.changes.iter().flatten().any(Option::is_some));
+            let moves = self.results.effects.iter().any(|one| one.changes.iter().flatten().any(Option::is_some));
             if moves {
                 let title = format!("{axis}: {}", self.text(&CHANGE));
                 let series = [(&ENDS[0], column + 1), (&ENDS[1], column + 2)];
                 sheet.insert_chart(row, 0, &self.bars(&title, &axis, series, 100))?;
                 row += CHART_ROWS;
             }
-            if self.effects.iter().any(|one| one.indices.iter().any(Option::is_some)) {
+            if self.results.effects.iter().any(|one| one.indices.iter().any(Option::is_some)) {
                 let title = format!("{}: {}", measure.key, self.text(&SHARE));
                 let column = self.behind() + at * OF_INDICES;
                 let series = [(&BOTH[0], column), (&BOTH[1], column + 2)];
@@ -167,7 +145,7 @@ impl SweepBook<'_> {
     /// Two bars for each input, the first input on top.
     fn bars(&self, title: &str, axis: &str, series: [(&Text, ColNum); 2], overlap: i8) -> Chart {
         let name = self.text(&SENSITIVITY);
-        let (first, last) = (HEADINGS + 1, HEADINGS + RowNum::try_from(self.effects.len()).unwrap_or_default());
+        let (first, last) = (HEADINGS + 1, HEADINGS + RowNum::try_from(self.results.effects.len()).unwrap_or_default());
         let mut chart = Chart::new(ChartType::Bar);
         for ((legend, column), ink) in series.into_iter().zip([DONE, BEST]) {
             chart

@@ -11,6 +11,7 @@ use super::form_sheet::Filling;
 use super::gate::gate;
 use super::list_rows;
 use super::list_sheet::ListSheet;
+use super::names::{Made, Role};
 use super::page::Page;
 use super::rules::form::SymbolUnknown;
 use super::schema::{calculated, find, hidden, refusal, take};
@@ -65,13 +66,13 @@ pub fn suggested(suggested: &Suggested, language: Language) -> Values {
     values
 }
 
-/// Writes the sheet into a new workbook.
+/// Writes the sheet into a new workbook, and gives what it is: rodete finds the sheet by its name, which is never another.
 ///
 /// # Errors
 /// For what a workbook cannot hold.
-pub(super) fn write(workbook: &mut Workbook, variants: &Values, look: &Look<'_>) -> Result<(), WriteError> {
+pub(super) fn write(workbook: &mut Workbook, variants: &Values, look: &Look<'_>) -> Result<Option<Made>, WriteError> {
     let Look { styles, page, language } = *look;
-    let (Some(described), Some(list)) = (FORM.sheets.first(), FORM.lists.first()) else { return Ok(()) };
+    let (Some(described), Some(list)) = (FORM.sheets.first(), FORM.lists.first()) else { return Ok(None) };
     let name = described.name.get(language);
     let notes = [list.note.get(language), HOW.get(language)];
     let values = |key: &str| variants.values.get(key);
@@ -89,7 +90,7 @@ pub(super) fn write(workbook: &mut Workbook, variants: &Values, look: &Look<'_>)
     for (defined, cell) in layout.defined_names(name) {
         workbook.define_name(defined, &cell)?;
     }
-    Ok(())
+    Ok(Some(Made { name: name.to_owned(), role: Role::Form }))
 }
 
 /// The sheet of variants of a workbook, as it was read.

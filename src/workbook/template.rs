@@ -70,18 +70,35 @@ pub fn write_with_variants<W: Write + Seek + Send>(
 /// As [`write()`].
 pub fn write_into<W: Write + Seek + Send>(
     kind: &dyn Kind,
-    values: &[(&'static str, Value)],
-    lists: &[Rows],
+    held: Held<'_>,
     note: &Text,
     language: Language,
     present: &Present,
     out: W,
 ) -> Result<Vec<Made>, WriteError> {
-    write_all(kind, (values, lists, None), note, language, present, out)
+    write_all(kind, held, note, language, present, out)
+}
+
+/// The sheet of variants alone, for a workbook that has the form. Gives the sheet that was written.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_variants_into<W: Write + Seek + Send>(
+    kind: &dyn Kind,
+    variants: &Values,
+    language: Language,
+    out: W,
+) -> Result<Vec<Made>, WriteError> {
+    let styles = Styles::default();
+    let page = Page { part: "", origin: kind.form().schema, repeat: (0, 0), landscape: false, single: false };
+    let mut workbook = Workbook::new();
+    let made = sweep_sheet::write(&mut workbook, variants, &Look { styles: &styles, page: &page, language })?;
+    save(&mut workbook, Additions::default(), out)?;
+    Ok(made.into_iter().collect())
 }
 
 /// The values of a workbook: those by key, the rows of its lists, and its sheet of variants.
-type Held<'a> = (&'a [(&'static str, Value)], &'a [Rows], Option<&'a Values>);
+pub type Held<'a> = (&'a [(&'static str, Value)], &'a [Rows], Option<&'a Values>);
 
 fn write_all<W: Write + Seek + Send>(
     kind: &dyn Kind,
@@ -133,7 +150,7 @@ fn write_all<W: Write + Seek + Send>(
         name.to_owned()
     })?;
     if let Some(variants) = variants {
-        sweep_sheet::write(&mut workbook, variants, &look)?;
+        made.extend(sweep_sheet::write(&mut workbook, variants, &look)?);
     }
     if let Some(live) = &live {
         LivePart { form: live, sheet: "", column: 0, lists: form.lists, language }.write_view(&mut workbook)?;

@@ -28,18 +28,31 @@ pub fn quick_of(kind: &dyn Kind) -> &'static Case {
 
 /// A sound workbook: the quick case, with an empty calibration sheet.
 pub fn sound(language: Language) -> Vec<u8> {
-    sound_book(quick(), language).save_to_buffer().unwrap()
+    sound_book(&quick().values(language), language).save_to_buffer().unwrap()
 }
 
 /// The sound workbook with a sheet of variants: settings by their symbols, inputs by the columns of their list, and a sheet of designs
 /// where there are any. What reads as a number is one.
 pub fn with_variants(settings: &[(&str, &str)], inputs: &[[&str; 6]], designs: &[&[&str]]) -> Vec<u8> {
-    with_variants_of(quick(), settings, inputs, designs)
+    with_variants_of(&quick().values(Language::En), settings, inputs, designs)
 }
 
-/// The same of a case of the impeller.
-pub fn with_variants_of(case: &Case, settings: &[(&str, &str)], inputs: &[[&str; 6]], designs: &[&[&str]]) -> Vec<u8> {
-    let mut workbook = sound_book(case, Language::En);
+/// The values of a case of the impeller with a blade too thick for any design: a sweep that has another thickness finds at once what each
+/// input does around it, so that its time goes into the designs of the plan.
+pub fn thick(case: &Case) -> Vec<(&'static str, Value)> {
+    let mut values = case.values(Language::En);
+    values.iter_mut().filter(|(key, _)| *key == "e").for_each(|(_, value)| *value = Value::Real(50.0));
+    values
+}
+
+/// The same of other values of the impeller.
+pub fn with_variants_of(
+    values: &[(&'static str, Value)],
+    settings: &[(&str, &str)],
+    inputs: &[[&str; 6]],
+    designs: &[&[&str]],
+) -> Vec<u8> {
+    let mut workbook = sound_book(values, Language::En);
     let put = |sheet: &mut rust_xlsxwriter::Worksheet, row: u32, column: u16, text: &str| match text.parse::<f64>() {
         Ok(number) => drop(sheet.write(row, column, number).unwrap()),
         Err(_) if text.is_empty() => {}
@@ -66,8 +79,7 @@ pub fn with_variants_of(case: &Case, settings: &[(&str, &str)], inputs: &[[&str;
     workbook.save_to_buffer().unwrap()
 }
 
-fn sound_book(case: &Case, language: Language) -> rust_xlsxwriter::Workbook {
-    let values = case.values(language);
+fn sound_book(values: &[(&'static str, Value)], language: Language) -> rust_xlsxwriter::Workbook {
     let mut workbook = rust_xlsxwriter::Workbook::new();
     for described in FORM.sheets {
         let sheet = workbook.add_worksheet();

@@ -62,6 +62,36 @@ fn a_form_and_its_results_go_into_every_hard_book_twice() {
 }
 
 #[test]
+fn a_sheet_of_variants_goes_in_with_its_form_and_into_a_form_that_is_there() {
+    let folder = folder();
+    fs::copy(path("h1.xlsx"), folder.path().join("h1.xlsx")).expect("a copy");
+    rodete(&folder).args(["new", "impeller", "full.xlsx", "--case", "full", "--lang", "es"]).assert().code(0);
+    for name in ["h1.xlsx", "full.xlsx"] {
+        rodete(&folder)
+            .args(["new", "impeller", "--sweep", "--into", name])
+            .assert()
+            .code(0)
+            .stdout(predicate::str::ends_with(format!("then: rodete sweep {name}\n")));
+        let sheets = gate(&fs::read(folder.path().join(name)).expect("the book")).expect("a book").sheets;
+        let names = sheets.iter().map(|one| one.name.as_str()).collect::<Vec<_>>();
+        assert_eq!(names.iter().filter(|one| ["SWEEP", "BARRIDO"].contains(one)).count(), 1, "{names:?}");
+        assert_eq!(names.contains(&"BARRIDO"), name == "full.xlsx", "in the language of the form: {names:?}");
+        rodete(&folder)
+            .args(["sweep", name, "--dry-run", "--jobs", "1", "--lang", "en"])
+            .assert()
+            .code(0)
+            .stdout(predicate::str::starts_with("400 designs, 4 inputs:\n  R (10)\n"));
+        // A second one, or one of another kind, finds the form in the way.
+        let before = fs::read(folder.path().join(name)).expect("the book");
+        for kind in ["impeller", "pipe-hole"] {
+            let again = rodete(&folder).args(["new", kind, "--sweep", "--into", name]).assert().code(3);
+            again.stderr(predicate::str::contains("B011"));
+        }
+        assert!(fs::read(folder.path().join(name)).expect("the book") == before, "{name}");
+    }
+}
+
+#[test]
 fn an_open_book_is_refused_with_the_name_of_who_has_it_open() {
     let folder = folder();
     let here = |name: &str| folder.path().join(name);

@@ -62,7 +62,7 @@ pub fn with_form(kind: &'static dyn Kind, bytes: &[u8]) -> Vec<u8> {
     let host = host(bytes);
     let (case, mut out) = (quick_of(kind), Cursor::new(Vec::new()));
     let (values, lists) = (case.values(Language::En), (case.listed)(Language::En));
-    let made = template::write_into(kind, &values, &lists, &case.note, Language::En, &host.present(), &mut out);
+    let made = template::write_into(kind, (&values, &lists, None), &case.note, Language::En, &host.present(), &mut out);
     let made = made.expect("a form");
     let donor = Donor { bytes: &out.into_inner(), sheets: &made, inputs: Vec::new(), source: "" };
     host.put(&donor).unwrap_or_else(|refusal| panic!("{}", said(&refusal)))

@@ -6,13 +6,13 @@ use std::process::{Command, Output};
 
 use rodete::kinds::impeller::cases::CASES;
 
-use crate::common::workbook::{with_variants, with_variants_of};
+use crate::common::workbook::{quick, thick, with_variants, with_variants_of};
 
 /// 36 designs, some of them refused: judged by the derived limits, or by the programs.
 fn book(level: &str) -> Vec<u8> {
     let settings = [("method", "factorial"), ("level", level), ("objectives", "gap_true max; e_max min")];
     let inputs = [["R", "22", "30", "4", "", ""], ["N", "", "", "", "4; 5; 6", ""], ["e", "1", "4", "1", "", ""]];
-    with_variants(&settings, &inputs, &[])
+    with_variants_of(&thick(quick()), &settings, &inputs, &[])
 }
 
 /// A folder with the workbook.
@@ -143,10 +143,10 @@ fn rows_are_written_for_refused_designs_and_name_no_folder() {
 fn designs_that_are_cut_clear_are_compared_by_what_their_judges_measure() {
     let case = CASES.iter().find(|case| case.name == "clear").unwrap();
     let settings = [("method", "factorial"), ("objectives", "under_floor_mm min; clearance_mm max")];
-    let inputs = [["R", "", "", "", "25; 26", ""], ["a_p", "", "", "", "1.5; 2", ""]];
+    let inputs = [["R", "", "", "", "25; 26", ""], ["a_p", "", "", "", "1.5; 2", ""], ["e", "", "", "", "2", ""]];
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    fs::write(at.join("a.xlsx"), with_variants_of(case, &settings, &inputs, &[])).unwrap();
+    fs::write(at.join("a.xlsx"), with_variants_of(&thick(case), &settings, &inputs, &[])).unwrap();
     let told = done(at, "-o s --csv --jobs 2");
     assert!(told.starts_with("4 designs: 4 done, 0 refused, 0 failed; 4 feasible, "), "{told}");
     let csv = fs::read_to_string(at.join("s/summary.csv")).unwrap();
@@ -188,5 +188,16 @@ fn a_forecast_writes_nothing() {
     let folder = folder("limits");
     let told = done(folder.path(), "--dry-run");
     assert!(told.starts_with("36 designs, 3 inputs:\n  R (3)\n  N (3)\n  e (4)\n"), "{told}");
+    // Eight that are not refused, and those refused on the way.
+    let (tried, rest) = told.split_once(" tried, ").unwrap();
+    let tried: u32 = tried.rsplit('\n').next().unwrap().trim().parse().unwrap();
+    let refused: u32 = rest.split_once(" refused: ").unwrap().0.parse().unwrap();
+    assert!(refused > 0 && tried == refused + 8, "{told}");
+    assert!(rest.contains(" on one core, ") && !rest.contains("were tried"), "{told}");
+    // All that there are, where none is good.
+    let settings = [("method", "factorial"), ("level", "limits")];
+    fs::write(folder.path().join("a.xlsx"), with_variants(&settings, &[["e", "50", "60", "5", "", ""]], &[])).unwrap();
+    let told = done(folder.path(), "--dry-run");
+    assert!(told.contains("3 tried, 3 refused: ") && told.contains("rodete refused all that were tried"), "{told}");
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }

@@ -11,4 +11,5 @@ mod interrupted;
 mod measures;
 mod plans;
 mod readers;
+mod report;
 mod sensitivity;

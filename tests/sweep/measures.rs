@@ -1,10 +1,16 @@
 //! What designs are compared by: every derived value of every case, each with its unit.
 
 use rodete::kind::measure::{Known, Level};
-use rodete::parameter::Values;
+use rodete::kinds::KINDS;
 use rodete::parameter::field::Fields;
+use rodete::parameter::{Value, Values};
+use rodete::sweep::asked;
+use rodete::sweep::row::{Row, State, judged};
+use rodete::text::Language;
+use rodete::workbook::sweep_sheet;
 
 use crate::common;
+use crate::common::workbook::with_variants;
 
 #[test]
 fn every_derived_value_of_every_case_is_a_measure_with_its_unit() {
@@ -43,4 +49,48 @@ fn what_is_known_before_programs_are_read_back_is_what_is_known_after() {
             assert_eq!(before, after, "{} {}", case.name, measure.key);
         }
     }
+}
+
+/// A case with values of its own, as a design of a sweep with an objective.
+fn design(case: &str, changes: &[(&'static str, Value)], objective: &str) -> Row {
+    let kind = KINDS[0];
+    let settings = [("method", "factorial"), ("level", "program"), ("objectives", objective)];
+    let bytes = with_variants(&settings, &[["e", "", "", "", "2", ""]], &[]);
+    let sheet = sweep_sheet::read(&bytes, kind.form(), Language::En).unwrap().unwrap();
+    let plan = asked::plan(kind, &sheet.fields, sheet.designs).unwrap().0;
+    let base = common::values(case, changes);
+    let inputs = vec![base.values["e"].clone()];
+    judged(kind, &base, &plan, 0, inputs)
+}
+
+#[test]
+fn a_clear_design_that_is_refused_tells_by_how_much_it_misses_the_limit() {
+    let real = |key, value| (key, Value::Real(value));
+    let no = ("splitters", Value::Choice("no"));
+    for (code, changes, value, limit) in [
+        ("P1204", vec![real("tol", 0.002)], Some(0.002), None),
+        ("P1205", vec![real("d_t", 3.0), real("d_f", 6.0)], Some(6.0), Some(3.0)),
+        ("P1206", vec![("N", Value::Whole(6))], Some(6.0), None),
+        ("P1207", vec![real("s_w", 3.0)], Some(3.0), Some(2.0)),
+        ("P1208", vec![no, real("l_t", 8.0)], Some(8.0), None),
+        ("P1215", vec![real("tol", 0.0045), real("delta", 0.005)], None, Some(100_000.0)),
+        ("P1217", vec![real("r_c", 4.0)], Some(4.0), Some(3.0)),
+        ("P1223", vec![("program", Value::Whole(9999))], Some(9999.0), Some(9998.0)),
+    ] {
+        let row = design("clear", &changes, "time_s min");
+        assert_eq!((row.state, row.reason.as_deref()), (State::Refused, Some(code)), "{row:?}");
+        let (Some(found), Some(with), Some(margin)) = (row.value, row.limit, row.margin) else { panic!("{row:?}") };
+        assert!(value.is_none_or(|value| value == found) && limit.is_none_or(|limit| limit == with), "{row:?}");
+        assert!(margin < 0.0 && (margin + (found - with).abs()).abs() < 1e-12, "{row:?}");
+    }
+}
+
+#[test]
+fn a_design_without_a_value_of_an_objective_says_so() {
+    // What is cut as published has no floor to be under.
+    let row = design("full", &[], "under_floor_mm min");
+    assert_eq!((row.state, row.feasible, row.reason.as_deref()), (State::Done, false, Some("under_floor_mm min")));
+    assert_eq!((row.value, row.limit, row.margin), (None, None, None));
+    let row = design("full", &[], "time_s min");
+    assert_eq!((row.state, row.feasible, row.reason), (State::Done, true, None));
 }

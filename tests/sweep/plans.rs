@@ -163,3 +163,11 @@ fn every_kind_suggests_a_plan_that_is_read_as_it_is_written() {
         }
     }
 }
+
+#[test]
+fn a_list_of_values_that_holds_none_is_refused_at_its_cells() {
+    let book = with_variants(&[("method", "factorial")], &[["N", "", "", "", "; ;", ""]], &[]);
+    let sheet = sweep_sheet::read(&book, KINDS[0].form(), Language::En).unwrap().unwrap();
+    let findings = asked::plan(KINDS[0], &sheet.fields, sheet.designs).unwrap_err();
+    assert_eq!(findings.iter().map(rodete::finding::Finding::code).collect::<Vec<_>>(), ["D0106"]);
+}

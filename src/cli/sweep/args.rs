@@ -23,15 +23,18 @@ pub(in crate::cli) struct Sweep {
     /// Take the first N designs of the plan only
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub(in crate::cli) limit: Option<u64>,
-    /// Work out eight designs, and print how many there are and how long all would take; write nothing
+    /// Work out a few designs, and print how many there are and how long all would take; write nothing
     #[arg(long, conflicts_with_all = ["chunk", "merge", "submit", "fresh"])]
     pub(in crate::cli) dry_run: bool,
     /// How many of the best designs are written as workbooks
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(0..=1000))]
     pub(in crate::cli) top: u16,
     /// Write all rows as DIR/summary.csv, too
-    #[arg(long, conflicts_with_all = ["chunk", "submit", "dry_run"])]
+    #[arg(long, conflicts_with_all = ["chunk", "dry_run"])]
     pub(in crate::cli) csv: bool,
+    /// Typeset what came out as DIR/<stem>-sweep.pdf, too
+    #[arg(long, conflicts_with_all = ["chunk", "dry_run"])]
+    pub(in crate::cli) report: bool,
     /// Begin anew: remove what an earlier run left in the folder
     #[arg(long, conflicts_with = "merge")]
     pub(in crate::cli) fresh: bool,

@@ -181,7 +181,7 @@ fn write(folder: &Folder, name: &OsStr, bytes: &[u8]) -> Result<(), Refusal> {
 fn clear(outer: &Folder, place: &Path) -> Result<(), Refusal> {
     outer.remove(OsStr::new(PLAN))?;
     for (within, endings) in [
-        ("", &["summary.parquet", "summary.csv", "-sweep.xlsx", "sweep.sbatch"][..]),
+        ("", &["summary.parquet", "summary.csv", "-sweep.xlsx", "-sweep.pdf", "sweep.sbatch"][..]),
         ("chunks", &[".parquet", PART][..]),
         ("top", &[".xlsx", ".nc", ".dxf", ".svg", ".stl", ".html"][..]),
     ] {

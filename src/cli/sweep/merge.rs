@@ -1,41 +1,50 @@
 //! All rows of a plan in one file, which of them are the best, and the best as workbooks.
 
-use std::collections::BTreeSet;
-use std::ffi::OsString;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::{OsStr, OsString};
 use std::io::Write;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use super::super::build::{self, Asked, Settings};
+use super::super::interrupt::AtWork;
 use super::super::plan::Item;
 use super::super::terminal::Terminal;
-use super::super::{fault, finding, show};
+use super::super::{fault, finding, show, stationery};
 use super::Study;
 use super::args::Sweep;
 use super::folder::Rows;
 use super::work::Workshop;
 use crate::escape::printable;
-use crate::finding::{Exit, Place, Raise, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule};
 use crate::kind::Kind;
+use crate::report;
+use crate::report::sweep::Titled;
 use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::csv;
 use crate::sweep::file::RowFile;
 use crate::sweep::front;
 use crate::sweep::indices::Indices;
+use crate::sweep::plan::Plan;
 use crate::sweep::ranking::{Ranked, Ranking};
+use crate::sweep::results::{Coded, Results};
 use crate::sweep::row::values;
 use crate::sweep::rules::{FrontCut, NoneDone};
-use crate::sweep::sensitivity::{Effect, Shares, around};
+use crate::sweep::sensitivity::{Shares, around};
 use crate::sweep::table::{Cells, Column, FRONT, Table};
 use crate::text::{Text, t};
 use crate::workbook::results::Tables;
-use crate::workbook::sweep_book::{ALL_MOST, SweepBook, Why};
+use crate::workbook::sweep_book::{ALL_MOST, SweepBook};
 use crate::workbook::template;
 
-/// Makes summary, workbook and best designs from the chunks, which are all there.
+/// Makes summary, workbook, report and best designs from the chunks, which are all there.
 pub(super) fn merge(
     arguments: &Sweep,
     study: &Study<'_>,
     kinds: &[&dyn Kind],
     rows: &Rows<'_>,
+    interrupted: &Arc<AtomicBool>,
     terminal: &mut Terminal,
 ) -> Result<Exit, Refusal> {
     let Study { plan, language, .. } = study;
@@ -61,31 +70,52 @@ pub(super) fn merge(
     let (all, best) = summary(arguments, study, rows, (&ranked, &top), &folder)?;
     let links = build_top(study, kinds, rows, &top)?;
     let workshop = Workshop::open(study, arguments.jobs)?;
-    let mut effects = around(study.kind, &study.base, plan, &|inputs| workshop.design(0, inputs));
+    let judge = |inputs| workshop.design(0, inputs);
+    let mut effects = workshop.side_by_side(|| around(study.kind, &study.base, plan, &judge));
     match &indices {
         Some(indices) => effects.iter_mut().zip(indices.end()).for_each(|(effect, of)| effect.indices = of),
         None => effects.iter_mut().zip(shares.end()).for_each(|(effect, of)| effect.shares = of),
     }
-    let why = why(&ranked, kinds);
-    let name = store::file_name(&stem, "-sweep.xlsx");
-    write_book(
-        study,
-        (&ranked, &why),
-        (&best, &links, &all),
-        (&effects, indices.map(|one| one.triples())),
-        &folder,
-        &name,
-    )?;
+    let rules = super::super::explain::rows(kinds);
+    let source = printable(&study.workbook.file_name().unwrap_or_default().to_string_lossy());
+    let results = Results {
+        kind: study.kind,
+        plan,
+        source: &source,
+        top: &best,
+        all: &all,
+        counts: ranked.counts,
+        front: ranked.front.len(),
+        cut: ranked.cut,
+        why: &coded(ranked.why.iter().cloned(), plan, &rules),
+        cautions: &coded(cautions(&best), plan, &rules),
+        effects: &effects,
+        triples: indices.map(|one| one.triples()),
+    };
+    let mut names = vec![store::file_name(&stem, "-sweep.xlsx")];
+    write_book(study, &results, &links, &folder, &names[0])?;
+    let mut failed = None;
+    if arguments.report {
+        let name = store::file_name(&stem, "-sweep.pdf");
+        match write_report(study, &results, interrupted, &folder, &name, terminal)? {
+            None => names.push(name),
+            failure => failed = failure,
+        }
+    }
     if ranked.cut {
         finding::general(&[FrontCut { most: front::MOST }.at(Place::File)], *language, terminal);
     }
-    let text = closing(study, &ranked, &show::path(rows.place()), &printable(&name.to_string_lossy()));
+    if let Some(failed) = &failed {
+        finding::general(std::slice::from_ref(failed), *language, terminal);
+    }
     if ranked.counts.done == 0 {
         let code = ranked.why.first().map_or_else(String::new, |(code, _)| code.clone());
         return Err(NoneDone { count: plan.count, code }.refused(Exit::Refused, Place::File));
     }
-    terminal.out(text.get(*language));
-    Ok(Exit::Done)
+    let names: Vec<_> = names.iter().map(|name| printable(&name.to_string_lossy())).collect();
+    let folder = show::path(rows.place());
+    terminal.out(&format!("{}\n{folder}: summary.parquet, {}\n", results.counted().get(*language), names.join(", ")));
+    Ok(if failed.is_some() { Exit::ReportFailed } else { Exit::Done })
 }
 
 fn read(rows: &Rows<'_>, number: u64, wanted: &dyn Fn(&str) -> bool) -> Result<Table, Refusal> {
@@ -170,75 +200,90 @@ fn build_top(
     }
     let place = rows.place().join("top");
     let folder = Folder::open(&place)?;
-    let stem = store::stem(study.workbook);
-    let mut links = Vec::new();
-    for id in top {
-        let values = values(&study.base, &study.plan, &study.plan.design(*id));
-        let stem = store::file_name(&stem, &format!("-{id:06}"));
-        let name = store::file_name(&stem, ".xlsx");
-        let held: Vec<_> = values.values.iter().map(|(key, value)| (*key, value.clone())).collect();
-        let note = Text::new(
-            format!("Diseño {id} de un barrido de {}", show::path(study.workbook)),
-            format!("Design {id} of a sweep of {}", show::path(study.workbook)),
-        );
-        let mut set = Set::new(&folder, &[study.workbook], Existing::Replace);
-        set.write(&name, |out| template::write(study.kind, &held, &values.lists, &note, study.language, out))?;
-        set.commit()?;
-        let workbook = place.join(&name);
-        let item = Item { workbook: workbook.clone(), stem: stem.clone(), folder: place.clone() };
-        let workbooks = [workbook];
-        let asked = Asked {
-            workbooks: &workbooks,
-            language: Some(study.language),
-            no_report: true,
-            templates: None,
-            typst: None,
-            into: false,
-            view: false,
-            tables: Tables::Live,
-        };
-        let made = build::made(&item, &Settings::of(&asked, None, kinds, std::sync::Arc::default()), &|| false);
-        if made.ending.exit == Exit::Fault {
-            return Err(Refusal { exit: Exit::Fault, findings: made.ending.findings });
-        }
-        let built = made.ending.files.iter().map(|file| file.name.to_string_lossy().into_owned());
-        let results = built.into_iter().find(|name| name.ends_with("-results.xlsx"));
-        let link = results.unwrap_or_else(|| name.to_string_lossy().into_owned());
-        links.push(Some(format!("top/{link}")));
-    }
-    Ok(links)
+    let build = |id: &u64| build_one(study, kinds, (&place, &folder), *id).map(|name| Some(format!("top/{name}")));
+    top.iter().map(build).collect()
 }
 
-/// Why designs are not good, with what each code says.
-fn why(ranked: &Ranked, kinds: &[&dyn Kind]) -> Vec<Why> {
-    let rows = super::super::explain::rows(kinds);
-    let what = |code: &str| rows.iter().find(|rule| rule.code == code).map_or(t("", ""), |rule| rule.what.clone());
-    ranked.why.iter().map(|(code, count)| Why { what: what(code), code: code.clone(), count: *count }).collect()
+/// Writes a design as a workbook and builds it; gives the name of its results, or of the workbook itself where it is refused: then its
+/// programs were not read back for its row.
+fn build_one(
+    study: &Study<'_>,
+    kinds: &[&dyn Kind],
+    (place, folder): (&Path, &Folder),
+    id: u64,
+) -> Result<String, Refusal> {
+    let values = values(&study.base, &study.plan, &study.plan.design(id));
+    let stem = store::file_name(&store::stem(study.workbook), &format!("-{id:06}"));
+    let name = store::file_name(&stem, ".xlsx");
+    let held: Vec<_> = values.values.iter().map(|(key, value)| (*key, value.clone())).collect();
+    let note = Text::new(
+        format!("Diseño {id} de un barrido de {}", show::path(study.workbook)),
+        format!("Design {id} of a sweep of {}", show::path(study.workbook)),
+    );
+    let mut set = Set::new(folder, &[study.workbook], Existing::Replace);
+    set.write(&name, |out| template::write(study.kind, &held, &values.lists, &note, study.language, out))?;
+    set.commit()?;
+    let workbook = place.join(&name);
+    let item = Item { workbook: workbook.clone(), stem, folder: place.to_owned() };
+    let workbooks = [workbook];
+    let asked = Asked {
+        workbooks: &workbooks,
+        language: Some(study.language),
+        no_report: true,
+        templates: None,
+        typst: None,
+        into: false,
+        view: false,
+        tables: Tables::Live,
+    };
+    let made = build::made(&item, &Settings::of(&asked, None, kinds, Arc::default()), &|| false);
+    if !matches!(made.ending.exit, Exit::Done | Exit::Refused) {
+        return Err(Refusal { exit: made.ending.exit, findings: made.ending.findings });
+    }
+    let built = made.ending.files.iter().map(|file| file.name.to_string_lossy().into_owned());
+    let results = built.into_iter().find(|name| name.ends_with("-results.xlsx"));
+    Ok(results.unwrap_or_else(|| name.to_string_lossy().into_owned()))
+}
+
+/// Reasons with how many designs have each, and what each says: a row, an objective or a constraint.
+fn coded(reasons: impl IntoIterator<Item = (String, u64)>, plan: &Plan, rules: &[&Rule]) -> Vec<Coded> {
+    let what = |code: &str| {
+        if plan.objectives.iter().any(|one| one.to_string() == code) {
+            t("el diseño no tiene valor de este objetivo", "the design has no value of this objective")
+        } else if plan.constraints.iter().any(|one| one.to_string() == code) {
+            t(
+                "no se cumple la restricción, o el diseño no tiene valor de ella",
+                "the constraint is broken, or the design has no value of it",
+            )
+        } else {
+            rules.iter().find(|rule| rule.code == code).map_or(t("", ""), |rule| rule.what.clone())
+        }
+    };
+    reasons.into_iter().map(|(code, count)| Coded::new(code.clone(), &what(&code), count)).collect()
+}
+
+/// The cautions of the best designs, most first.
+fn cautions(top: &Table) -> Vec<(String, u64)> {
+    let mut counts: BTreeMap<&str, u64> = BTreeMap::new();
+    let codes = top.column("codes");
+    for text in (0..top.rows()).filter_map(|row| codes?.text(row)) {
+        for code in text.split(';').filter(|code| !code.is_empty()) {
+            *counts.entry(code).or_default() += 1;
+        }
+    }
+    let mut counts: Vec<(String, u64)> = counts.into_iter().map(|(code, count)| (code.to_owned(), count)).collect();
+    counts.sort_by(|one, other| other.1.cmp(&one.1).then_with(|| one.0.cmp(&other.0)));
+    counts
 }
 
 fn write_book(
     study: &Study<'_>,
-    (ranked, why): (&Ranked, &[Why]),
-    (top, links, all): (&Table, &[Option<String>], &Table),
-    (effects, triples): (&[Effect], Option<(u64, u64)>),
+    results: &Results<'_>,
+    links: &[Option<String>],
     folder: &Folder,
-    name: &OsString,
+    name: &OsStr,
 ) -> Result<(), Refusal> {
-    let source = printable(&study.workbook.file_name().unwrap_or_default().to_string_lossy());
-    let book = SweepBook {
-        kind: study.kind,
-        plan: &study.plan,
-        source: &source,
-        top,
-        links,
-        all,
-        counts: ranked.counts,
-        front: ranked.front.len(),
-        why,
-        effects,
-        triples,
-        language: study.language,
-    };
+    let book = SweepBook { results: *results, links, language: study.language };
     let mut set = Set::new(folder, &[study.workbook], Existing::Replace);
     set.write(name, |out| book.write(out)).map_err(|refusal| match refusal.exit {
         Exit::Fault => fault::refusal(&refusal.reason().en),
@@ -247,16 +292,39 @@ fn write_book(
     set.commit().map(drop)
 }
 
-/// What came of it, in a line or two.
-fn closing(study: &Study<'_>, ranked: &Ranked, folder: &str, book: &str) -> Text {
-    let (all, counts, front) = (study.plan.count, ranked.counts, ranked.front.len());
-    let (done, refused, failed, feasible) = (counts.done, counts.refused, counts.failed, counts.feasible);
-    Text::new(
-        format!(
-            "{all} diseños: {done} hechos, {refused} rechazados, {failed} fallidos; {feasible} válidos, {front} en el frente\n{folder}: summary.parquet, {book}\n"
-        ),
-        format!(
-            "{all} designs: {done} done, {refused} refused, {failed} failed; {feasible} feasible, {front} on the front\n{folder}: summary.parquet, {book}\n"
-        ),
-    )
+/// Typesets the report; gives the finding where that fails, which keeps nothing else from being delivered.
+///
+/// # Errors
+/// Exit 5 where the report cannot be written.
+fn write_report(
+    study: &Study<'_>,
+    results: &Results<'_>,
+    interrupted: &Arc<AtomicBool>,
+    folder: &Folder,
+    name: &OsStr,
+    terminal: &mut Terminal,
+) -> Result<Option<Finding>, Refusal> {
+    let logo = stationery::logo(study.workbook, &study.values).unwrap_or_else(|caution| {
+        finding::general(&[*caution], study.language, terminal);
+        None
+    });
+    let titled = Titled {
+        sha256: &study.sha256,
+        values: &study.values,
+        logo: logo.as_ref().map(|(logo, _)| logo),
+        notes: &study.notes,
+    };
+    let at_work = AtWork::begin();
+    let typst = build::typst(None, Arc::clone(interrupted));
+    let report = report::sweep::pdf(results, &titled, study.language, &typst);
+    drop(at_work);
+    match report {
+        Ok((pdf, findings)) => {
+            finding::general(&findings, study.language, terminal);
+            let mut set = Set::new(folder, &[study.workbook], Existing::Replace);
+            set.write(name, |out| out.write_all(&pdf))?;
+            set.commit().map(|_| None)
+        }
+        Err(failure) => Ok(Some(failure.finding_on(&t("el informe del barrido", "the report of the sweep")))),
+    }
 }

@@ -8,6 +8,8 @@ mod slurm;
 mod work;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use self::args::Sweep;
 use self::folder::{Rows, State};
@@ -28,14 +30,12 @@ use crate::sweep::asked;
 use crate::sweep::form::NAME;
 use crate::sweep::plan::Plan;
 use crate::sweep::rules::{ChunksMissing, NoSweepSheet, WrongChunk};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 use crate::workbook::{self, sweep_sheet};
 
 /// Designs of a chunk, where nothing else is asked for, and the most chunks.
 const CHUNK: u64 = 1000;
 const CHUNKS_MOST: u64 = 1000;
-/// Designs that are timed for a forecast.
-const TIMED: u64 = 8;
 
 /// A workbook with its plan.
 pub(super) struct Study<'a> {
@@ -43,7 +43,11 @@ pub(super) struct Study<'a> {
     workbook: &'a Path,
     /// The kind.
     kind: &'a dyn Kind,
-    /// Its values.
+    /// The SHA-256 of its bytes.
+    sha256: String,
+    /// Its values, with their cells.
+    values: Values,
+    /// Its values without cells, as every design begins with them.
     base: Values,
     /// The plan.
     plan: Plan,
@@ -59,7 +63,7 @@ pub(super) struct Study<'a> {
 
 /// Works out what is asked for, and prints what came of it.
 pub(super) fn run(arguments: &Sweep, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
-    interrupt::listen();
+    let interrupted = interrupt::listen();
     let chunk = match arguments.chunk.as_deref().map(chunk_of).transpose() {
         Ok(chunk) => chunk,
         Err(refusal) => return refused(&refusal, spoken(arguments.lang, None), terminal),
@@ -78,7 +82,7 @@ pub(super) fn run(arguments: &Sweep, kinds: &[&dyn Kind], terminal: &mut Termina
     let done = if arguments.dry_run {
         forecast(arguments, &study, terminal)
     } else {
-        all(arguments, &study, chunk, kinds, terminal)
+        all(arguments, &study, chunk, kinds, &interrupted, terminal)
     };
     done.unwrap_or_else(|refusal| refused(&refusal, study.language, terminal))
 }
@@ -107,13 +111,16 @@ fn study<'a>(arguments: &'a Sweep, kinds: &[&'a dyn Kind]) -> Result<Study<'a>, 
     let plan = plan.limited(arguments.limit);
     // What the workbook says is whole, though the values that vary come from the plan.
     Fields::of(filled.form, filled.values.clone()).map_err(wrong)?;
-    let told = plan.told(&store::sha256(&bytes), env!("CARGO_PKG_VERSION")).to_string();
+    let sha256 = store::sha256(&bytes);
+    let told = plan.told(&sha256, env!("CARGO_PKG_VERSION")).to_string();
     let name: String = store::sha256(told.as_bytes()).chars().take(8).collect();
-    let mut base = filled.values;
+    let mut base = filled.values.clone();
     base.cells.clear();
     Ok(Study {
         workbook: path,
         kind: *kind,
+        sha256,
+        values: filled.values,
         base,
         plan,
         told,
@@ -137,11 +144,10 @@ pub(super) fn checked(bytes: &[u8], filled: &workbook::Filled, kind: &dyn Kind) 
 /// How many designs there are, and how long all would take.
 fn forecast(arguments: &Sweep, study: &Study<'_>, terminal: &mut Terminal) -> Result<Exit, Refusal> {
     let workshop = Workshop::open(study, arguments.jobs)?;
-    let seconds = workshop.timed(TIMED);
+    let tried = workshop.tried();
     let plan = &study.plan;
-    let hours = seconds * count(plan.count);
     let jobs = workshop.jobs();
-    let chunks = arguments.chunks.unwrap_or_else(|| slurm::chunks(plan.count, seconds));
+    let chunks = arguments.chunks.unwrap_or_else(|| slurm::chunks(plan.count, tried.mean()));
     let axes: String = plan
         .inputs
         .iter()
@@ -150,18 +156,31 @@ fn forecast(arguments: &Sweep, study: &Study<'_>, terminal: &mut Terminal) -> Re
             format!("  {} ({levels})\n", one.symbol())
         })
         .collect();
-    let each = format!("{:.1}", seconds * 1000.0);
-    let [core, here] = [hours, hours / count(jobs)].map(duration);
+    let each = format!("{:.1}", tried.mean() * 1000.0);
+    let range = |jobs: u64| {
+        let [least, most] = tried.range().map(|one| duration(one * count(plan.count) / count(jobs)));
+        let same = least == most;
+        let range = Text::new(format!("{least} a {most}"), format!("{least} to {most}"));
+        if same { least } else { range.get(study.language).to_owned() }
+    };
+    let (core, here) = (range(1), range(jobs));
+    let (all, refused, inputs) = (tried.count(), tried.refused, plan.inputs.len());
+    let unknown = if tried.judged > 0 {
+        t("", "")
+    } else {
+        t(
+            "rodete rechaza todos los probados: no se sabe cuánto tarda uno que no lo sea\n",
+            "rodete refused all that were tried: how long one takes that is not refused is not known\n",
+        )
+    };
     let text = Text::new(
         format!(
-            "{} diseños, {} entradas:\n{axes}{each} ms por diseño y núcleo; {core} en un núcleo, {here} con --jobs {jobs}; {chunks} trozos para Slurm\n",
-            plan.count,
-            plan.inputs.len()
+            "{} diseños, {inputs} entradas:\n{axes}{all} probados, {refused} rechazados: {each} ms por diseño y núcleo\n{}{core} en un núcleo, {here} con --jobs {jobs}; trozos para Slurm: {chunks}\n",
+            plan.count, unknown.es
         ),
         format!(
-            "{} designs, {} inputs:\n{axes}{each} ms a design and core; {core} on one core, {here} with --jobs {jobs}; {chunks} chunks for Slurm\n",
-            plan.count,
-            plan.inputs.len()
+            "{} designs, {inputs} inputs:\n{axes}{all} tried, {refused} refused: {each} ms a design and core\n{}{core} on one core, {here} with --jobs {jobs}; chunks for Slurm: {chunks}\n",
+            plan.count, unknown.en
         ),
     );
     terminal.out(text.get(study.language));
@@ -174,6 +193,7 @@ fn all(
     study: &Study<'_>,
     chunk: Option<(u64, u64)>,
     kinds: &[&dyn Kind],
+    interrupted: &Arc<AtomicBool>,
     terminal: &mut Terminal,
 ) -> Result<Exit, Refusal> {
     let folder = arguments
@@ -182,19 +202,16 @@ fn all(
         .unwrap_or_else(|| beside(study.workbook).join(store::file_name(&store::stem(study.workbook), "-sweep")));
     let wanted = chunk.map(|(_, of)| of).or(arguments.chunks);
     let usual = || match &arguments.submit {
-        Some(_) => Ok(slurm::chunks(study.plan.count, Workshop::open(study, arguments.jobs)?.timed(TIMED))),
+        Some(_) => Ok(slurm::chunks(study.plan.count, Workshop::open(study, arguments.jobs)?.tried().mean())),
         None => Ok(study.plan.count.div_ceil(CHUNK).clamp(1, CHUNKS_MOST)),
     };
     let rows = Rows::open(&folder, study, wanted, usual, arguments.fresh)?;
     if let Some((number, _)) = chunk {
         let workshop = Workshop::open(study, arguments.jobs)?;
-        workshop.chunk(
-            &rows,
-            number,
-            &mut progress::Progress::new(study, study.plan.chunk(number, rows.chunks())),
-            terminal,
-        )?;
-        return Ok(Exit::Done);
+        let mut progress = progress::Progress::new(study, study.plan.chunk(number, rows.chunks()));
+        let worked = workshop.chunk(&rows, number, &mut progress, terminal);
+        progress.end(terminal);
+        return worked.map(|()| Exit::Done);
     }
     if arguments.submit.is_some() {
         return slurm::submit(arguments, study, &folder, &rows, terminal);
@@ -202,10 +219,9 @@ fn all(
     if !arguments.merge {
         let workshop = Workshop::open(study, arguments.jobs)?;
         let mut progress = progress::Progress::new(study, 0..study.plan.count);
-        for number in 0..rows.chunks() {
-            workshop.chunk(&rows, number, &mut progress, terminal)?;
-        }
+        let worked = (0..rows.chunks()).try_for_each(|number| workshop.chunk(&rows, number, &mut progress, terminal));
         progress.end(terminal);
+        worked?;
     }
     let missing: Vec<u64> = (0..rows.chunks()).filter(|number| rows.state(*number) != State::Whole).collect();
     if !missing.is_empty() {
@@ -213,7 +229,7 @@ fn all(
         let missing = u64::try_from(missing.len()).unwrap_or(u64::MAX);
         return Err(ChunksMissing { list, missing, chunks }.refused(Exit::Incomplete, Place::File));
     }
-    merge::merge(arguments, study, kinds, &rows, terminal)
+    merge::merge(arguments, study, kinds, &rows, interrupted, terminal)
 }
 
 /// The chunk that an option asks for.

@@ -93,7 +93,8 @@ impl<'a> Progress<'a> {
         let judged = counts.done + counts.refused + counts.failed;
         let refused = 100.0 * count(counts.refused) / count(judged.max(1));
         let left = if rate > 0.0 { duration(count(self.all - self.done) / rate) } else { "…".to_owned() };
-        let (done, all, front) = (grouped(self.done), grouped(self.all), self.ranking.on_front());
+        let [done, all] = [self.done, self.all].map(|number| grouped(number, self.language));
+        let front = self.ranking.on_front();
         let rate = if rate < 10.0 { format!("{rate:.1}") } else { format!("{rate:.0}") };
         let text = Text::new(
             format!("{done} de {all} · {refused:.0} % rechazados · {rate} diseños/s · faltan {left} · frente {front}"),
@@ -103,13 +104,14 @@ impl<'a> Progress<'a> {
     }
 }
 
-/// A number with its digits in groups of three.
-fn grouped(number: u64) -> String {
+/// A number with its digits in groups of three: parted by a comma, in Spanish by a blank that does not break.
+fn grouped(number: u64, language: Language) -> String {
+    let mark = if language == Language::Es { '\u{a0}' } else { ',' };
     let digits = number.to_string();
     let mut text = String::new();
     for (at, digit) in digits.chars().enumerate() {
         if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(',');
+            text.push(mark);
         }
         text.push(digit);
     }
@@ -119,9 +121,12 @@ fn grouped(number: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::grouped;
+    use crate::text::Language;
 
     #[test]
     fn digits_stand_in_groups_of_three() {
-        assert_eq!([0, 999, 1000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
+        let shown = |number| grouped(number, Language::En);
+        assert_eq!([0, 999, 1000, 1_234_567].map(shown), ["0", "999", "1,000", "1,234,567"]);
+        assert_eq!(grouped(1_234_567, Language::Es), "1\u{a0}234\u{a0}567");
     }
 }

@@ -38,9 +38,9 @@ const TASK: &str = r#"#!/bin/bash
 if [ -n "${SLURM_ARRAY_TASK_ID:-}" ]; then
     part=(--chunk "$SLURM_ARRAY_TASK_ID/@CHUNKS@")
 else
-    part=(--merge @CSV@--top @TOP@)
+    part=(--merge @CSV@@REPORT@--top @TOP@)
 fi
-@PROGRAM@ sweep @WORKBOOK@ -o @FOLDER@ @LIMIT@"${part[@]}" &
+@PROGRAM@ sweep @WORKBOOK@ -o @FOLDER@ @LIMIT@@LANG@"${part[@]}" &
 wait $!
 end=$?
 if [ $end -ge 128 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt 2 ]; then
@@ -101,10 +101,13 @@ pub(super) fn submit(
 /// The script with what it runs.
 fn script(arguments: &Sweep, study: &Study<'_>, place: &Path, rows: &Rows<'_>, program: &Path) -> String {
     let limit = arguments.limit.map_or_else(String::new, |limit| format!("--limit {limit} "));
+    let lang = arguments.lang.map_or_else(String::new, |language| format!("--lang {} ", language.code()));
     TASK.replace("@CHUNKS@", &rows.chunks().to_string())
         .replace("@TOP@", &arguments.top.to_string())
         .replace("@CSV@", if arguments.csv { "--csv " } else { "" })
+        .replace("@REPORT@", if arguments.report { "--report " } else { "" })
         .replace("@LIMIT@", &limit)
+        .replace("@LANG@", &lang)
         .replace("@PROGRAM@", &quoted(program))
         .replace("@WORKBOOK@", &quoted(&absolute(study.workbook)))
         .replace("@FOLDER@", &quoted(&absolute(place)))

@@ -19,7 +19,8 @@ use super::folder::Rows;
 use super::progress::Progress;
 use crate::finding::Refusal;
 use crate::parameter::Value;
-use crate::sweep::row::{Row, judged};
+use crate::sweep::chance::permuted;
+use crate::sweep::row::{Row, State, judged};
 
 /// How often what is worked out of a chunk is saved.
 const SAVED: Duration = Duration::from_secs(60);
@@ -28,6 +29,9 @@ const BATCH: f64 = 1.0;
 /// The fewest and the most designs of a batch for each job.
 const LEAST: usize = 4;
 const MOST: usize = 2_000;
+/// A forecast tries designs until so many are not refused, but no more than so many in all.
+const JUDGED: u64 = 8;
+const TRIED_MOST: u64 = 64;
 /// The variable in which Slurm says how many processors a task has.
 const SLURM: &str = "SLURM_CPUS_PER_TASK";
 
@@ -63,16 +67,31 @@ impl<'a> Workshop<'a> {
         }
     }
 
-    /// The mean time of so many designs, spread over the plan, s on one core.
-    pub(super) fn timed(&self, count: u64) -> f64 {
+    /// Does work that is divided in parts, so many of them at once.
+    pub(super) fn side_by_side<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        self.pool.install(work)
+    }
+
+    /// Designs of the plan in an order by chance, always the same one, worked out one by one until so many of them are not refused,
+    /// with the time that each took: what is refused early costs little, and says nothing of the others.
+    pub(super) fn tried(&self) -> Tried {
         let plan = &self.study.plan;
-        let timed = count.min(plan.count).max(1);
-        let begun = Instant::now();
-        for at in 0..timed {
-            let id = at * plan.count / timed;
-            drop(self.design(id, plan.design(id)));
+        let mut tried = Tried::default();
+        for at in 0..plan.count.min(TRIED_MOST) {
+            // A stride would meet the same levels of a factorial plan again and again.
+            let id = permuted(at, plan.count, 0);
+            let begun = Instant::now();
+            let row = self.design(id, plan.design(id));
+            tried.seconds.push(begun.elapsed().as_secs_f64());
+            match row.state {
+                State::Refused => tried.refused += 1,
+                State::Done | State::Failed => tried.judged += 1,
+            }
+            if tried.judged == JUDGED {
+                break;
+            }
         }
-        begun.elapsed().as_secs_f64() / super::count(timed)
+        tried
     }
 
     /// Works a chunk out, from where an interrupted run has come to; nothing where it is there.
@@ -119,8 +138,57 @@ impl<'a> Workshop<'a> {
     }
 }
 
+/// Designs that were tried for a forecast.
+#[derive(Debug, Default)]
+pub(super) struct Tried {
+    /// How long each took, s on one core.
+    seconds: Vec<f64>,
+    /// How many of them were refused.
+    pub(super) refused: u64,
+    /// How many were not.
+    pub(super) judged: u64,
+}
+
+impl Tried {
+    /// How many there are.
+    pub(super) const fn count(&self) -> u64 {
+        self.refused + self.judged
+    }
+
+    /// The mean time of a design, s on one core.
+    pub(super) fn mean(&self) -> f64 {
+        self.seconds.iter().sum::<f64>() / super::count(self.count().max(1))
+    }
+
+    /// The mean time of a design, less and more than which it is in one of 20 plans, s on one core: two standard errors to both
+    /// sides, but never less than the shortest time.
+    pub(super) fn range(&self) -> [f64; 2] {
+        let (count, mean) = (super::count(self.count()), self.mean());
+        let squares: f64 = self.seconds.iter().map(|one| (one - mean) * (one - mean)).sum();
+        let off = 2.0 * (squares / (count - 1.0).max(1.0) / count.max(1.0)).sqrt();
+        let least = self.seconds.iter().copied().fold(mean, f64::min);
+        [(mean - off).max(least), mean + off]
+    }
+}
+
 /// A number of designs.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cast stays within the type")]
 const fn sized(number: f64) -> usize {
     number as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Tried;
+
+    #[test]
+    fn a_forecast_is_a_range_that_holds_the_mean_and_narrows_with_like_times() {
+        let tried = |seconds: &[f64]| Tried { seconds: seconds.to_vec(), refused: 1, judged: seconds.len() as u64 - 1 };
+        assert_eq!((tried(&[2.0; 9]).mean(), tried(&[2.0; 9]).range()), (2.0, [2.0, 2.0]));
+        let mixed = tried(&[1.0, 5.0, 5.0, 5.0]);
+        // Mean 4, deviation 2, standard error 1.
+        assert_eq!((mixed.mean(), mixed.range()), (4.0, [2.0, 6.0]));
+        assert_eq!(tried(&[0.5, 0.5, 0.5, 20.0]).range()[0].to_bits(), 0.5_f64.to_bits());
+        assert_eq!(Tried::default().range(), [0.0, 0.0]);
+    }
 }

@@ -1,6 +1,6 @@
 //! What there is to say of a clear cut: refusals, and remarks for a person.
 
-use crate::finding::{Finding, Place, Raise, Size};
+use crate::finding::{Finding, Place, Raise, Said, Size};
 use crate::kinds::impeller::clear::asked::{Asked, rounding};
 use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
@@ -16,7 +16,7 @@ use crate::kinds::impeller::parameters::NUMBERS;
 use crate::kinds::impeller::part::{HUB, RIM};
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::shown;
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 
 /// The least that must be left of ε beside the rounding, mm.
 const LEFT: f64 = 0.001;
@@ -25,6 +25,11 @@ const UNSAID: f64 = 0.02;
 
 fn at(keys: &[&'static str]) -> Place {
     Place::Parameters(keys.to_vec())
+}
+
+/// A finding with its value and the limit that the value misses.
+fn missed(found: Finding, value: impl Said, limit: impl Said) -> Finding {
+    found.with(value.said(Language::En), limit.said(Language::En))
 }
 
 /// What is valid alone but not together.
@@ -44,29 +49,32 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
             findings.push(OneNumberForTwoTools { T: design.T }.at(at(&["T_f", "T"])));
         }
         if d_f > design.d_t {
-            let told = FinishingWiderThanRoughing { finish: Size::mm(d_f), rough: Size::mm(design.d_t) };
-            findings.push(told.at(at(&["d_f", "d_t"])));
+            let (finish, rough) = (Size::mm(d_f), Size::mm(design.d_t));
+            let told = FinishingWiderThanRoughing { finish, rough };
+            findings.push(missed(told.at(at(&["d_f", "d_t"])), finish, rough));
         }
     }
     let corners = [(fields::CORNER.key(), asked.cut.rough), (fields::CORNER_F.key(), asked.cut.finish)];
     for (symbol, tool) in corners.into_iter().take(if d_f.is_some() { 2 } else { 1 }) {
         if tool.flat_radius() < 0.0 {
-            let told = CornerBeyondRadius { symbol, r_c: Size::mm(tool.r_c), half: Size::mm(tool.a()) };
-            findings.push(told.at(at(&[symbol, if symbol == fields::CORNER.key() { "d_t" } else { "d_f" }])));
+            let (r_c, half) = (Size::mm(tool.r_c), Size::mm(tool.a()));
+            let place = at(&[symbol, if symbol == fields::CORNER.key() { "d_t" } else { "d_f" }]);
+            findings.push(missed(CornerBeyondRadius { symbol, r_c, half }.at(place), r_c, half));
         }
     }
     if design.number(Which::Finish) > NUMBERS {
-        findings.push(NoNumberLeft { number: design.program, most: NUMBERS }.at(at(&["program"])));
+        let (number, most) = (design.program, NUMBERS);
+        findings.push(missed(NoNumberLeft { number, most }.at(at(&["program"])), number, most - 1));
     }
     let least = rounding(design.machine.L, design.torus.R) + LEFT;
     if asked.tolerance < least {
         let least = Size::mm((least * 1000.0).ceil() / 1000.0);
-        let told = ToleranceBelowResolution { tol: Size { decimals: 4, ..Size::mm(asked.tolerance) }, least };
-        findings.push(told.at(at(&["tol"])));
+        let tol = Size { decimals: 4, ..Size::mm(asked.tolerance) };
+        findings.push(missed(ToleranceBelowResolution { tol, least }.at(at(&["tol"])), tol, least));
     }
     if asked.cut.s >= design.a_p {
-        let told = AllowanceUsesUpDepth { s: Size::mm(asked.cut.s), a_p: Size::mm(design.a_p) };
-        findings.push(told.at(at(&["s_w", "a_p"])));
+        let (s, a_p) = (Size::mm(asked.cut.s), Size::mm(design.a_p));
+        findings.push(missed(AllowanceUsesUpDepth { s, a_p }.at(at(&["s_w", "a_p"])), s, a_p));
     }
     findings
 }
@@ -87,14 +95,17 @@ pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
         Which::Rough => "d_t",
         Which::Finish => "d_f",
     };
-    let told = ToolDoesNotFit { tool: tool_name(why.tool), d: Size::mm(why.d), largest, uncut };
-    told.at(at(&[key, "N", "e"]))
+    let d = Size::mm(why.d);
+    let told = ToolDoesNotFit { tool: tool_name(why.tool), d, largest, uncut };
+    let passes = why.largest.map(|d| Size { decimals: 2, ..Size::mm(d) });
+    let limit = passes.map(|passes| passes.said(Language::En).into_owned());
+    told.at(at(&[key, "N", "e"])).with(d.said(Language::En), limit.unwrap_or_default())
 }
 
 /// A program with more blocks than any may have.
 pub(in crate::kinds::impeller) fn too_long(program: Text, blocks: u64) -> Option<Finding> {
     let told = TooManyClearBlocks { program, blocks, most: CLEAR_BLOCKS };
-    (blocks > CLEAR_BLOCKS).then(|| told.at(at(&["tol", "c_s", "delta", "a_k"])))
+    (blocks > CLEAR_BLOCKS).then(|| missed(told.at(at(&["tol", "c_s", "delta", "a_k"])), blocks, CLEAR_BLOCKS))
 }
 
 /// What stops a plan that was made.
@@ -112,7 +123,8 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
         if found < 0.0 {
             let enough = enough(tool);
             let clearance = Size::mm((-found * 1000.0).ceil() / 1000.0);
-            findings.push(HolderHitsBlank { tool: tool_name(which), clearance, enough }.at(at(&[key, "d_h"])));
+            let told = HolderHitsBlank { tool: tool_name(which), clearance, enough }.at(at(&[key, "d_h"]));
+            findings.push(missed(told, Size::mm(stage.from), enough));
         }
     }
     findings

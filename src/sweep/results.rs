@@ -1,0 +1,139 @@
+//! What came of a sweep, as its workbook and its report show it.
+
+use crate::kind::Kind;
+use crate::sweep::plan::Plan;
+use crate::sweep::ranking::Counts;
+use crate::sweep::sensitivity::Effect;
+use crate::sweep::table::{FRONT, Table};
+use crate::text::{Text, t};
+
+/// A code, what it says, and how many designs have it.
+#[derive(Clone, Debug)]
+pub struct Coded {
+    /// The code of a finding; an objective or a constraint, as their cells say it.
+    pub code: String,
+    /// What it says, an ellipsis in the place of each value.
+    pub what: Text,
+    /// How many designs.
+    pub count: u64,
+}
+
+impl Coded {
+    /// A code with the sentence of its row.
+    #[must_use]
+    pub fn new(code: String, what: &Text, count: u64) -> Self {
+        Self { code, what: Text::new(unfilled(&what.es), unfilled(&what.en)), count }
+    }
+}
+
+/// What came of a sweep.
+#[derive(Clone, Copy, Debug)]
+pub struct Results<'a> {
+    /// The kind.
+    pub kind: &'a dyn Kind,
+    /// The plan.
+    pub plan: &'a Plan,
+    /// The name of the workbook that was swept.
+    pub source: &'a str,
+    /// The rows of the best designs, in their order.
+    pub top: &'a Table,
+    /// The rows of all designs, or the best of them.
+    pub all: &'a Table,
+    /// How many designs of each state there are.
+    pub counts: Counts,
+    /// Designs on the front.
+    pub front: usize,
+    /// The front was longer, and is cut.
+    pub cut: bool,
+    /// Why the others are not good, most first.
+    pub why: &'a [Coded],
+    /// The cautions of the best designs, most first.
+    pub cautions: &'a [Coded],
+    /// What each input does.
+    pub effects: &'a [Effect],
+    /// From how many triples the indices of Sobol come, of how many; `None` for a plan that is not made for them.
+    pub triples: Option<(u64, u64)>,
+}
+
+impl Results<'_> {
+    /// How many designs there are, and how many of each state.
+    #[must_use]
+    pub fn counted(&self) -> Text {
+        let Counts { done, refused, failed, feasible } = self.counts;
+        let (all, front) = (self.plan.count, self.front);
+        Text::new(
+            format!(
+                "{all} diseños: {done} hechos, {refused} rechazados, {failed} fallidos; {feasible} válidos, {front} en el frente"
+            ),
+            format!(
+                "{all} designs: {done} done, {refused} refused, {failed} failed; {feasible} feasible, {front} on the front"
+            ),
+        )
+    }
+
+    /// The columns of the best designs that compare them: what varies, what is asked for, and what is to be known. The others are
+    /// with the rows of all, and in the workbook of each.
+    #[must_use]
+    pub fn brief(&self) -> Table {
+        let Plan { objectives, constraints, .. } = self.plan;
+        let asked = |name: &str| {
+            objectives
+                .iter()
+                .map(|one| one.measure)
+                .chain(constraints.iter().map(|one| one.measure))
+                .any(|one| one.key == name)
+        };
+        let kept =
+            |name: &str| name.starts_with("in_") || asked(name) || ["id", "caution", "codes", FRONT].contains(&name);
+        Table { columns: self.top.columns.iter().filter(|one| kept(&one.name)).cloned().collect() }
+    }
+
+    /// What the effects of the inputs are, around the design of the workbook and over the plan.
+    #[must_use]
+    pub fn explained(&self) -> [Text; 2] {
+        let around = t(
+            "Alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción (≥: hasta donde se ha mirado), y cuánto cambia cada objetivo.",
+            "Around the workbook's design, other inputs unchanged: how far the input may go down and up before the design is refused or breaks a constraint (≥: as far as was looked), and how much each objective changes.",
+        );
+        let over = match self.triples {
+            None => t(
+                "Partes: qué parte de la varianza sigue a esta entrada sola, en los diseños válidos.",
+                "Shares: the part of the variance that follows this input alone, over the feasible designs.",
+            ),
+            Some((of, all)) => Text::new(
+                format!(
+                    "Índices de Sobol, de {of} de {all} grupos cuyos diseños son válidos: qué parte de la varianza explica esta entrada sola, y sola y con las demás; ±: en 19 de cada 20 casos."
+                ),
+                format!(
+                    "Sobol's indices, from {of} of {all} groups whose designs are feasible: which part of the variance this input explains alone, and alone and with others; ±: in 19 of 20 cases."
+                ),
+            ),
+        };
+        [around, over]
+    }
+}
+
+/// The sentence of a row without the values of one design: an ellipsis in the place of each.
+fn unfilled(sentence: &str) -> String {
+    let mut text = String::new();
+    let mut rest = sentence;
+    while let Some((before, (_, after))) =
+        rest.split_once('{').and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
+    {
+        text.push_str(before);
+        text.push('…');
+        rest = after;
+    }
+    text + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unfilled;
+
+    #[test]
+    fn a_sentence_stands_without_its_values() {
+        assert_eq!(unfilled("{tool} of {d} does not pass: {largest}"), "… of … does not pass: …");
+        assert_eq!((unfilled("plain").as_str(), unfilled("a { b").as_str()), ("plain", "a { b"));
+    }
+}
