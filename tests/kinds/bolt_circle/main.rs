@@ -23,7 +23,7 @@ use rodete::gcode::control::Control;
 use rodete::gcode::header::Origin;
 use rodete::gcode::program::Program;
 use rodete::kind::method::{Method, Of, Written};
-use rodete::kind::{Chapters, Proved, out_of_format};
+use rodete::kind::{Chapters, Proved, Wants, out_of_format};
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Form};
 use rodete::proof::step::Judge;
@@ -90,7 +90,7 @@ impl Method for Kind {
         Ok(Written { programs: vec![program], findings: Vec::new() })
     }
 
-    fn memo(_: &BoltCircle, (): &()) {}
+    fn memo(_: &BoltCircle, (): &(), _: Wants) {}
 
     fn fewer(_: &BoltCircle, _: &Program) -> Text {
         t("menos agujeros", "fewer holes")
