@@ -14,7 +14,7 @@ use super::limits;
 use super::live::{self, LiveTables};
 use super::long_rows::LongRows;
 use super::names::{Made, Present, Role, SheetNames, slug};
-use super::page::{Page, properties};
+use super::page::{Further, Page, properties};
 use super::program_sheet::{self, ProgramSheet};
 use super::save::{Additions, save};
 use super::style::Styles;
@@ -100,7 +100,7 @@ fn write_for<W: Write + Seek + Send>(
     let placed = results.places();
     let live = LiveTables::new(&placed, tables);
     results.write_tables(&placed, live)?;
-    results.write_programs()?;
+    results.write_programs(files)?;
     results.write_checks()?;
     let again = match present {
         Some(_) => &AGAIN_INTO,
@@ -256,9 +256,10 @@ impl<'a> Results<'a> {
         }
         for Placed { sheet: name, table } in placed {
             let sheet = TableSheet { table, language };
+            let at = self.workbook.worksheets().len();
             if sheet.long() {
                 self.additions.long.push(LongRows {
-                    sheet: self.workbook.worksheets().len(),
+                    sheet: at,
                     name: name.clone(),
                     first: FIRST,
                     count: sheet.last_row()? + 1 - FIRST,
@@ -267,13 +268,13 @@ impl<'a> Results<'a> {
             }
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
             sheet.write(worksheet, &self.styles, &live)?;
-            sheet.finish(worksheet, &self.page)?;
+            self.additions.printed.extend(sheet.finish(worksheet, at, &self.page)?);
         }
         if picked { curves.write(&mut self.workbook) } else { Ok(()) }
     }
 
     /// The programs, where they do not stand on sheets of the form as the user's own.
-    fn write_programs(&mut self) -> Result<(), WriteError> {
+    fn write_programs(&mut self, files: &[File]) -> Result<(), WriteError> {
         let Outcome { fields, programs, .. } = self.outcome;
         let (form, values) = (fields.form(), fields.values());
         let mut sheets = form.lists.iter().filter(|list| list.is_program).peekable();
@@ -288,8 +289,10 @@ impl<'a> Results<'a> {
         static BLOCKS: Text = t("Los programas, bloque a bloque", "The programs, block by block");
         let name = self.name("programs", if own { &program_sheet::OWN } else { &program_sheet::NAME }, &BLOCKS);
         let index = self.workbook.worksheets().len();
+        let programs = programs.with_files(files, self.language);
         let worksheet = self.workbook.add_worksheet().set_name(&name)?;
         programs.write(worksheet, self.language, &self.styles, &self.page)?;
+        self.additions.printed.extend(Further::set(worksheet, index, &programs.printed())?);
         let (count, source) = (programs.rows(), programs.source());
         self.additions.long.push(LongRows { sheet: index, name, first: 0, count, source });
         Ok(())
