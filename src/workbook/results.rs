@@ -92,7 +92,7 @@ fn write_for<W: Write + Seek + Send>(
         additions: Additions::default(),
         guard: Guard::default(),
     };
-    let guarded = results.take("verified", &guard::NAME);
+    let guarded = results.take(guard::KEY, &guard::NAME);
     // It stands first and is filled last, when the others are known.
     let first = results.take("summary", &summary_sheet::NAME);
     results.workbook.add_worksheet().set_name(&first)?;
@@ -198,15 +198,28 @@ impl<'a> Results<'a> {
                 self.workbook.define_name(defined, &cell)?;
             }
             for parameter in sheet.sections.iter().flat_map(|section| section.parameters) {
-                self.guard.watch(parameter.name, Copy::of(parameter, values(parameter.key), language));
+                match self.present {
+                    None => self.guard.watch(parameter.name, Copy::of(parameter, values(parameter.key), language)),
+                    // One whose row the form does not have has no cell to be watched.
+                    Some(present) => {
+                        let copy = present.written.inputs.get(parameter.key);
+                        copy.into_iter().for_each(|copy| self.guard.watch(parameter.name, copy.clone()));
+                    }
+                }
             }
         }
         let Self { names, sheets, made, present, guard, .. } = self;
         let lists = &outcome.fields.values().lists;
         let form = outcome.fields.form();
         let look = Look { styles: &self.styles, page: &self.page, language };
-        // The lists of a workbook of one's own stand where their owner put them.
-        let guard = Some(guard).filter(|_| present.is_none());
+        // The lists of a workbook of one's own stand where their owner put them, and as they were written.
+        let guard = match present {
+            None => Some(guard),
+            Some(present) => {
+                present.written.columns.iter().for_each(|column| guard.watch_column(column.clone()));
+                None
+            }
+        };
         write_lists(&mut self.workbook, form, lists, &look, guard, |wanted, list| {
             let one = matches!(list.naming, Naming::One(_));
             let there =
