@@ -256,7 +256,8 @@ impl Watched {
             let language = spoken(asked, made.ending.language);
             let took = begun.elapsed();
             let written = self.written.as_ref().or(self.read.as_ref().filter(|read| delivered(read)));
-            report([self.read.as_ref(), written], &made, took, language, terminal);
+            let earlier = fs::exists(&self.item.folder).unwrap_or_default();
+            report([self.read.as_ref(), written], &made, earlier, took, language, terminal);
         }
         if made.values.is_some() {
             if let Some(read) = self.read.take().filter(delivered) {
@@ -283,8 +284,15 @@ fn compared<'a>(before: Option<&'a Made>, made: &'a Made) -> Option<Comparison<'
 }
 
 /// Prints the line of a save, and what stops it. Before it stand what was last read, whose inputs count, and what was last
-/// written, whose programs count.
-fn report(before: [Option<&Made>; 2], made: &Made, took: Duration, language: Language, terminal: &mut Terminal) {
+/// written, whose programs count. `earlier`: the folder is there, and may hold earlier files.
+fn report(
+    before: [Option<&Made>; 2],
+    made: &Made,
+    earlier: bool,
+    took: Duration,
+    language: Language,
+    terminal: &mut Terminal,
+) {
     let ending = &made.ending;
     let workbook = show::path(&ending.workbook);
     let mut said: Vec<String> = Vec::new();
@@ -305,6 +313,9 @@ fn report(before: [Option<&Made>; 2], made: &Made, took: Duration, language: Lan
             let end = Text::new(format!("{count} archivos en {folder}{es}"), format!("{count} files in {folder}{en}"));
             let caution = ending.count(Grade::Caution) > 0 || ending.exit == Exit::ReportFailed;
             (if caution { AnsiColor::Yellow } else { AnsiColor::Green }, end)
+        }
+        Exit::Refused if !earlier => {
+            (AnsiColor::Red, t("rechazado; no se ha escrito nada", "rejected; nothing was written"))
         }
         Exit::Refused => (
             AnsiColor::Red,
