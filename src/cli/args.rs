@@ -276,9 +276,9 @@ pub(super) struct Check {
     pub(super) json: bool,
 }
 
-/// Arguments of `build`.
+/// What `build` and `watch` make, of which workbooks.
 #[derive(Debug, Args)]
-pub(super) struct Build {
+pub(super) struct Outputs {
     /// Workbooks to build
     #[arg(required = true, value_name = "WORKBOOK")]
     pub(super) workbooks: Vec<PathBuf>,
@@ -288,26 +288,37 @@ pub(super) struct Build {
     /// Language of sheets, report and messages [default: the workbook's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
-    /// Put the results sheets into the workbook itself instead of <stem>-results.xlsx; it is kept once as <WORKBOOK>.bak
-    #[arg(long)]
-    pub(super) into: bool,
     /// Write no report and no printable templates
     #[arg(long)]
     pub(super) no_report: bool,
+    /// Folder of your own typst files: each replaces the built-in file of the same name
+    #[arg(long, value_name = "DIR", conflicts_with = "no_report", display_order = SELDOM)]
+    pub(super) templates: Option<PathBuf>,
+    /// Typst program that typesets the report [default: RODETE_TYPST, or the built-in typst]
+    #[arg(long, value_name = "PATH", display_order = SELDOM)]
+    pub(super) typst: Option<PathBuf>,
+}
+
+/// Where the help lists what few people need: behind the options of the command itself.
+const SELDOM: usize = 100;
+
+/// Arguments of `build`.
+#[derive(Debug, Args)]
+pub(super) struct Build {
+    /// What is made, of which workbooks.
+    #[command(flatten)]
+    pub(super) outputs: Outputs,
+    /// Put the results sheets into the workbook itself instead of <stem>-results.xlsx; it is kept once as <WORKBOOK>.bak
+    #[arg(long)]
+    pub(super) into: bool,
     /// Write the tables of the results as values, without formulas
     #[arg(long)]
     pub(super) values: bool,
     /// Open the report when it is written, or the folder if there is no report
     #[arg(long)]
     pub(super) open: bool,
-    /// Folder of your own typst files: each replaces the built-in file of the same name
-    #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
-    pub(super) templates: Option<PathBuf>,
-    /// Typst program that typesets the report [default: RODETE_TYPST, or the built-in typst]
-    #[arg(long, value_name = "PATH")]
-    pub(super) typst: Option<PathBuf>,
     /// Print one JSON document instead of text: findings, derived values, written files with their SHA-256
-    #[arg(long)]
+    #[arg(long, display_order = SELDOM)]
     pub(super) json: bool,
 }
 
@@ -351,30 +362,15 @@ pub(super) struct ControlOptions {
 /// Arguments of `watch`.
 #[derive(Debug, Args)]
 pub(super) struct Watch {
-    /// Workbooks to watch
-    #[arg(required = true, value_name = "WORKBOOK")]
-    pub(super) workbooks: Vec<PathBuf>,
-    /// Folder for the outputs [default: <stem>-out beside each workbook]
-    #[arg(short, long, value_name = "DIR")]
-    pub(super) output: Option<PathBuf>,
-    /// Language of sheets, report and messages [default: the workbook's]
-    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
-    pub(super) lang: Option<Language>,
+    /// What is made, of which workbooks.
+    #[command(flatten)]
+    pub(super) outputs: Outputs,
     /// Look at the files every so many seconds, from 0.1 to 3600, for network shares that report no changes
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(super) poll: Option<f64>,
     /// Write the viewer's page <stem>-viewer.html with each build; it refreshes itself in the browser
     #[arg(long)]
     pub(super) view: bool,
-    /// Write no report and no printable templates
-    #[arg(long)]
-    pub(super) no_report: bool,
-    /// Folder of your own typst files: each replaces the built-in file of the same name
-    #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
-    pub(super) templates: Option<PathBuf>,
-    /// Typst program that typesets the report [default: RODETE_TYPST, or the built-in typst]
-    #[arg(long, value_name = "PATH")]
-    pub(super) typst: Option<PathBuf>,
 }
 
 /// Arguments of `compare`.

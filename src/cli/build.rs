@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::args::Build;
+use super::args::{Build, Outputs};
 use super::delivery::{self, Delivery, REPORT, SETUP, endings, leftovers, program_name};
 use super::interrupt::{self, AtWork};
 use super::into::{self, Into};
@@ -47,6 +47,21 @@ pub(super) struct Asked<'a> {
     pub(super) view: bool,
     /// What the results hold.
     pub(super) tables: Tables,
+}
+
+impl<'a> From<&'a Outputs> for Asked<'a> {
+    fn from(outputs: &'a Outputs) -> Self {
+        Self {
+            workbooks: &outputs.workbooks,
+            language: outputs.lang,
+            no_report: outputs.no_report,
+            templates: outputs.templates.as_deref(),
+            typst: outputs.typst.as_deref(),
+            into: false,
+            view: false,
+            tables: Tables::Live,
+        }
+    }
 }
 
 /// What all workbooks of one command share.
@@ -105,28 +120,21 @@ struct Setter<'a> {
 
 /// Builds every workbook and prints what came of it.
 pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
-    let language = spoken(arguments.lang, None);
-    let items = match plan::items(&arguments.workbooks, arguments.output.as_deref()) {
+    let outputs = &arguments.outputs;
+    let language = spoken(outputs.lang, None);
+    let items = match plan::items(&outputs.workbooks, outputs.output.as_deref()) {
         Ok(items) => items,
         Err(refusal) => return refused(&refusal, language, terminal),
     };
     let interrupted = interrupt::listen();
-    let folder = match arguments.output.as_deref().map(Folder::open).transpose() {
+    let folder = match outputs.output.as_deref().map(Folder::open).transpose() {
         Ok(folder) => folder,
         Err(refusal) => return refused(&refusal, language, terminal),
     };
-    let asked = Asked {
-        workbooks: &arguments.workbooks,
-        language: arguments.lang,
-        no_report: arguments.no_report,
-        templates: arguments.templates.as_deref(),
-        typst: arguments.typst.as_deref(),
-        view: false,
-        tables: if arguments.values { Tables::Values } else { Tables::Live },
-        into: arguments.into,
-    };
+    let tables = if arguments.values { Tables::Values } else { Tables::Live };
+    let asked = Asked { tables, into: arguments.into, ..Asked::from(outputs) };
     let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);
-    let mut sink = Sink::new(BUILD, arguments.lang, arguments.json);
+    let mut sink = Sink::new(BUILD, outputs.lang, arguments.json);
     let work = |item: &Item| made(item, &settings, &|| false).ending;
     let mut to_open = Vec::new();
     side_by_side::run(&items, work, terminal, |verdict, terminal| {

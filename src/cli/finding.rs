@@ -150,8 +150,7 @@ fn sentence(finding: &Finding, language: Language) -> String {
         return format!("{what}, {count} {}", t("veces", "times").get(language));
     }
     let limit = t("límite", "limit");
-    let value = if what.contains(finding.value.as_str()) { "" } else { finding.value.as_str() };
-    let bound = if what.contains(finding.limit.as_str()) { "" } else { finding.limit.as_str() };
+    let [value, bound] = finding.shown(language).map(|text| if what.contains(text) { "" } else { text });
     let bound = if bound.is_empty() { String::new() } else { format!("{} {}", limit.get(language), printable(bound)) };
     match (value.is_empty(), bound.is_empty()) {
         (true, true) => what,

@@ -99,8 +99,8 @@ rules! {
     "U0122" WorkbookInPlaceOfProgram Stop { path: String }
         es "{path} es un libro, no un programa"
         en "{path} is a workbook, not a program"
-        remedy "constrúyalo con rodete build {path}, o indíquelo con --tools",
-            "build it with rodete build {path}, or name it with --tools";
+        remedy "genérelo con rodete build {path}; con un programa de torno, indíquelo con --tools",
+            "build it with rodete build {path}; with a lathe program, name it with --tools";
         why "Un libro lleva su programa en una hoja, con la máquina y las herramientas.",
             "A workbook holds its program on a sheet, with the machine and the tools.";
         example made!("workbook-as-program", "simulate lathe.xlsx", "simulate lathe.xlsx");

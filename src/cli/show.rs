@@ -9,7 +9,7 @@ use super::terminal::Terminal;
 use super::verdict::Ending;
 use super::{finding, quantity};
 use crate::escape::printable_path;
-use crate::finding::{Exit, Grade};
+use crate::finding::{Exit, Finding, Grade, Place};
 use crate::text::{Language, Text, t};
 
 /// Prints what is to say about one workbook: derived values, findings, files, and a closing line. What needs
@@ -97,6 +97,11 @@ fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -
     format!("{style}{workbook}{style:#}: {}{found}\n", end.get(language))
 }
 
+/// True of a stop that names cells or parameters.
+fn in_cells(finding: &Finding) -> bool {
+    finding.grade == Grade::Stop && matches!(finding.place, Place::Cells(_) | Place::Parameters(_))
+}
+
 /// What to do now.
 fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> String {
     let written = |ending: &str| {
@@ -123,6 +128,9 @@ fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> S
             let word =
                 if workbook.contains(char::is_whitespace) { format!("\"{workbook}\"") } else { workbook.to_owned() };
             Text::new(format!("{}rodete build {word}", cautions.es), format!("{}rodete build {word}", cautions.en))
+        }
+        (Exit::Refused, _) if !verdict.findings.iter().any(in_cells) => {
+            t("siga las sugerencias de arriba", "follow the hints above")
         }
         (Exit::Refused, _) => t(
             "corrija las celdas indicadas, guarde el libro y repita",

@@ -123,7 +123,7 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Ending, wants: Wants) ->
 }
 
 /// A workbook in place of a program.
-fn is_workbook(path: &Path) -> Refusal {
+pub(super) fn is_workbook(path: &Path) -> Refusal {
     WorkbookInPlaceOfProgram { path: printable_path(path) }.refused(Exit::Unreadable, Place::File)
 }
 

@@ -10,6 +10,7 @@ use super::locale::spoken;
 use super::made_from;
 use super::program::{Consulted, Shared, told_from};
 use super::terminal::Terminal;
+use super::turning::is_workbook;
 use super::verdict::{Ending, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Refusal};
@@ -114,6 +115,9 @@ fn follow(
 ) -> Result<(), Refusal> {
     let settled = shared.settled(path)?;
     let mut file = workbook::open_program(path)?;
+    if file.fill_buf().is_ok_and(|head| head.starts_with(b"PK\x03\x04")) {
+        return Err(is_workbook(path));
+    }
     let (named, dialect) = shared.dialect(path, &mut file);
     read.dialect = Some(dialect);
     shared.fits(dialect)?;

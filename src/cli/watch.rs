@@ -28,7 +28,6 @@ use crate::kind::comparison::{Comparison, Input, Shown};
 use crate::store::{self, Folder};
 use crate::text::{Language, Text, t};
 use crate::workbook;
-use crate::workbook::results::Tables;
 
 /// How often files are looked at beside the events: not every folder has them.
 const TICK: Duration = Duration::from_secs(2);
@@ -75,8 +74,9 @@ struct Watched {
 
 /// Builds all workbooks, then each whenever it is saved, until the process is interrupted.
 pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
-    let language = spoken(arguments.lang, None);
-    let items = match plan::items(&arguments.workbooks, arguments.output.as_deref()) {
+    let outputs = &arguments.outputs;
+    let language = spoken(outputs.lang, None);
+    let items = match plan::items(&outputs.workbooks, outputs.output.as_deref()) {
         Ok(items) => items,
         Err(refusal) => return refused(&refusal, language, terminal),
     };
@@ -85,20 +85,12 @@ pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Termina
         return refused(&refusal, language, terminal);
     }
     let interrupted = interrupt::listen();
-    let folder = match arguments.output.as_deref().map(Folder::open).transpose() {
+    let folder = match outputs.output.as_deref().map(Folder::open).transpose() {
         Ok(folder) => folder,
         Err(refusal) => return refused(&refusal, language, terminal),
     };
-    let asked = Asked {
-        workbooks: &arguments.workbooks,
-        language: arguments.lang,
-        no_report: arguments.no_report,
-        templates: arguments.templates.as_deref(),
-        typst: arguments.typst.as_deref(),
-        into: false,
-        view: arguments.view,
-        tables: Tables::Live,
-    };
+    terminal.out(&beginning(&items, arguments, language));
+    let asked = Asked { view: arguments.view, ..Asked::from(outputs) };
     let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);
     let fresh = |item| Watched {
         item,
@@ -128,7 +120,7 @@ pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Termina
         (None, None) => TICK / 4,
     };
     for one in &mut all {
-        one.work(&settings, arguments.lang, terminal);
+        one.work(&settings, outputs.lang, terminal);
     }
     let text = t("a la espera de cambios; Ctrl-C termina\n", "waiting for saves; Ctrl-C ends\n");
     terminal.out(text.get(language));
@@ -136,10 +128,36 @@ pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Termina
         wait(&events, tick);
         for one in &mut all {
             while one.due(tick) {
-                one.work(&settings, arguments.lang, terminal);
+                one.work(&settings, outputs.lang, terminal);
             }
         }
     }
+}
+
+/// What is watched, and what happens now and with every save.
+fn beginning(items: &[Item], arguments: &Watch, language: Language) -> String {
+    let line = |item: &Item| {
+        let (workbook, folder) = (show::path(&item.workbook), show::path(&item.folder));
+        let text = Text::new(
+            format!("se vigila {workbook}; los resultados van a {folder}\n"),
+            format!("watching {workbook}; the results go to {folder}\n"),
+        );
+        text.get(language).to_owned()
+    };
+    let mut text: String = items.iter().map(line).collect();
+    let mut made = t("tablas y programas", "tables and programs").get(language).to_owned();
+    if !arguments.outputs.no_report {
+        made.push_str(t(", informe", ", report").get(language));
+    }
+    if arguments.view {
+        made.push_str(t(", página del visor", ", viewer's page").get(language));
+    }
+    let now = Text::new(
+        format!("se genera ahora y cada vez que guarde: {made}\n"),
+        format!("building now and with every save: {made}\n"),
+    );
+    text.push_str(now.get(language));
+    text
 }
 
 /// Watches the folders of all workbooks; `None` where one cannot be watched.
@@ -238,7 +256,8 @@ impl Watched {
             let language = spoken(asked, made.ending.language);
             let took = begun.elapsed();
             let written = self.written.as_ref().or(self.read.as_ref().filter(|read| delivered(read)));
-            report([self.read.as_ref(), written], &made, took, language, terminal);
+            let earlier = fs::exists(&self.item.folder).unwrap_or_default();
+            report([self.read.as_ref(), written], &made, earlier, took, language, terminal);
         }
         if made.values.is_some() {
             if let Some(read) = self.read.take().filter(delivered) {
@@ -265,8 +284,15 @@ fn compared<'a>(before: Option<&'a Made>, made: &'a Made) -> Option<Comparison<'
 }
 
 /// Prints the line of a save, and what stops it. Before it stand what was last read, whose inputs count, and what was last
-/// written, whose programs count.
-fn report(before: [Option<&Made>; 2], made: &Made, took: Duration, language: Language, terminal: &mut Terminal) {
+/// written, whose programs count. `earlier`: the folder is there, and may hold earlier files.
+fn report(
+    before: [Option<&Made>; 2],
+    made: &Made,
+    earlier: bool,
+    took: Duration,
+    language: Language,
+    terminal: &mut Terminal,
+) {
     let ending = &made.ending;
     let workbook = show::path(&ending.workbook);
     let mut said: Vec<String> = Vec::new();
@@ -287,6 +313,9 @@ fn report(before: [Option<&Made>; 2], made: &Made, took: Duration, language: Lan
             let end = Text::new(format!("{count} archivos en {folder}{es}"), format!("{count} files in {folder}{en}"));
             let caution = ending.count(Grade::Caution) > 0 || ending.exit == Exit::ReportFailed;
             (if caution { AnsiColor::Yellow } else { AnsiColor::Green }, end)
+        }
+        Exit::Refused if !earlier => {
+            (AnsiColor::Red, t("rechazado; no se ha escrito nada", "rejected; nothing was written"))
         }
         Exit::Refused => (
             AnsiColor::Red,

@@ -11,7 +11,7 @@ use serde::{Serialize, Serializer};
 
 pub use self::datum::{Datum, Said, Size, Typed};
 pub use self::rule::{AlarmFamily, Example, Raise, Rule};
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 
 /// How grave a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -113,6 +113,8 @@ pub struct Finding {
     pub value: String,
     /// The limit it was compared with, with its unit; empty where there is none.
     pub limit: String,
+    /// Value and limit in both languages, where they are words; the fields above have them in English, as JSON has.
+    words: Option<Box<[Text; 2]>>,
     /// What to do about it; empty for a passed check.
     pub remedy: Text,
 }
@@ -135,6 +137,7 @@ impl Finding {
             place,
             value: String::new(),
             limit: String::new(),
+            words: None,
             remedy,
         }
     }
@@ -191,11 +194,29 @@ impl Finding {
         self
     }
 
+    /// The same where they are words in two languages.
+    #[must_use]
+    pub fn worded(self, value: &Text, limit: &Text) -> Self {
+        let alike = value.es == value.en && limit.es == limit.en;
+        let words = (!alike).then(|| Box::new([value.clone(), limit.clone()]));
+        Self { words, ..self.with(value.en.as_ref(), limit.en.as_ref()) }
+    }
+
+    /// Value and limit as a person reads them.
+    #[must_use]
+    pub fn shown(&self, language: Language) -> [&str; 2] {
+        match &self.words {
+            Some(words) => words.each_ref().map(|text| text.get(language)),
+            None => [&self.value, &self.limit],
+        }
+    }
+
     /// The finding with the value found and the limit it was compared with.
     #[must_use]
     pub fn with(mut self, value: impl Into<String>, limit: impl Into<String>) -> Self {
         self.value = value.into();
         self.limit = limit.into();
+        self.words = None;
         self
     }
 }

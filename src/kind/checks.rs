@@ -23,11 +23,17 @@ pub fn table(findings: &[Finding]) -> Table {
             column(t("Código", "Code"), |finding| Text::same(finding.code())),
             column(t("Lugar", "Place"), |finding| place(&finding.place)),
             column(t("Comprobación", "Check"), |finding| finding.what.clone()),
-            column(t("Valor", "Value"), |finding| Text::same(finding.value.as_str())),
-            column(t("Límite", "Limit"), |finding| Text::same(finding.limit.as_str())),
+            column(t("Valor", "Value"), |finding| shown(finding, 0)),
+            column(t("Límite", "Limit"), |finding| shown(finding, 1)),
             column(t("Remedio", "Remedy"), |finding| finding.remedy.clone()),
         ],
     }
+}
+
+/// Value or limit of a finding.
+fn shown(finding: &Finding, at: usize) -> Text {
+    let [es, en] = [Language::Es, Language::En].map(|language| finding.shown(language)[at].to_owned());
+    Text::new(es, en)
 }
 
 /// Whether what came out may be used, in words without a full stop, and the grade of it.

@@ -208,7 +208,7 @@ impl Question {
                 Some(found) => found(place),
             }
         };
-        let found = found.with(self.value.en.as_ref(), self.limit.en.as_ref());
+        let found = found.worded(&self.value, &self.limit);
         Check { asked: self, answer: Answer::Found(found) }
     }
 
@@ -295,6 +295,15 @@ impl Check {
     #[must_use]
     pub fn word(&self) -> Text {
         self.grade().map_or(t("Cumple", "Passed"), Grade::name)
+    }
+
+    /// The same where what there is to say has nothing to do with value and limit of the row.
+    #[must_use]
+    pub fn apart(self) -> Self {
+        match self.answer {
+            Answer::Found(found) => Self { answer: Answer::Found(found.with("", "")), ..self },
+            _ => self,
+        }
     }
 
     /// What there is to say of it beside its row in the table.

@@ -34,13 +34,13 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refus
     if let Some(refused) = refused {
         let asked = asked.at(Some(At::line(refused.line))).seen(1);
         let found = Finding::from(refused.clone());
-        return asked.unless(Some(|place| of_program(found, place)));
+        return asked.unless(Some(|place| of_program(found, place))).apart();
     }
     // Of feeds and of the limit of the speed their judges speak.
     let theirs = [NoFeed::RULE, NoSpeedLimit::RULE];
     let own = |remark: &Finding| remark.grade >= Grade::Caution && !theirs.iter().any(|rule| remark.is(rule));
     let remark = text.remarks().into_iter().find(own);
-    asked.seen(lines).unless(remark.map(|remark| move |place| of_program(remark, place)))
+    asked.seen(lines).unless(remark.map(|remark| move |place| of_program(remark, place))).apart()
 }
 
 /// The caution for a program that its control may not hold.

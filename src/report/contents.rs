@@ -394,14 +394,15 @@ const fn key(grade: Grade) -> &'static str {
 }
 
 fn check(finding: &Finding, words: &mut Words) -> Check {
+    let [value, limit] = finding.shown(words.language);
     Check {
         grade: key(finding.grade),
         name: words.text(&finding.grade.name()),
         code: finding.code(),
         what: words.text(&finding.what),
         place: words.text(&checks::place(&finding.place)),
-        value: words.line(&finding.value),
-        limit: words.line(&finding.limit),
+        value: words.line(value),
+        limit: words.line(limit),
         remedy: words.text(&finding.remedy),
     }
 }

@@ -13,7 +13,7 @@ use rust_xlsxwriter::{
     utility::column_number_to_name,
 };
 
-use super::address::Position;
+use super::address::{self, Position};
 use super::cell::{CELL, shortened, write_text};
 use super::error::WriteError;
 use super::form_sheet::label;
@@ -25,6 +25,8 @@ use crate::text::{Language, Text, t};
 
 /// The sheet of the copies.
 pub const SHEET: &str = "Verified";
+/// By what it is known again in the workbook of somebody else's.
+pub const KEY: &str = "verified";
 /// Its name, in both languages.
 pub static NAME: Text = t(SHEET, SHEET);
 /// The defined name of how many inputs differ.
@@ -67,6 +69,15 @@ impl Copy {
         }
     }
 
+    /// What a cell holds as it stands: what a formula compares.
+    pub(super) fn held(sheet: &SheetCells, position: Position) -> Self {
+        match sheet.cell(position).map(|cell| &cell.content) {
+            Some(Content::Number(value) | Content::Date(_, Some(value))) => Self::Number(*value),
+            Some(Content::Text(text, _)) => Self::Text(text.clone()),
+            _ => Self::Empty,
+        }
+    }
+
     /// True where both hold the same; numbers to the last bit.
     fn same(&self, other: &Self) -> bool {
         match (self, other) {
@@ -89,7 +100,7 @@ impl Copy {
 }
 
 /// A column of a list: the cells that were filled or stood ready to be.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Column {
     /// The key of the column in its form.
     pub key: &'static str,
@@ -101,6 +112,23 @@ pub struct Column {
     pub first: RowNum,
     /// What the cells held.
     pub copies: Vec<Copy>,
+}
+
+/// What the cells of a form and of its lists hold as they stand in a workbook, whose owner may have typed `Yes` for `yes`.
+#[derive(Clone, Debug, Default)]
+pub struct Written {
+    /// The inputs that have a cell, by the keys of their parameters.
+    pub inputs: BTreeMap<&'static str, Copy>,
+    /// The columns of the lists.
+    pub columns: Vec<Column>,
+}
+
+impl Written {
+    /// Takes the inputs that a sheet holds.
+    pub(super) fn take(&mut self, keys: impl Iterator<Item = &'static str>, values: &Values, sheet: &SheetCells) {
+        let held = |key| Some((key, Copy::held(sheet, address::parse(&values.cells.get(key)?.cell)?)));
+        self.inputs.extend(keys.filter_map(held));
+    }
 }
 
 /// The inputs with what they held.
@@ -205,23 +233,21 @@ pub struct Stale {
 }
 
 /// Compares the values of a form with the copies on the sheet [`SHEET`] of the same workbook. `None` where they are the same,
-/// or where the sheet is not rodete's.
+/// or where the sheet is not rodete's. The same is what is written as it was, and what means the same as the copy.
 #[must_use]
-pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values) -> Option<Stale> {
+pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, written: &Written) -> Option<Stale> {
     if sheet.text((0, 0)) != Some(MARK) {
         return None;
     }
     let language = values.language;
-    let held = |position: Position| match sheet.cell(position).map(|cell| &cell.content) {
-        Some(Content::Number(value)) => Copy::Number(*value),
-        Some(Content::Text(text, _)) => Copy::Text(text.clone()),
-        _ => Copy::Empty,
-    };
+    let held = |position: Position| Copy::held(sheet, position);
     let rows: BTreeMap<&str, u32> = sheet.rows.keys().filter_map(|&row| Some((sheet.text((row, 0))?, row))).collect();
     let parameters = form.sheets.iter().flat_map(|one| one.sections).flat_map(|section| section.parameters);
     let differs = |parameter: &Parameter| {
         let now = Copy::of(parameter, values.values.get(parameter.key), language);
-        rows.get(parameter.name).is_none_or(|&row| !now.same(&held((row, 1))))
+        // An input whose row the form did not have was empty.
+        let copy = rows.get(parameter.name).map_or(Copy::Empty, |&row| held((row, 1)));
+        !now.same(&copy) && written.inputs.get(parameter.key).is_none_or(|written| !written.same(&copy))
     };
     let inputs: Vec<&'static str> =
         parameters.filter(|parameter| differs(parameter)).map(|parameter| parameter.key).collect();
@@ -236,7 +262,7 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values) ->
     let mut lists: Vec<String> = values
         .lists
         .iter()
-        // In a workbook of one's own the lists are not watched.
+        // Without a column the form had no list when it was verified, or an earlier rodete did not watch it.
         .filter(|one| !columns.is_empty() && columns.iter().all(|(_, name)| *name != one.sheet))
         .map(|one| one.sheet.clone())
         .collect();
@@ -249,6 +275,13 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values) ->
         let same = (0..last.max(filled))
             .zip(0..)
             .all(|(row, at)| Copy::of(parameter, now(at), language).same(&held((row, column))));
+        let as_it_was = |one: &Column| {
+            let count = u32::try_from(one.copies.len()).unwrap_or(u32::MAX);
+            let mut copies = one.copies.iter().chain(std::iter::repeat(&Copy::Empty));
+            (0..last.max(count)).all(|row| copies.next().is_some_and(|copy| copy.same(&held((row, column)))))
+        };
+        let mut columns = written.columns.iter().filter(|one| one.key == *key && one.sheet == *name);
+        let same = same || columns.any(as_it_was);
         if !same && lists.iter().all(|one| one != name) {
             lists.push((*name).to_owned());
         }

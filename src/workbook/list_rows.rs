@@ -13,6 +13,7 @@ use crate::parameter::list::{List, Row, Rows};
 use crate::text::Text;
 
 use super::address::{self, Position};
+use super::guard::{Column, Copy};
 use super::rules::form::*;
 use super::sheet_cells::SheetCells;
 use super::unit;
@@ -26,9 +27,7 @@ const SHOWN: usize = 40;
 
 /// The rows of a sheet; `None` where the list may be left out and has none. What is wrong goes to `findings`.
 pub fn read(list: &'static List, sheet: &SheetCells, findings: &mut Vec<Finding>) -> Option<Rows> {
-    let heads = |required: bool| sheet.rows.keys().copied().find(|row| is_heading(list, sheet, *row, required));
-    // Where there is no row with all of them, the one that a person takes for it says which are missing.
-    let head = heads(true).or_else(|| heads(false));
+    let head = heading(list, sheet);
     let first = list.columns.first().map_or("", |column| column.symbol());
     let head = match head {
         None => {
@@ -68,6 +67,29 @@ pub fn read(list: &'static List, sheet: &SheetCells, findings: &mut Vec<Finding>
         })
         .collect();
     Some(Rows { list: list.key, sheet: sheet.name.clone(), rows })
+}
+
+/// What the cells of each column hold as they stand, from the row below the headings to the last one that is filled and one more.
+pub fn written(list: &'static List, sheet: &SheetCells) -> Vec<Column> {
+    let Some(head) = heading(list, sheet) else { return Vec::new() };
+    let columns = columns(list, sheet, head, &mut Vec::new());
+    let end = filled(sheet, head, &columns).last().copied().unwrap_or(head) + 1;
+    let column = |&(parameter, at): &(&'static Parameter, u32)| {
+        Some(Column {
+            key: parameter.key,
+            sheet: sheet.name.clone(),
+            column: u16::try_from(at).ok()?,
+            first: head + 1,
+            copies: (head + 1..=end).map(|row| Copy::held(sheet, (row, at))).collect(),
+        })
+    };
+    columns.iter().filter_map(column).collect()
+}
+
+/// The row of the headings. Where there is none with all of them, the one that a person takes for it says which are missing.
+fn heading(list: &List, sheet: &SheetCells) -> Option<u32> {
+    let heads = |required: bool| sheet.rows.keys().copied().find(|row| is_heading(list, sheet, *row, required));
+    heads(true).or_else(|| heads(false))
 }
 
 /// True for a row that begins with the first heading and has all required ones, or, of a list of several columns, another.

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::guard::Written;
 use crate::limits::SHEET_NAME;
 
 /// The sheets of a workbook that others are put into.
@@ -15,6 +16,8 @@ pub struct Present {
     pub forms: BTreeMap<usize, String>,
     /// How the folder of the other files is called.
     pub folder: String,
+    /// What the cells of the form and of its lists hold.
+    pub written: Written,
 }
 
 /// What a sheet is called in marks and in names of parts: letters, digits and `_`.

@@ -1,11 +1,56 @@
 //! How a sheet is printed.
 
-use rust_xlsxwriter::{DocProperties, ExcelDateTime, RowNum, Worksheet, XlsxError};
+use rust_xlsxwriter::{
+    ColNum, DocProperties, ExcelDateTime, RowNum, Worksheet, XlsxError, utility::column_number_to_name,
+};
 
-use super::cell::header_text;
+use super::cell::{header_text, shortened};
 use crate::text::{Language, Text, t};
 
 const A4: u8 = 9;
+
+/// So many rows of a sheet are printed whole: some twenty pages. Of more, the first and the last are.
+pub const WHOLE: RowNum = 1_000;
+/// So many rows are printed from either end: a page, upright.
+pub const ENDS: RowNum = 45;
+/// The most characters of a note in a header: more would run into the sheet's name.
+pub const NOTE: usize = 90;
+
+/// A range of cells: first row and column, last row and column, from 0.
+pub type Area = [(RowNum, ColNum); 2];
+
+/// Areas of a sheet that are printed beside its first one, each on pages of its own.
+#[derive(Debug)]
+pub struct Further {
+    /// The sheet, counted from 0.
+    pub sheet: usize,
+    /// The areas.
+    pub areas: Vec<Area>,
+}
+
+impl Further {
+    /// Sets what is printed of a sheet, counted from 0: everything where no area is given.
+    ///
+    /// # Errors
+    /// For cells outside the sheet.
+    pub fn set(sheet: &mut Worksheet, at: usize, areas: &[Area]) -> Result<Option<Self>, XlsxError> {
+        let Some(([(row, column), (last_row, last_column)], further)) = areas.split_first() else { return Ok(None) };
+        sheet.set_print_area(*row, *column, *last_row, *last_column)?;
+        Ok((!further.is_empty()).then(|| Self { sheet: at, areas: further.to_vec() }))
+    }
+
+    /// The part of the workbook with these areas behind the sheet's first one: the library that writes workbooks takes one.
+    #[must_use]
+    pub fn put_into(&self, workbook: &str) -> String {
+        let head = format!("<definedName name=\"_xlnm.Print_Area\" localSheetId=\"{}\">", self.sheet);
+        let Some((before, rest)) = workbook.split_once(&head) else { return workbook.to_owned() };
+        let Some((first, rest)) = rest.split_once('<') else { return workbook.to_owned() };
+        let sheet = first.rsplit_once('!').map_or("", |(sheet, _)| sheet);
+        let cell = |(row, column): (RowNum, ColNum)| format!("${}${}", column_number_to_name(column), row + 1);
+        let areas = self.areas.iter().map(|[first, last]| format!(",{sheet}!{}:{}", cell(*first), cell(*last)));
+        format!("{before}{head}{first}{}<{rest}", areas.collect::<String>())
+    }
+}
 
 /// What is printed on every page of a sheet.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +84,13 @@ impl Page<'_> {
         sheet.set_print_fit_to_pages(1, u16::from(self.single));
     }
 
+    /// Sets the header of a sheet, with a note below the name of the part.
+    pub fn set_header(&self, sheet: &mut Worksheet, note: &str) {
+        let note =
+            if note.is_empty() { String::new() } else { format!("\n{}", shortened(note, NOTE).replace('&', "&&")) };
+        sheet.set_header(format!("&L{}{note}&R&A", header_text(self.part)));
+    }
+
     /// Sets a sheet up for A4 in its own size, without repeated rows.
     pub fn set_up_columns(&self, sheet: &mut Worksheet, language: Language) {
         static PAGES: Text = t("Página &P de &N", "Page &P of &N");
@@ -48,7 +100,7 @@ impl Page<'_> {
         } else {
             sheet.set_portrait();
         }
-        sheet.set_header(format!("&L{}&R&A", header_text(self.part)));
+        self.set_header(sheet, "");
         sheet.set_footer(format!("&L{}&R{}", header_text(self.origin), PAGES.get(language)));
     }
 }

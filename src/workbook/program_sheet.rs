@@ -2,13 +2,17 @@
 //!
 //! Every program has a pair of columns: the block number, and the block. There is no heading: the first line is the
 //! first row. A program with more lines than a sheet has rows goes on in further pairs to the right.
+//!
+//! A long program is printed as its first and last blocks: they are compared at the control, and nobody reads hundreds of pages.
+//! Then a note to the right of the columns and the header of each page name the files of the whole programs.
 
 use rust_xlsxwriter::{ColNum, RowNum, Worksheet};
 
 use super::error::WriteError;
 use super::guard;
 use super::long_rows::{RowWriter, Rows};
-use super::page::Page;
+use super::page::{Area, ENDS, NOTE, Page, WHOLE};
+use super::results::File;
 use super::style::Styles;
 use crate::gcode::program::Program;
 use crate::text::{Language, Text, t};
@@ -31,6 +35,11 @@ struct Strand<'a> {
     program: &'a Program,
     column: usize,
     skip: u64,
+    /// Its rows, and whether the program ends with them.
+    rows: RowNum,
+    ends: bool,
+    /// The program is so long that its ends alone are printed.
+    cut: bool,
     width: f64,
 }
 
@@ -39,6 +48,10 @@ struct Strand<'a> {
 pub struct ProgramSheet<'a> {
     strands: Vec<Strand<'a>>,
     rows: RowNum,
+    /// What is printed, and where the whole programs are; empty where all is printed.
+    note: String,
+    /// The same in the header of each page.
+    header: String,
 }
 
 impl<'a> ProgramSheet<'a> {
@@ -63,14 +76,67 @@ impl<'a> ProgramSheet<'a> {
             while skip < extent.lines {
                 let place = if skip == 0 { *place } else { further };
                 further += usize::from(skip > 0);
-                strands.push(Strand { program, column: place * PITCH, skip, width: extent.width() });
+                let rows = RowNum::try_from(most.min(extent.lines - skip)).unwrap_or(RowNum::MAX);
+                let (ends, cut) = (skip + most >= extent.lines, extent.lines > u64::from(WHOLE));
+                strands.push(Strand { program, column: place * PITCH, skip, rows, ends, cut, width: extent.width() });
                 skip += most;
             }
         }
         strands.sort_by_key(|strand| strand.column);
         let longest = placed.iter().map(|(.., extent)| extent.lines).max()?.min(most);
         let rows = RowNum::try_from(longest).ok().filter(|rows| *rows > 0)?;
-        Some(Self { strands, rows })
+        Some(Self { strands, rows, note: String::new(), header: String::new() })
+    }
+
+    /// Names the files that hold the whole of the programs, by what they are.
+    #[must_use]
+    pub fn with_files(mut self, files: &[File], language: Language) -> Self {
+        if !self.strands.iter().any(|strand| strand.cut) {
+            return self;
+        }
+        let of = |strand: &Strand<'_>| files.iter().find(|(_, what)| *what == strand.program.title);
+        let first = self.strands.iter().filter(|strand| strand.cut && strand.skip == 0);
+        let names: Vec<&str> = first.filter_map(of).map(|(name, _)| name.as_str()).collect();
+        let printed = Text::new(
+            format!("De un programa largo se imprimen los {ENDS} primeros y los {ENDS} últimos bloques; entero: "),
+            format!("Of a long program the first and the last {ENDS} blocks are printed; whole: "),
+        );
+        let ends = Text::new(
+            format!("Los {ENDS} primeros y los {ENDS} últimos bloques; entero: "),
+            format!("The first and the last {ENDS} blocks; whole: "),
+        );
+        let files = t("los archivos .nc", "the .nc files").get(language).to_owned();
+        let named = if names.is_empty() { files.clone() } else { names.join(", ") };
+        self.note = format!("{}{named}", printed.get(language));
+        let ends = ends.get(language);
+        let room = NOTE.saturating_sub(ends.chars().count());
+        self.header = format!("{ends}{}", if named.chars().count() > room { files } else { named });
+        self
+    }
+
+    /// The areas that are printed, where not everything is.
+    #[must_use]
+    pub fn printed(&self) -> Vec<Area> {
+        if self.note.is_empty() {
+            return Vec::new();
+        }
+        let areas = |strand: &Strand<'_>| {
+            let column = ColNum::try_from(strand.column).unwrap_or(ColNum::MAX - 1);
+            let area = |first: RowNum, end: RowNum| [(first, column), (end.saturating_sub(1), column + 1)];
+            let all = area(0, strand.rows);
+            if !strand.cut {
+                return vec![all];
+            }
+            let head = (strand.skip == 0).then(|| area(0, strand.rows.min(ENDS)));
+            let end = strand.ends.then(|| area(strand.rows.saturating_sub(ENDS), strand.rows));
+            head.into_iter().chain(end).collect()
+        };
+        self.strands.iter().flat_map(areas).collect()
+    }
+
+    /// The column of the note.
+    fn beside(&self) -> usize {
+        self.strands.last().map_or(0, |strand| strand.column + PITCH)
     }
 
     /// How many rows there are.
@@ -108,6 +174,11 @@ impl<'a> ProgramSheet<'a> {
         }
         sheet.set_vertical_page_breaks(&breaks)?;
         page.set_up_columns(sheet, language);
+        if !self.note.is_empty() {
+            let column = ColNum::try_from(self.beside()).map_err(|_| WriteError::TooLarge("INCR"))?;
+            sheet.write_blank(0, column, &styles.source)?;
+            page.set_header(sheet, &self.header);
+        }
         Ok(())
     }
 
@@ -128,7 +199,7 @@ impl<'a> ProgramSheet<'a> {
                 })
                 .collect();
             let mut label = String::new();
-            for _ in 0..self.rows {
+            for row in 0..self.rows {
                 rows.start()?;
                 for (column, lines) in &mut running {
                     let Some((number, text)) = lines.next() else { continue };
@@ -141,6 +212,9 @@ impl<'a> ProgramSheet<'a> {
                     if !text.is_empty() {
                         rows.text(*column + 1, text)?;
                     }
+                }
+                if row == 0 && !self.note.is_empty() {
+                    rows.text(self.beside(), &self.note)?;
                 }
             }
             Ok(())

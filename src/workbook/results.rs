@@ -14,7 +14,7 @@ use super::limits;
 use super::live::{self, LiveTables};
 use super::long_rows::LongRows;
 use super::names::{Made, Present, Role, SheetNames, slug};
-use super::page::{Page, properties};
+use super::page::{Further, Page, properties};
 use super::program_sheet::{self, ProgramSheet};
 use super::save::{Additions, save};
 use super::style::Styles;
@@ -92,7 +92,7 @@ fn write_for<W: Write + Seek + Send>(
         additions: Additions::default(),
         guard: Guard::default(),
     };
-    let guarded = results.take("verified", &guard::NAME);
+    let guarded = results.take(guard::KEY, &guard::NAME);
     // It stands first and is filled last, when the others are known.
     let first = results.take("summary", &summary_sheet::NAME);
     results.workbook.add_worksheet().set_name(&first)?;
@@ -100,7 +100,7 @@ fn write_for<W: Write + Seek + Send>(
     let placed = results.places();
     let live = LiveTables::new(&placed, tables);
     results.write_tables(&placed, live)?;
-    results.write_programs()?;
+    results.write_programs(files)?;
     results.write_checks()?;
     let again = match present {
         Some(_) => &AGAIN_INTO,
@@ -198,15 +198,28 @@ impl<'a> Results<'a> {
                 self.workbook.define_name(defined, &cell)?;
             }
             for parameter in sheet.sections.iter().flat_map(|section| section.parameters) {
-                self.guard.watch(parameter.name, Copy::of(parameter, values(parameter.key), language));
+                match self.present {
+                    None => self.guard.watch(parameter.name, Copy::of(parameter, values(parameter.key), language)),
+                    // One whose row the form does not have has no cell to be watched.
+                    Some(present) => {
+                        let copy = present.written.inputs.get(parameter.key);
+                        copy.into_iter().for_each(|copy| self.guard.watch(parameter.name, copy.clone()));
+                    }
+                }
             }
         }
         let Self { names, sheets, made, present, guard, .. } = self;
         let lists = &outcome.fields.values().lists;
         let form = outcome.fields.form();
         let look = Look { styles: &self.styles, page: &self.page, language };
-        // The lists of a workbook of one's own stand where their owner put them.
-        let guard = Some(guard).filter(|_| present.is_none());
+        // The lists of a workbook of one's own stand where their owner put them, and as they were written.
+        let guard = match present {
+            None => Some(guard),
+            Some(present) => {
+                present.written.columns.iter().for_each(|column| guard.watch_column(column.clone()));
+                None
+            }
+        };
         write_lists(&mut self.workbook, form, lists, &look, guard, |wanted, list| {
             let one = matches!(list.naming, Naming::One(_));
             let there =
@@ -256,9 +269,10 @@ impl<'a> Results<'a> {
         }
         for Placed { sheet: name, table } in placed {
             let sheet = TableSheet { table, language };
+            let at = self.workbook.worksheets().len();
             if sheet.long() {
                 self.additions.long.push(LongRows {
-                    sheet: self.workbook.worksheets().len(),
+                    sheet: at,
                     name: name.clone(),
                     first: FIRST,
                     count: sheet.last_row()? + 1 - FIRST,
@@ -267,13 +281,13 @@ impl<'a> Results<'a> {
             }
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
             sheet.write(worksheet, &self.styles, &live)?;
-            sheet.finish(worksheet, &self.page)?;
+            self.additions.printed.extend(sheet.finish(worksheet, at, &self.page)?);
         }
         if picked { curves.write(&mut self.workbook) } else { Ok(()) }
     }
 
     /// The programs, where they do not stand on sheets of the form as the user's own.
-    fn write_programs(&mut self) -> Result<(), WriteError> {
+    fn write_programs(&mut self, files: &[File]) -> Result<(), WriteError> {
         let Outcome { fields, programs, .. } = self.outcome;
         let (form, values) = (fields.form(), fields.values());
         let mut sheets = form.lists.iter().filter(|list| list.is_program).peekable();
@@ -288,8 +302,10 @@ impl<'a> Results<'a> {
         static BLOCKS: Text = t("Los programas, bloque a bloque", "The programs, block by block");
         let name = self.name("programs", if own { &program_sheet::OWN } else { &program_sheet::NAME }, &BLOCKS);
         let index = self.workbook.worksheets().len();
+        let programs = programs.with_files(files, self.language);
         let worksheet = self.workbook.add_worksheet().set_name(&name)?;
         programs.write(worksheet, self.language, &self.styles, &self.page)?;
+        self.additions.printed.extend(Further::set(worksheet, index, &programs.printed())?);
         let (count, source) = (programs.rows(), programs.source());
         self.additions.long.push(LongRows { sheet: index, name, first: 0, count, source });
         Ok(())

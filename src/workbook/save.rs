@@ -12,6 +12,7 @@ use super::drawn::{Drawn, sized};
 use super::error::WriteError;
 use super::live_form::UNCOMPUTED;
 use super::long_rows::{LARGE, LongRows, Span, stream};
+use super::page::Further;
 
 /// Deflate level of every part: far quicker than the default for a tenth more bytes.
 const LEVEL: u8 = 3;
@@ -27,6 +28,8 @@ pub struct Additions<'a> {
     pub uncomputed: bool,
     /// The sizes of the charts in pixels, in their order; all stand on one sheet.
     pub charts: Vec<[u32; 2]>,
+    /// What is printed of sheets in several areas.
+    pub printed: Vec<Further>,
 }
 
 /// Saves the workbook to `out`, with its additions.
@@ -38,7 +41,7 @@ pub fn save<W: Write + Seek + Send>(
     additions: Additions<'_>,
     out: W,
 ) -> Result<(), WriteError> {
-    let Additions { long, drawn, uncomputed, charts } = additions;
+    let Additions { long, drawn, uncomputed, charts, printed } = additions;
     workbook.set_zip_compression_level(LEVEL);
     let mut skeleton = ZipArchive::new(Cursor::new(workbook.save_to_buffer()?))?;
     let mut package = ZipWriter::new(out);
@@ -52,7 +55,8 @@ pub fn save<W: Write + Seek + Send>(
         let chart = name.starts_with("xl/charts/") && !spans.is_empty();
         let drawing = name.starts_with("xl/drawings/drawing");
         let sheet = uncomputed && name.starts_with("xl/worksheets/sheet");
-        if rows.is_none() && !chart && !drawing && !sheet {
+        let book = name == "xl/workbook.xml" && !printed.is_empty();
+        if rows.is_none() && !chart && !drawing && !sheet && !book {
             package.raw_copy_file(part)?;
             continue;
         }
@@ -76,6 +80,9 @@ pub fn save<W: Write + Seek + Send>(
             let [before, after] = [" t=\"str\"><f>", "</f><v>"];
             xml = xml.replace(&format!("</f><v>{UNCOMPUTED}</v>"), "</f>").replace(before, "><f>");
             debug_assert!(!xml.contains(after), "every formula of the sheet is without a result");
+        }
+        if book {
+            xml = printed.iter().fold(xml, |xml, further| further.put_into(&xml));
         }
         if drawing {
             xml = with_sizes(&xml, drawn, &charts);

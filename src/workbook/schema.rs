@@ -19,7 +19,7 @@ use crate::text::{Language, Text, t};
 use super::address::{self, Position};
 use super::book::Book;
 use super::gate::{Gated, gate};
-use super::guard;
+use super::guard::{self, Written};
 use super::list_rows;
 use super::listing::{self, SheetEntry};
 use super::names;
@@ -51,6 +51,8 @@ pub struct Filled {
     pub stale: Option<Finding>,
     /// The files that the workbook named when its programs were verified.
     pub files: Vec<NamedFile>,
+    /// What the cells of the form and of its lists hold as they stand.
+    pub written: Written,
 }
 
 /// Reads a workbook that follows one of `forms`.
@@ -63,6 +65,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     let mut findings = std::mem::take(&mut book.gated.notes);
     let First { entry, language, sheet, version: (form, earlier) } = first(&mut book, forms)?;
     let mut values = Values { language, ..Values::default() };
+    let mut written = Written::default();
     let mut exit = Exit::Refused;
     let mut first = Some(sheet);
     for (index, described) in form.sheets.iter().enumerate() {
@@ -99,6 +102,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         if !sheet.survey.unsound {
             take((form.schema, earlier), described, &sheet, &mut values, &mut findings);
             let inputs = described.sections.iter().flat_map(|section| section.parameters);
+            written.take(inputs.clone().map(|one| one.key), &values, &sheet);
             findings.extend(calculated(&sheet, inputs.filter_map(|one| values.cells.get(one.key))));
         }
     }
@@ -113,6 +117,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
                     }
                     if !sheet.survey.unsound {
                         let rows = list_rows::read(list, &sheet, &mut findings);
+                        written.columns.extend(list_rows::written(list, &sheet));
                         let inputs = rows.iter().flat_map(|rows| &rows.rows).flat_map(|row| row.cells.values());
                         findings.extend(calculated(&sheet, inputs));
                         values.lists.extend(rows);
@@ -132,8 +137,8 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
         return Err(refusal(exit, findings));
     }
-    let (stale, files) = verified(&mut book, form, &values)?;
-    Ok(Filled { form, values, findings, stale, files })
+    let (stale, files) = verified(&mut book, form, &values, &written)?;
+    Ok(Filled { form, values, findings, stale, files, written })
 }
 
 /// What was changed since the programs of the same workbook were made, by the copies that stand in it, and the files that it
@@ -142,13 +147,14 @@ fn verified(
     book: &mut Book<'_>,
     form: &'static Form,
     values: &Values,
+    written: &Written,
 ) -> Result<(Option<Finding>, Vec<NamedFile>), Refusal> {
     let named = |entry: &&SheetEntry| entry.name.starts_with(guard::SHEET);
     let sheets: Vec<SheetEntry> = book.gated.sheets.iter().filter(named).cloned().collect();
     let (mut stale, mut named_files) = (None, Vec::new());
     for entry in sheets {
         let sheet = book.read(&entry, guard::COLUMNS)?;
-        stale = guard::stale(&sheet, form, values).or(stale);
+        stale = guard::stale(&sheet, form, values, written).or(stale);
         named_files.extend(guard::files(&sheet));
     }
     let Some(guard::Stale { inputs, lists, files }) = stale else { return Ok((None, named_files)) };
@@ -456,7 +462,7 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Option<Languag
         Some(Content::Text(text, _)) => excerpt(text.trim(), SHOWN),
         Some(Content::Number(number)) => decimal(*number),
         Some(Content::Error(error)) => excerpt(error, SHOWN),
-        Some(Content::Truth(_) | Content::Date(_)) | None => String::new(),
+        Some(Content::Truth(_) | Content::Date(..)) | None => String::new(),
     };
     for (form, _) in &wanted {
         if form.schema == found {

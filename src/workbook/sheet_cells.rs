@@ -25,8 +25,9 @@ pub enum Content {
     Text(String, usize),
     /// A truth value.
     Truth(bool),
-    /// A date or a time: a number in a cell formatted as one; the day as `2026-11-23`, empty where it says none.
-    Date(String),
+    /// A date or a time: a number in a cell formatted as one; the day as `2026-11-23`, empty where it says none, and the number
+    /// where that is stored.
+    Date(String, Option<f64>),
     /// An error of the spreadsheet, as `#DIV/0!`.
     Error(String),
 }
@@ -175,10 +176,11 @@ fn content(value: &DataRef<'_>) -> Option<Content> {
         DataRef::Bool(truth) => Some(Content::Truth(*truth)),
         DataRef::DateTime(date) if date.is_datetime() => {
             let (year, month, day, ..) = date.to_ymd_hms_milli();
-            Some(Content::Date(format!("{year:04}-{month:02}-{day:02}")))
+            Some(Content::Date(format!("{year:04}-{month:02}-{day:02}"), Some(date.as_f64())))
         }
-        DataRef::DateTimeIso(date) => Some(Content::Date(date.split('T').next().unwrap_or_default().to_owned())),
-        DataRef::DateTime(_) | DataRef::DurationIso(_) => Some(Content::Date(String::new())),
+        DataRef::DateTimeIso(date) => Some(Content::Date(date.split('T').next().unwrap_or_default().to_owned(), None)),
+        DataRef::DateTime(date) => Some(Content::Date(String::new(), Some(date.as_f64()))),
+        DataRef::DurationIso(_) => Some(Content::Date(String::new(), None)),
         DataRef::Error(error) => Some(Content::Error(error.to_string())),
     }
 }

@@ -10,7 +10,7 @@ use super::error::WriteError;
 use super::guard;
 use super::live::{self, LiveTables, NOTHING};
 use super::long_rows::{RowWriter, Rows};
-use super::page::Page;
+use super::page::{Area, ENDS, Further, Page, WHOLE};
 use super::style::{Styles, digits};
 use crate::table::{Cells, Column, Entry, Table};
 use crate::text::{Language, Text, t};
@@ -110,20 +110,37 @@ impl<'a> TableSheet<'a> {
         Ok(())
     }
 
-    /// Sets panes and printing, when everything is written.
+    /// Sets panes and printing, when everything is written, of the sheet that stands at a place.
     ///
     /// # Errors
     /// For a table larger than a sheet.
-    pub fn finish(&self, sheet: &mut Worksheet, page: &Page<'_>) -> Result<(), WriteError> {
+    pub fn finish(&self, sheet: &mut Worksheet, at: usize, page: &Page<'_>) -> Result<Option<Further>, WriteError> {
         sheet.set_freeze_panes(FIRST, self.offset())?;
         let last = self.last_row()?;
-        sheet.set_print_area(0, 0, last, self.printed()?)?;
+        let further = Further::set(sheet, at, &self.areas()?)?;
         let columns = &self.table.columns;
         let texts = columns.iter().filter(|column| matches!(column.values, Cells::Texts(_))).count();
         let landscape = columns.len() > UPRIGHT || texts > TEXTS;
         let single = last < ONE_PAGE;
         Page { repeat: (0, UNITS), landscape, single, ..*page }.set_up(sheet, self.language)?;
-        Ok(())
+        if further.is_some() {
+            let rows = self.table.rows();
+            let note = Text::new(
+                format!("De {rows} filas se imprimen las {ENDS} primeras y las {ENDS} últimas"),
+                format!("Of {rows} rows the first and the last {ENDS} are printed"),
+            );
+            page.set_header(sheet, note.get(self.language));
+        }
+        Ok(further)
+    }
+
+    /// The areas that are printed: the whole, or both ends of a long table.
+    fn areas(&self) -> Result<Vec<Area>, WriteError> {
+        let (last, column) = (self.last_row()?, self.printed()?);
+        if self.table.rows() <= WHOLE as usize {
+            return Ok(vec![[(0, 0), (last, column)]]);
+        }
+        Ok(vec![[(0, 0), (FIRST + ENDS - 1, column)], [(last + 1 - ENDS, 0), (last, column)]])
     }
 
     /// The last column to be printed: that of the table, or further to the right as title and source need.

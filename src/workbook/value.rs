@@ -129,10 +129,12 @@ impl Reading<'_> {
                     let truth = if *truth { t("VERDADERO", "TRUE") } else { t("FALSO", "FALSE") };
                     Box::new(ValueIsTruth { name, truth, cell, expected: expected() })
                 }
-                Some((Content::Date(day), _)) if matches!(self.parameter.kind, FieldKind::Date) && !day.is_empty() => {
+                Some((Content::Date(day, _), _))
+                    if matches!(self.parameter.kind, FieldKind::Date) && !day.is_empty() =>
+                {
                     return self.text(day, day.chars().count());
                 }
-                Some((Content::Date(_), _)) => Box::new(ValueIsDate { name, cell }),
+                Some((Content::Date(..), _)) => Box::new(ValueIsDate { name, cell }),
                 Some((Content::Number(number), percent)) => return self.number(*number, percent),
                 Some((Content::Text(text, characters), _)) => return self.text(text.trim(), *characters),
             }
@@ -251,7 +253,7 @@ impl Reading<'_> {
             None => String::new(),
             Some(Content::Text(text, _)) => text.trim().to_owned(),
             Some(Content::Number(number)) => decimal(*number),
-            Some(Content::Truth(_) | Content::Date(_) | Content::Error(_)) => "?".to_owned(),
+            Some(Content::Truth(_) | Content::Date(..) | Content::Error(_)) => "?".to_owned(),
         };
         let unit = self.parameter.unit;
         if unit::says(unit, &written) {

@@ -75,6 +75,17 @@ fn tells(rule: &Rule, text: &str, language: Language) -> bool {
     own && !graver.into_iter().any(|(_, head)| lines().any(|line| begins(line, head)))
 }
 
+/// Sentence and remedy of a row as a text tells them.
+fn sentences(rule: &Rule, text: &str) -> (String, String) {
+    let mut lines = text.lines().skip_while(|line| !line.contains(&format!(" {}: ", rule.code)));
+    let what = lines.next().and_then(|line| line.split_once(": ")).map_or("", |(_, what)| what);
+    let remedy = lines
+        .take_while(|line| !heads(Language::En).iter().chain(&heads(Language::Es)).any(|(_, head)| begins(line, head)));
+    let remedy =
+        remedy.filter_map(|line| line.strip_prefix("hint: ").or_else(|| line.strip_prefix("sugerencia: "))).next();
+    (what.to_owned(), remedy.unwrap_or_default().to_owned())
+}
+
 /// Runs a command in a folder: all that it prints.
 fn run(folder: &Path, words: &[String], language: Language) -> String {
     let rodete = env!("CARGO_BIN_EXE_rodete");
@@ -433,10 +444,12 @@ fn wrong(rule: &Rule) -> Option<String> {
     if let Example::Made { key, .. } = rule.example
         && let Some(findings) = set(key)
     {
-        let own = findings.iter().any(|one| one.is(rule) && one.grade <= rule.grade);
-        let whole = own && findings.iter().all(|one| one.grade <= rule.grade);
+        let own = findings.iter().find(|one| one.is(rule) && one.grade <= rule.grade);
+        own.iter().for_each(|own| super::told::compare_finding(rule, own));
+        let whole = own.is_some() && findings.iter().all(|one| one.grade <= rule.grade);
         return (!whole).then(|| format!("{} {}: {findings:?}", rule.code, rule.ident));
     }
+    let mut told = Vec::new();
     for language in Language::ALL {
         let folder = tempfile::tempdir().unwrap();
         let (words, held) = match rule.example {
@@ -459,7 +472,10 @@ fn wrong(rule: &Rule) -> Option<String> {
         if !tells(rule, &text, language) {
             return Some(format!("{} {}: rodete {}\n{text}", rule.code, rule.ident, words.join(" ")));
         }
+        told.push(sentences(rule, &text));
     }
+    let [(what_es, remedy_es), (what_en, remedy_en)] = told.try_into().unwrap();
+    super::told::compare(rule, [&what_es, &what_en], [&remedy_es, &remedy_en]);
     None
 }
 

@@ -485,6 +485,7 @@ fn what_is_made_for_every_row_raises_it_and_nothing_graver() {
         let own = findings.iter().find(|finding| finding.is(rule));
         let whole = own.is_some_and(|own| {
             assert!(own.data.iter().map(|(name, _)| *name).eq(rule.fields.iter().copied()), "{}", rule.code);
+            super::told::compare_finding(rule, own);
             own.grade <= rule.grade
         });
         // What a person should know of a plan stands beside what else there is to say of it, which does not stop it, and

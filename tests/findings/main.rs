@@ -14,5 +14,6 @@ mod refusals;
 mod rules;
 mod slips;
 mod title_block;
+mod told;
 
 use common::workbook;

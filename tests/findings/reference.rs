@@ -16,11 +16,12 @@ fn file(name: &str) -> PathBuf {
 }
 
 /// True where page and codes are to be brought up to date: `RODETE_FINDINGS=write`.
-fn write() -> bool {
+pub fn write() -> bool {
     std::env::var_os("RODETE_FINDINGS").is_some_and(|value| value == "write")
 }
 
-const HOW: &str = "where that is meant: RODETE_FINDINGS=write cargo test --test findings reference::";
+pub const HOW: &str =
+    "where that is meant: RODETE_FINDINGS=write cargo test --test findings, and again with reference::";
 
 #[test]
 fn the_page_of_the_findings_is_what_explain_writes() {

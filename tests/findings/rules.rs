@@ -128,6 +128,7 @@ fn the_program_of_every_row_raises_it_at_its_place_and_nothing_graver() {
         let graver = !counts && findings.iter().any(|finding| finding.grade > rule.grade);
         let whole = own.is_some_and(|own| {
             assert!(own.data.iter().map(|(name, _)| *name).eq(rule.fields.iter().copied()), "{}", rule.code);
+            super::told::compare_finding(rule, own);
             own.grade <= rule.grade
                 && (at.is_none_or(str::is_empty) || !place(own).is_empty())
                 && !own.what.en.contains(['{', '}'])

@@ -13,7 +13,7 @@ use super::made::{BOOKS, Results, book, differing, host, kept, read, values, wit
 const DEADLINE: &str = "300";
 
 /// True where LibreOffice can be called. Where it must be there, its absence fails the test.
-fn libreoffice() -> bool {
+pub fn libreoffice() -> bool {
     let found = Command::new("soffice").arg("--version").output().is_ok_and(|output| output.status.success());
     if !found {
         assert!(std::env::var_os("CI").is_none(), "LibreOffice (soffice) is needed here and cannot be called");
@@ -26,7 +26,7 @@ fn libreoffice() -> bool {
 }
 
 /// Books as LibreOffice saves them, every formula computed again.
-fn saved(books: &[(&str, Vec<u8>)]) -> Vec<Vec<u8>> {
+pub fn saved(books: &[(&str, Vec<u8>)]) -> Vec<Vec<u8>> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let profile = folder.path().join("profile/user");
     std::fs::create_dir_all(&profile).expect("a profile");

@@ -8,6 +8,7 @@ mod command;
 mod common;
 mod corpus;
 mod form_elsewhere;
+mod guard;
 mod hard_books;
 mod killed;
 mod libreoffice;

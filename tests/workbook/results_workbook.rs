@@ -213,6 +213,54 @@ fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
     assert!(further > 18 + 3);
 }
 
+/// The areas of a sheet that are printed; none where all of it is.
+fn printed(parts: &BTreeMap<String, String>, sheet: &str) -> Vec<String> {
+    let book = &parts["xl/workbook.xml"];
+    let areas = book.split("<definedName name=\"_xlnm.Print_Area\"").skip(1);
+    let mut areas = areas.map(|rest| rest.split(['>', '<']).nth(1).expect("areas").to_owned());
+    let own = areas.find(|areas| areas.starts_with(&format!("{sheet}!")));
+    own.map_or_else(Vec::new, |areas| areas.split(',').map(str::to_owned).collect())
+}
+
+#[test]
+fn of_long_programs_and_tables_both_ends_are_printed_and_the_sheets_name_the_files() {
+    let outcome = common::outcome("full", &[("n", Value::Whole(1_500))]);
+    for language in Language::ALL {
+        let files: Vec<_> =
+            outcome.programs.iter().map(|one| (format!("a-{}.nc", one.key), one.title.clone())).collect();
+        let mut out = Cursor::new(Vec::new());
+        results::write(&outcome, &files, results::Tables::Live, language, &mut out).expect("a workbook");
+        let parts = parts(out.get_ref().clone());
+        let areas = printed(&parts, "INCR");
+        // Blade, splitter and impeller from both ends, the blank whole.
+        assert_eq!(areas.len(), 7, "{areas:?}");
+        for (key, column, next) in [("blade", "A", "B"), ("splitter", "D", "E"), ("impeller", "G", "H")] {
+            let lines = outcome.programs.iter().find(|program| program.key == key).expect("the program");
+            let (mut lines, mut count) = (lines.lines(), 0);
+            while lines.next().is_some() {
+                count += 1;
+            }
+            let ends =
+                [format!("INCR!${column}$1:${next}$45"), format!("INCR!${column}${}:${next}${count}", count - 44)];
+            assert!(ends.iter().all(|end| areas.contains(end)), "{areas:?} {ends:?}");
+        }
+        assert_eq!(areas.iter().filter(|area| area.starts_with("INCR!$J$1:$K$")).count(), 1);
+        let annex = outcome.tables.iter().find(|table| table.rows() == 1_501).expect("a long table");
+        let name = rust_xlsxwriter::quote_sheet_name(annex.name.get(language));
+        let areas = printed(&parts, &name);
+        assert!(areas[0].ends_with("$49") && areas[1].contains("$1461:") && areas[1].ends_with("$1505"), "{areas:?}");
+        let names = "a-blade.nc, a-splitter.nc, a-impeller.nc";
+        let sheets: Vec<_> = parts.iter().filter(|(name, _)| name.contains("worksheets")).collect();
+        let headers = sheets.iter().filter(|(_, xml)| xml.contains(&format!("{names}&amp;R&amp;A")));
+        assert_eq!(headers.count(), 1, "the header of the programs names them");
+        let range = sheet(&mut opened(out.into_inner()), "INCR");
+        let note = text(&range, 0, 12);
+        assert!(note.contains("45") && note.ends_with(names), "{note}");
+    }
+    let short = parts(written(&common::outcome("tfg-2021", &[]), Language::En));
+    assert!(printed(&short, "INCR").is_empty());
+}
+
 #[test]
 fn the_form_stands_behind_the_first_sheet_with_the_values() {
     for (language, name) in [(Language::Es, "DATOS"), (Language::En, "DATA")] {

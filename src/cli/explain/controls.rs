@@ -7,7 +7,7 @@ use anstyle::Style;
 use super::markdown::{headed, plain, write_head};
 use crate::cli::finding::wrapped;
 use crate::gcode::code::{G, M};
-use crate::gcode::control::{ALL, code_name};
+use crate::gcode::control::{ALL, Class, Control, code_name};
 use crate::text::{Language, Text, t};
 
 /// The greatest M code that a control may know.
@@ -85,15 +85,12 @@ pub fn controls(language: Language) -> String {
         "What each control reads, rejects and writes, from its data. An empty cell means that the control does not know the code: rodete rejects a program that contains it. This page is the output of `rodete explain --controls --markdown --lang en`.",
     );
     let mut page = headed(&title, &about, language);
-    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     for Chapter { title, of, rows } in chapters() {
-        let head: Vec<_> = std::iter::once(of.get(language)).chain(ALL.map(|control| control.name)).collect();
         let _ = write!(page, "\n## {}\n", title.get(language));
-        write_head(&mut page, &format!("| {} |", vec!["---"; head.len()].join(" | ")), &head);
-        for Row { of, cells } in rows {
-            let cells =
-                cells.iter().map(|cell| cell.as_ref().map_or_else(String::new, |text| plain(text.get(language))));
-            page.push_str(&line(&std::iter::once(plain(of.get(language))).chain(cells).collect::<Vec<_>>()));
+        // All controls side by side are wider than a page of a book.
+        for (class, name) in [(Class::Mill, t("fresadoras", "mills")), (Class::Lathe, t("tornos", "lathes"))] {
+            let _ = write!(page, "\n### {}: {}\n", title.get(language), name.get(language));
+            write_table(&mut page, class, &of, &rows, language);
         }
     }
     let _ = writeln!(page, "\n## {}", sources().get(language));
@@ -104,6 +101,23 @@ pub fn controls(language: Language) -> String {
         }
     }
     page
+}
+
+/// The rows of the controls of a class; those of which none of them knows are left out.
+fn write_table(page: &mut String, class: Class, of: &Text, rows: &[Row], language: Language) {
+    let own = |control: &&&'static Control| control.class == class;
+    let head: Vec<_> =
+        std::iter::once(of.get(language)).chain(ALL.iter().filter(own).map(|control| control.name)).collect();
+    write_head(page, &format!("| {} |", vec!["---"; head.len()].join(" | ")), &head);
+    for Row { of, cells } in rows {
+        let cells: Vec<_> = ALL.iter().zip(cells).filter(|(control, _)| own(control)).map(|(_, cell)| cell).collect();
+        if cells.iter().all(|cell| cell.is_none()) {
+            continue;
+        }
+        let cells = cells.iter().map(|cell| cell.as_ref().map_or_else(String::new, |text| plain(text.get(language))));
+        let cells: Vec<_> = std::iter::once(plain(of.get(language))).chain(cells).collect();
+        let _ = writeln!(page, "| {} |", cells.join(" | "));
+    }
 }
 
 /// The same for a terminal: under each feature the controls that do the same stand together.

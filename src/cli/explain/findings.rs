@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::markdown::{headed, plain};
-use super::row::{graded, shown};
+use super::row::{FOR_EXAMPLE, graded, shown};
+use super::told::{self, Told};
 use crate::finding::Rule;
 use crate::text::{Language, Text, t};
 
@@ -11,8 +12,8 @@ use crate::text::{Language, Text, t};
 pub(super) fn page(rows: &[&Rule], language: Language) -> String {
     let title = t("Mensajes de rodete", "Findings of rodete");
     let about = t(
-        "Cada código con su gravedad, lo que dice, por qué, qué hacer y una entrada que lo provoca. Un código no cambia de significado ni se reutiliza. Esta página es la salida de `rodete explain --all --markdown --lang es`.",
-        "Each code with its grade, what it says, why, what to do, and an input that raises it. A code never changes its meaning and is never reused. This page is the output of `rodete explain --all --markdown --lang en`.",
+        "Cada código con su gravedad, lo que dice, por qué, qué hacer y una entrada que lo provoca. Tras *por ejemplo* las cifras y los nombres son los de esa entrada; donde no hay ejemplo, hay puntos suspensivos en su lugar. Un código no cambia de significado ni se reutiliza. Esta página es la salida de `rodete explain --all --markdown --lang es`.",
+        "Each code with its grade, what it says, why, what to do, and an input that raises it. After *for example* the figures and names are those of that input; where there is no example, an ellipsis stands for them. A code never changes its meaning and is never reused. This page is the output of `rodete explain --all --markdown --lang en`.",
     );
     let mut page = headed(&title, &about, language);
     let mut room = "";
@@ -23,10 +24,12 @@ pub(super) fn page(rows: &[&Rule], language: Language) -> String {
             let _ = write!(page, "\n## {room}: {}\n", room_of(letter).get(language));
         }
         let _ = write!(page, "\n### {} {}\n\n", rule.code, rule.name());
-        let _ = writeln!(page, "**{}**: {}", graded(rule, language), plain(rule.what.get(language)));
+        let Told { what, remedy, example } = told::of(rule);
+        let example = if example { format!(", {}", FOR_EXAMPLE.get(language)) } else { String::new() };
+        let _ = writeln!(page, "**{}**{example}: {}", graded(rule, language), plain(what.get(language)));
         let _ = write!(page, "\n{}: {}\n", t("Por qué", "Why").get(language), plain(rule.why.get(language)));
-        if !rule.remedy.is_empty() {
-            let _ = write!(page, "\n{}: {}\n", t("Remedio", "Remedy").get(language), plain(rule.remedy.get(language)));
+        if !remedy.is_empty() {
+            let _ = write!(page, "\n{}: {}\n", t("Remedio", "Remedy").get(language), plain(remedy.get(language)));
         }
         let mut example = String::new();
         shown(&mut example, rule, language);

@@ -5,9 +5,11 @@ mod findings;
 mod markdown;
 mod pages;
 mod row;
+mod told;
 
 use anstyle::Style;
 
+use self::told::Told;
 use super::args::Explain;
 use super::fault;
 use super::finding::wrapped;
@@ -126,7 +128,8 @@ pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Termi
         let bold = Style::new().bold();
         let line = |rule: &Rule| {
             let indent = rule.code.len() + 2;
-            wrapped(&format!("{bold}{}{bold:#}  {}", rule.code, rule.what.get(language)), indent, width)
+            let Told { what, .. } = told::of(rule);
+            wrapped(&format!("{bold}{}{bold:#}  {}", rule.code, what.get(language)), indent, width)
         };
         let lines: String = rows(kinds).into_iter().map(line).collect();
         terminal.out(&lines);

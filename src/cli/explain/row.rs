@@ -4,10 +4,14 @@ use std::fmt::Write;
 
 use anstyle::Style;
 
+use super::told::{self, Told};
 use crate::cli::finding::wrapped;
 use crate::escape::printable;
 use crate::finding::{AlarmFamily, Example, Grade, Rule};
 use crate::text::{Language, Text, t};
+
+/// Before a sentence whose figures and names are those of an example.
+pub(super) static FOR_EXAMPLE: Text = t("por ejemplo", "for example");
 
 /// Grade and alarms of a row.
 pub(super) fn graded(rule: &Rule, language: Language) -> String {
@@ -27,15 +31,17 @@ pub(super) fn graded(rule: &Rule, language: Language) -> String {
 pub(super) fn told(rule: &Rule, language: Language, width: Option<usize>) -> String {
     let bold = Style::new().bold();
     let head = format!("{bold}{} {}{bold:#} ({})", rule.code, rule.name(), graded(rule, language));
+    static NONE: Text = t("", "");
+    let Told { what, remedy, example } = told::of(rule);
     let mut text = wrapped(&head, 2, width);
     let mut sentence = |name: &Text, of: &Text| {
         let name = if name.is_empty() { String::new() } else { format!("{}: ", name.get(language)) };
         text.push_str(&wrapped(&format!("  {name}{}", of.get(language)), 4, width));
     };
-    sentence(&t("", ""), &rule.what);
+    sentence(if example { &FOR_EXAMPLE } else { &NONE }, &what);
     sentence(&t("por qué", "why"), &rule.why);
-    if !rule.remedy.is_empty() {
-        sentence(&t("remedio", "remedy"), &rule.remedy);
+    if !remedy.is_empty() {
+        sentence(&t("remedio", "remedy"), &remedy);
     }
     shown(&mut text, rule, language);
     text

@@ -124,13 +124,12 @@ fn found(one: &Found<'_>) -> Line {
     };
     let said = |side: usize| {
         one.sides[side].map_or(Held::Nothing, |finding| {
-            let Text { es, en } = &finding.what;
-            let value = if finding.value.is_empty() || en.contains(&finding.value) {
-                String::new()
-            } else {
-                format!(": {}", finding.value)
-            };
-            Held::Text(Text::new(format!("{es}{value}"), format!("{en}{value}")))
+            let [es, en] = [Language::Es, Language::En].map(|language| {
+                let (what, [value, _]) = (finding.what.get(language), finding.shown(language));
+                let known = value.is_empty() || what.contains(value);
+                if known { what.to_owned() } else { format!("{what}: {value}") }
+            });
+            Held::Text(Text::new(es, en))
         })
     };
     let cells = vec![

@@ -11,7 +11,8 @@ rules! {
     "W0501" SheetMissing Stop { sheet: &'static str }
         es "falta la hoja \"{sheet}\""
         en "the sheet \"{sheet}\" is missing"
-        remedy "copie la hoja \"{sheet}\" de un libro nuevo", "copy the sheet \"{sheet}\" from a new workbook";
+        remedy "si la hoja está con otro nombre, llámela \"{sheet}\"; si no, cópiela de un libro nuevo",
+            "if the sheet is there under another name, call it \"{sheet}\"; if not, copy it from a new workbook";
         why "La hoja contiene valores que el cálculo necesita.", "The sheet holds values that the calculation needs.";
         example made!("no-tools", "un libro de torno sin su hoja TOOLS", "a lathe workbook without its sheet TOOLS");
     "W0502" SheetWithoutCells Stop { sheet: String }
@@ -37,7 +38,8 @@ rules! {
     "W0505" SheetNotFound Stop { wanted: Text, there: String }
         es "no se encuentra la hoja {wanted}; hay: {there}"
         en "sheet {wanted} not found; there are: {there}"
-        remedy "parta de un libro nuevo con \"rodete new\"", "start from a new workbook with \"rodete new\"";
+        remedy "si es la hoja de los datos con otro nombre, póngale uno de estos; si no, parta de un libro nuevo con \"rodete new\"",
+            "if it is the sheet of the data under another name, give it one of these; if not, start from a new workbook with \"rodete new\"";
         why "El nombre de esta hoja indica la clase de libro.", "The name of this sheet tells the kind of workbook.";
         example made!("other-sheet", "un libro con una sola hoja, Sheet1", "a workbook with one sheet only, Sheet1");
     "W0506" SheetMisnamed Stop { wanted: Text, there: String, name: String, right: String }
@@ -105,8 +107,8 @@ rules! {
         why "El valor de una fila añadida no cuenta.", "The value of an added row does not count.";
         example book!("impeller", "F_max:symbol" = "foo");
     "W0518" MoreSymbolsUnknown Note { count: usize }
-        es "hay otros {count} símbolos desconocidos"
-        en "there are {count} more unknown symbols"
+        es "símbolos desconocidos que no se nombran: {count}"
+        en "unknown symbols that are not named: {count}"
         remedy "", "";
         why "rodete nombra los primeros y no lee el valor de ninguno.", "rodete names the first ones and reads the value of none.";
         example made!("symbols", "un libro con 21 filas de símbolos desconocidos", "a workbook with 21 rows of unknown symbols");

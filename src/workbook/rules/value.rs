@@ -73,21 +73,24 @@ rules! {
     "W0410" NumberWithMarks Stop { name: Text, text: String, number: String, unit: Text, sign: Text }
         es "{name} es el texto \"{text}\", no un número"
         en "{name} is the text \"{text}\", not a number"
-        remedy "escriba {number}{unit}{sign}", "use {number}{unit}{sign}";
+        remedy "escriba el número {number}{unit}{sign}, con el signo decimal de su hoja de cálculo",
+            "type the number {number}{unit}{sign}, with the decimal sign of your spreadsheet";
         why "rodete sugiere lo que parece querer decir, pero nunca lo toma por el valor.",
             "rodete suggests what you probably mean, but never takes it for the value.";
         example book!("impeller", "R" = "'12,5");
     "W0411" NumberOfTwoReadings Stop { name: Text, text: String, one: String, other: String, sign: Text }
         es "{name} es el texto \"{text}\", no un número"
         en "{name} is the text \"{text}\", not a number"
-        remedy "escriba {one} o {other}, según lo que quiera decir{sign}", "use {one} or {other}, whichever is meant{sign}";
+        remedy "escriba el número {one} o {other}, según lo que quiera decir{sign}, con el signo decimal de su hoja de cálculo",
+            "type the number {one} or {other}, whichever is meant{sign}, with the decimal sign of your spreadsheet";
         why "La coma separa decimales en unos países y millares en otros.",
             "The comma separates decimals in some countries and thousands in others.";
         example book!("impeller", "R" = "'1,234");
     "W0412" NotANumber Stop { name: Text, text: String, sign: Text }
         es "{name} es el texto \"{text}\", no un número"
         en "{name} is the text \"{text}\", not a number"
-        remedy "escriba un número decimal con punto, como 12.5{sign}", "write a decimal number with a point, such as 12.5{sign}";
+        remedy "escriba un número, como 12.5{sign}, con el signo decimal de su hoja de cálculo",
+            "type a number, such as 12.5{sign}, with the decimal sign of your spreadsheet";
         why "Con un texto no se puede calcular.", "A text cannot be used in a calculation.";
         example book!("impeller", "R" = "'0x10");
     "W0413" HiddenCharacters Caution { name: Text, text: String }

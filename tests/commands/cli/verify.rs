@@ -255,3 +255,23 @@ fn a_file_that_is_not_there_has_no_sum() {
     let folder = folder();
     rodete(&folder).args(["verify", "program.ngc", "--lang", "en"]).assert().code(4).stdout("");
 }
+
+#[test]
+fn a_workbook_in_place_of_a_program_is_named_and_not_read_as_one() {
+    let folder = super::common::with_impeller();
+    let told = predicate::str::starts_with("error U0122: impeller.xlsx is a workbook, not a program\n");
+    let one = told.and(predicate::str::contains("hint: build it with rodete build impeller.xlsx"));
+    let only = one.and(predicate::str::contains("G0").not());
+    rodete(&folder).args(["verify", "impeller.xlsx", "--lang", "en"]).assert().code(4).stderr(only);
+}
+
+/// A value that is words is told in the language of the message.
+#[test]
+fn a_value_in_words_is_in_the_language_of_the_message() {
+    let folder = super::common::folder();
+    let new = ["new", "impeller", "impeller.xlsx", "--case", "tfg-2021", "--lang", "es"];
+    rodete(&folder).args(new).assert().success();
+    let told = predicate::str::contains("comprendida entre -1.9376 y -1.9375 mm (límite 0 mm)");
+    let spanish = told.and(predicate::str::contains("bounded").not()).and(predicate::str::contains("lines").not());
+    rodete(&folder).args(["check", "impeller.xlsx"]).assert().success().stderr(spanish);
+}

@@ -46,6 +46,10 @@ impl Watching {
             }
         });
         let watching = Self { child, lines, folder };
+        assert_eq!(watching.line(), "watching impeller.xlsx; the results go to impeller-out");
+        let now = watching.line();
+        assert!(now.starts_with("building now and with every save: tables and programs"), "{now}");
+        assert_eq!(now.contains("viewer's page"), more.contains(&"--view"), "{now}");
         assert!(watching.line().contains("files in impeller-out"));
         assert_eq!(watching.line(), "waiting for saves; Ctrl-C ends");
         watching

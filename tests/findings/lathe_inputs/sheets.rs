@@ -192,7 +192,7 @@ fn a_tool_says_what_it_needs_and_cannot_be() {
     let comma = sound().change(TOOLS_KEY, |rows| {
         rows[0].values.insert("tools/R", Value::Line("0,8".to_owned()));
     });
-    stops("B3", &comma.bytes(), &["TOOLS!G6 R (nose radius) is the text \"0,8\", not a number"], "use 0.8");
+    stops("B3", &comma.bytes(), &["TOOLS!G6 R (nose radius) is the text \"0,8\", not a number"], "type the number 0.8");
 }
 
 #[test]
@@ -315,12 +315,17 @@ fn headings_and_sheets_that_are_missing_are_named() {
         let from = format!("<sheet name=\"{from}\"");
         parts(&sound()).replace("xl/workbook.xml", &from, &format!("<sheet name=\"{to}\"")).zip()
     };
-    stops("no TOOLS", &called("TOOLS", "OTHER"), &["file the sheet \"TOOLS\" is missing"], "copy the sheet \"TOOLS\"");
+    stops(
+        "no TOOLS",
+        &called("TOOLS", "OTHER"),
+        &["file the sheet \"TOOLS\" is missing"],
+        "under another name, call it \"TOOLS\"",
+    );
     stops(
         "no PROGRAM",
         &called("PROGRAM", "OTHER"),
         &["file the sheet \"PROGRAM\" is missing"],
-        "copy the sheet \"PROGRAM\"",
+        "under another name, call it \"PROGRAM\"",
     );
     let (_folder, document, exit) = build(&called("PROGRAM", "Program "));
     assert_eq!(exit, 3);

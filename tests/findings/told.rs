@@ -1,0 +1,81 @@
+//! What each example is told, as `explain` shows it: sentence and remedy with real figures.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+use std::sync::{Mutex, PoisonError};
+
+use rodete::cli::rows;
+use rodete::finding::{Example, Finding, Rule};
+use rodete::kinds::KINDS;
+
+/// What is told of these hangs on the machine or on the run, or takes a million motions: their lines are written by hand.
+const BY_HAND: [&str; 4] = ["D0205", "D0208", "L0207", "U0142"];
+
+const FILE: &str = "src/cli/explain/told.tsv";
+
+/// The tests of the rows run side by side.
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// The lines of the file, by the code.
+fn held() -> BTreeMap<String, String> {
+    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(FILE)).unwrap();
+    let line = |line: &str| line.split_once('\t').map(|(code, told)| (code.to_owned(), told.to_owned()));
+    text.lines().map(|text| line(text).unwrap()).collect()
+}
+
+/// True of a row whose sentence or remedy carries something.
+fn carries(rule: &Rule) -> bool {
+    [&rule.what, &rule.remedy].iter().any(|text| text.en.contains('{') || text.es.contains('{'))
+}
+
+/// A text without the names of the folders that a test works in, and with the long names of the examples cut.
+fn as_shown(text: &str) -> String {
+    let folder = format!("{}/.tmp", std::env::temp_dir().display());
+    let text = text.replace(&"x".repeat(300), "xxx…xxx");
+    let mut parts = text.split(&folder);
+    let first = parts.next().unwrap_or_default().to_owned();
+    // Six characters by chance follow.
+    parts.fold(first, |shown, part| match part[6..].strip_prefix('/') {
+        Some(rest) => shown + rest,
+        None => shown + "parts" + &part[6..],
+    })
+}
+
+/// Compares sentence and remedy, each in Spanish and English, of a row's example with what `explain` shows; writes them where
+/// that is meant.
+pub fn compare(rule: &Rule, what: [&str; 2], remedy: [&str; 2]) {
+    if !carries(rule) || BY_HAND.contains(&rule.code) {
+        return;
+    }
+    let told = [what[0], remedy[0], what[1], remedy[1]].map(|text| as_shown(text).replace(['\n', '\t'], " "));
+    let told = told.join("\t");
+    let _writing = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut all = held();
+    if super::reference::write() {
+        all.insert(rule.code.to_owned(), told);
+        let text: String = all.iter().map(|(code, told)| format!("{code}\t{told}\n")).collect();
+        fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join(FILE), text).unwrap();
+        return;
+    }
+    let held = all.get(rule.code).map(String::as_str);
+    assert_eq!(held, Some(told.as_str()), "{}: {}", rule.code, super::reference::HOW);
+}
+
+/// As [`compare`], of a finding.
+pub fn compare_finding(rule: &Rule, own: &Finding) {
+    compare(rule, [&own.what.es, &own.what.en], [&own.remedy.es, &own.remedy.en]);
+}
+
+#[test]
+fn every_row_with_fields_and_an_example_is_shown_with_figures_and_no_other() {
+    if super::reference::write() {
+        return;
+    }
+    let wanted = |rule: &&&Rule| carries(rule) && !matches!(rule.example, Example::Never(_));
+    let rows = rows(KINDS);
+    let wanted: BTreeSet<String> = rows.iter().filter(wanted).map(|rule| rule.code.to_owned()).collect();
+    let held: BTreeSet<String> = held().into_keys().collect();
+    let missing: Vec<_> = wanted.symmetric_difference(&held).collect();
+    assert!(missing.is_empty(), "{missing:?}; {}", super::reference::HOW);
+}
