@@ -8,6 +8,7 @@ use rodete::cli::rows;
 use rodete::finding::{Example, Finding, Rule};
 use rodete::gcode::header::Origin;
 use rodete::gcode::program::{Part, Program};
+use rodete::kind::Wants;
 use rodete::kinds::impeller::clear::{self, cut::Job};
 use rodete::kinds::impeller::proof::cutting::Known;
 use rodete::kinds::impeller::proof::{Geometry, due, judges, setting};
@@ -82,7 +83,7 @@ fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, [from, t
             let program = made.programs.iter().find(|program| program.key == key).unwrap();
             let geometry =
                 Geometry { design: &design, blade: &blade, splitter: splitter.as_ref(), clear: plan.as_ref() };
-            let mut known = Known::new(geometry);
+            let mut known = Known::new(geometry, Wants::default());
             let text = slipped(program, from, to);
             let judges = judges(geometry, &mut known, program);
             let judged = proof::of(
