@@ -43,22 +43,22 @@ fn judged(python: &Path, books: &[(String, Vec<u8>)]) -> (bool, String) {
     (output.status.success(), told)
 }
 
-fn results_of(language: Language) -> Vec<(String, Vec<u8>)> {
-    let cases = common::cases().filter(|(.., one)| *one == language);
+fn results_of(language: Language) -> impl Iterator<Item = (String, Vec<u8>)> {
+    let cases = common::cases().filter(move |(.., one)| *one == language);
     let one = |(at, (kind, case, language)): (usize, (&dyn rodete::kind::Kind, &rodete::parameter::Case, Language))| {
         let outcome = common::outcome_of(kind, case, language, &[]);
         let mut out = std::io::Cursor::new(Vec::new());
         results::write(&outcome, &[], Tables::Live, language, &mut out).expect("results");
         (format!("{at}-{}", case.name), out.into_inner())
     };
-    cases.enumerate().map(one).collect()
+    cases.enumerate().map(one)
 }
 
 #[test]
 fn every_stored_result_of_every_case_is_what_ironcalc_computes() {
     let Some(python) = python() else { return };
     for language in Language::ALL {
-        let books = results_of(language);
+        let books: Vec<_> = results_of(language).collect();
         let (same, told) = judged(&python, &books);
         assert!(same, "{told}");
         let count = |line: &str| line.split(": ").nth(1)?.split(' ').next()?.parse::<usize>().ok();
@@ -71,7 +71,7 @@ fn every_stored_result_of_every_case_is_what_ironcalc_computes() {
 #[test]
 fn ironcalc_tells_a_stored_result_that_is_wrong() {
     let Some(python) = python() else { return };
-    let (name, bytes) = results_of(Language::En).remove(0);
+    let (name, bytes) = results_of(Language::En).next().expect("a case");
     let parts = Parts::of(&bytes);
     let part = (1..40)
         .map(|at| format!("xl/worksheets/sheet{at}.xml"))
