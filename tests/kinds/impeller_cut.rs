@@ -740,7 +740,7 @@ fn widest(design: &Design, a: f64, run_out: f64) -> f64 {
     let widths = stations.map(width);
     let least = (0..stations.len()).min_by(|&one, &two| widths[one].total_cmp(&widths[two])).unwrap();
     let [low, high] = [least.saturating_sub(1), (least + 1).min(stations.len() - 1)].map(|at| stations[at]);
-    (1..16).map(|k| width(low + (high - low) * f64::from(k) / 16.0)).fold(widths[least], f64::min)
+    (1..8).map(|k| width(low + (high - low) * f64::from(k) / 8.0)).fold(widths[least], f64::min)
 }
 
 #[test]

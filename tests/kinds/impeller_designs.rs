@@ -197,15 +197,24 @@ fn width(rulings: &Rulings, q: f64, a: f64) -> f64 {
     let tries = 28;
     let place = |k: u32| u - within - pitch * (f64::from(k) + 0.5) / f64::from(tries);
     let tried: Vec<f64> = (0..tries).map(|k| least(place(k))).collect();
-    let best = (0..tries).max_by(|&one, &two| tried[one as usize].total_cmp(&tried[two as usize])).unwrap();
+    let best = tried.iter().fold(0.0, |best: f64, one| best.max(*one));
     let step = pitch / f64::from(tries);
     let (first, last) = (place(tries - 1) - step / 2.0, place(0) + step / 2.0);
-    let (mut low, mut high) = ((place(best) - step).max(first), (place(best) + step).min(last));
-    for _ in 0..18 {
-        let (one, two) = (low + (high - low) * 0.382, low + (high - low) * 0.618);
-        if least(one) < least(two) { low = one } else { high = two }
-    }
-    2.0 * least(f64::midpoint(low, high)).max(tried[best as usize])
+    // There may be more than one summit, and the highest may be sharp.
+    let at = |k: usize| tried.get(k).copied().unwrap_or(0.0);
+    let summit = |k: &u32| {
+        let here = at(*k as usize);
+        here >= 0.9 * best && here >= at((*k as usize).wrapping_sub(1)) && here >= at(*k as usize + 1)
+    };
+    let climbed = (0..tries).filter(summit).map(|k| {
+        let (mut low, mut high) = ((place(k) - step).max(first), (place(k) + step).min(last));
+        for _ in 0..18 {
+            let (one, two) = (low + (high - low) * 0.382, low + (high - low) * 0.618);
+            if least(one) < least(two) { low = one } else { high = two }
+        }
+        least(f64::midpoint(low, high))
+    });
+    2.0 * climbed.fold(best, f64::max)
 }
 
 /// Stations at which the gap is asked for: a search elsewhere alone would pass a sharp least place by.
@@ -215,7 +224,7 @@ const STATIONS: [f64; 11] = [0.025, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 
 fn dense(design: &Design, edge: Edge, d: f64, d_t: f64, grid: u32) -> f64 {
     let (a, rulings) = (d / 2.0, Rulings::new(design, edge, d.max(d_t) / 2.0, grid));
     let run_outs = [-0.2 * d_t, -0.1 * d_t];
-    let count = 14 * grid;
+    let count = 8 * grid;
     let inside = (0..=count).map(|k| (f64::from(k) / f64::from(count)).powi(2)).chain(STATIONS);
     let mut places: Vec<f64> = run_outs.into_iter().chain(inside).collect();
     places.sort_by(f64::total_cmp);
