@@ -149,6 +149,34 @@ impl Rule {
         }
         name
     }
+
+    /// Its sentence without the values of one finding: an ellipsis in the place of each.
+    #[must_use]
+    pub fn unfilled_what(&self) -> Text {
+        unfilled(&self.what)
+    }
+
+    /// The same of its remedy.
+    #[must_use]
+    pub fn unfilled_remedy(&self) -> Text {
+        unfilled(&self.remedy)
+    }
+}
+
+/// A text of a row with an ellipsis in the place of each field.
+fn unfilled(text: &Text) -> Text {
+    let bare = |text: &str| {
+        let (mut bare, mut rest) = (String::new(), text);
+        while let Some((before, (_, after))) =
+            rest.split_once('{').and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
+        {
+            bare.push_str(before);
+            bare.push('…');
+            rest = after;
+        }
+        bare + rest
+    };
+    Text::new(bare(&text.es), bare(&text.en))
 }
 
 impl Example {
@@ -323,5 +351,13 @@ mod tests {
             [&["depth", "edge", "tool", "body"][..], &[]]
         );
         assert_eq!(Bare {}.what(), t("nada", "nothing"));
+    }
+
+    #[test]
+    fn a_sentence_stands_without_its_values() {
+        let rule = TooDeep::RULE;
+        assert_eq!(rule.unfilled_what(), t("… de T… corta …, y el filo tiene …", "… of T… cuts …, and the edge has …"));
+        assert_eq!(rule.unfilled_remedy(), t("quite …", "take … off"));
+        assert_eq!(super::unfilled(&t("a { b", "sin campos")), t("a { b", "sin campos"));
     }
 }

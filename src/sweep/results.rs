@@ -18,14 +18,6 @@ pub struct Coded {
     pub count: u64,
 }
 
-impl Coded {
-    /// A code with the sentence of its row.
-    #[must_use]
-    pub fn new(code: String, what: &Text, count: u64) -> Self {
-        Self { code, what: Text::new(unfilled(&what.es), unfilled(&what.en)), count }
-    }
-}
-
 /// What came of a sweep.
 #[derive(Clone, Copy, Debug)]
 pub struct Results<'a> {
@@ -110,30 +102,5 @@ impl Results<'_> {
             ),
         };
         [around, over]
-    }
-}
-
-/// The sentence of a row without the values of one design: an ellipsis in the place of each.
-fn unfilled(sentence: &str) -> String {
-    let mut text = String::new();
-    let mut rest = sentence;
-    while let Some((before, (_, after))) =
-        rest.split_once('{').and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
-    {
-        text.push_str(before);
-        text.push('…');
-        rest = after;
-    }
-    text + rest
-}
-
-#[cfg(test)]
-mod tests {
-    use super::unfilled;
-
-    #[test]
-    fn a_sentence_stands_without_its_values() {
-        assert_eq!(unfilled("{tool} of {d} does not pass: {largest}"), "… of … does not pass: …");
-        assert_eq!((unfilled("plain").as_str(), unfilled("a { b").as_str()), ("plain", "a { b"));
     }
 }

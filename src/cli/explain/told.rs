@@ -37,30 +37,6 @@ pub(super) fn of(rule: &Rule) -> Told {
         remedy: t(remedy_es, remedy_en),
         example: true,
     };
-    let without = || Told { what: without_fields(&rule.what), remedy: without_fields(&rule.remedy), example: false };
+    let without = || Told { what: rule.unfilled_what(), remedy: rule.unfilled_remedy(), example: false };
     BY_CODE.get(rule.code).map_or_else(without, own)
-}
-
-/// A text of a row with an ellipsis for each of its fields.
-fn without_fields(text: &Text) -> Text {
-    let bare = |text: &str| {
-        let mut parts = text.split('{');
-        let first = parts.next().unwrap_or_default().to_owned();
-        parts.fold(first, |shown, part| {
-            let rest = part.split_once('}').map_or(part, |(_, rest)| rest);
-            format!("{shown}…{rest}")
-        })
-    };
-    Text::new(bare(&text.es), bare(&text.en))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_field_is_an_ellipsis() {
-        let text = t("la pieza {part} mide {size}", "{part} is {size} long");
-        assert_eq!(without_fields(&text), t("la pieza … mide …", "… is … long"));
-    }
 }

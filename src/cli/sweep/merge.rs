@@ -256,10 +256,10 @@ fn coded(reasons: impl IntoIterator<Item = (String, u64)>, plan: &Plan, rules: &
                 "the constraint is broken, or the design has no value of it",
             )
         } else {
-            rules.iter().find(|rule| rule.code == code).map_or(t("", ""), |rule| rule.what.clone())
+            rules.iter().find(|rule| rule.code == code).map_or(t("", ""), |rule| rule.unfilled_what())
         }
     };
-    reasons.into_iter().map(|(code, count)| Coded::new(code.clone(), &what(&code), count)).collect()
+    reasons.into_iter().map(|(code, count)| Coded { what: what(&code), code, count }).collect()
 }
 
 /// The cautions of the best designs, most first.
