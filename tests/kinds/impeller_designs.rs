@@ -350,12 +350,10 @@ fn plan(design: &Design, cut: &Cut, plan: &Plan, grid: u32) -> Vec<String> {
     if found.undercut > most || found.too_deep > most || found.tops > 1e-9 {
         wrong.push(format!("cut into: {found:?}"));
     }
-    // Above the corner no more is left than the passes of the faces leave, or than counts as the corner's.
-    let rest = told.faces.iter().map(|face| face.rest).fold(told.root.over, f64::max);
+    // Above the corner no more is left than is told.
     let cusp = STEP * STEP / (4.0 * cut.finish.d);
-    // Flanks that are left out are told.
-    if told.dropped.is_empty() && found.face_rest > rest + most + cusp {
-        wrong.push(format!("left on a face: {found:?} {rest}"));
+    if found.face_rest > told.root.above + OVER + cusp {
+        wrong.push(format!("left on a face: {found:?} {:?}", told.root));
     }
     // The rest of the floor is told as found on a grid, so it is only about that.
     if told.dropped.is_empty() && found.floor_rest > 1.15 * told.floor.most + cut.tolerance {

@@ -61,6 +61,7 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::derived("root_height", MM),
     Measure::derived("root_width", MM),
     Measure::derived("floor_rest", MM),
+    Measure::derived("rest_above", MM),
     Measure::derived("rest_obverse", MM),
     Measure::derived("rest_reverse", MM),
     Measure::derived("v_s", Unit::Degree),

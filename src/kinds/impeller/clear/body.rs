@@ -13,13 +13,17 @@ use crate::kinds::impeller::part::{Face, Part};
 use crate::number::trig::sin_cos;
 use nalgebra::Vector3;
 
+/// The turn of vectors about the axis of the part.
+pub fn turn(by: f64) -> impl Fn(&Vector3<f64>) -> Vector3<f64> {
+    let (sin, cos) = sin_cos(by);
+    move |vector| Vector3::new(vector.x * cos - vector.y * sin, vector.x * sin + vector.y * cos, vector.z)
+}
+
 /// An axis turned about that of the part.
 #[must_use]
 pub fn turned(axis: &Axis, by: f64) -> Axis {
-    let (sin, cos) = sin_cos(by);
-    let turn =
-        |vector: Vector3<f64>| Vector3::new(vector.x * cos - vector.y * sin, vector.x * sin + vector.y * cos, vector.z);
-    Axis { foot: turn(axis.foot), along: turn(axis.along), range: axis.range }
+    let turn = turn(by);
+    Axis { foot: turn(&axis.foot), along: turn(&axis.along), range: axis.range }
 }
 
 /// A splitter, in the channel that begins at blade 0's obverse.

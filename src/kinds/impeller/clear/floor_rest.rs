@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use crate::kinds::impeller::clear::body::Body;
+use crate::kinds::impeller::clear::body::{Body, turn};
 use crate::kinds::impeller::clear::poses::{Pose, Poses};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::nearest::Axis;
@@ -54,15 +54,14 @@ struct Floor {
 }
 
 /// The foot of a face turned about the axis of the part: its points on the floor.
-fn foot(part: &Part, face: Face, turn: f64) -> Vec<Vector3<f64>> {
-    let (sin, cos) = sin_cos(turn);
+fn foot(part: &Part, face: Face, by: f64) -> Vec<Vector3<f64>> {
+    let turn = turn(by);
     let beyond = (part.e + part.a_p) / part.circle.torus.r;
     (0..=FEET)
         .map(|foot| HUB - beyond + (RIM - HUB + 2.0 * beyond) * f64::from(foot) / f64::from(FEET))
         .map(|v| {
             let ruling = part.ruling(face, v);
-            let point = ruling.at(part.floor(&ruling, part.top(v)));
-            Vector3::new(point.x * cos - point.y * sin, point.x * sin + point.y * cos, point.z)
+            turn(&ruling.at(part.floor(&ruling, part.top(v))))
         })
         .collect()
 }

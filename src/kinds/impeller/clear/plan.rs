@@ -27,8 +27,8 @@ use crate::kinds::impeller::clear::link::{End, link, up};
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
 use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
-use crate::kinds::impeller::clear::poses::Poses;
-use crate::kinds::impeller::clear::root::{Root, face_lines, nose_lines, root};
+use crate::kinds::impeller::clear::poses::{Poses, cusp};
+use crate::kinds::impeller::clear::root::{Root, face_lines, left_above, nose_lines, root};
 use crate::kinds::impeller::clear::round::Round;
 use crate::kinds::impeller::clear::scallop::Ridge;
 use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, Told, ToolTold};
@@ -137,7 +137,8 @@ impl Plan {
         draft.done();
 
         let steps = f64::from(floor_lanes);
-        let (floor, root) = draft.rests(floor_lanes);
+        let faces = [face_error(&ways[0]), face_error(&ways[1])];
+        let (floor, root) = draft.rests(floor_lanes, faces);
         let told = Told {
             gap: gap(part, job.N, cut.finish.d).width,
             rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels, 0.0),
@@ -145,7 +146,7 @@ impl Plan {
             scallop: finish.greatest(|q| ridge(&finish, q).height(finish.room(q).max(0.0) / steps)),
             floor,
             root,
-            faces: [face_error(&ways[0]), face_error(&ways[1])],
+            faces,
             splitter_from: v_s,
             no_splitter: cut.splitters && v_s.is_none(),
             rough_from,
@@ -757,14 +758,15 @@ impl Draft<'_> {
         self.run(&wanted, &way, kept, by);
     }
 
-    /// What the finishing tool leaves of the floor, and in the corners.
-    fn rests(&self, lanes: u32) -> (FloorRest, Root) {
+    /// What the finishing tool leaves of the floor, in the corners, and above them.
+    fn rests(&self, lanes: u32, faces: [FaceError; 2]) -> (FloorRest, Root) {
         let (part, machine, tool) = (&self.job.part, self.job.machine, self.cut.finish);
         let (beside, over) = (BESIDE + tool.r_c, self.cut.scallop + self.cut.tolerance);
         // Nothing is known of a plan that is refused.
         if self.full() {
             let (most, v) = (part.a_p, HUB);
-            return (FloorRest { beside, most, v }, Root { over, height: most, v, width: most, width_v: v });
+            let root = Root { over, height: most, v, width: most, width_v: v, above: 0.0 };
+            return (FloorRest { beside, most, v }, root);
         }
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
         let poses = Poses::along(machine, passes);
@@ -777,7 +779,11 @@ impl Draft<'_> {
             lines.extend(Face::ALL.into_iter().flat_map(|face| face_lines(part, face, turn, v_s)));
             lines.extend(nose_lines(part, v_s, turn));
         }
-        (floor, root(part, &lines, &poses, tool, over))
+        let mut root = root(part, &lines, &poses, tool, over);
+        // Between their poses the blocks of the flank passes leave the way by up to the tolerance.
+        let known = faces.iter().map(|face| face.rest).fold(0.0, f64::max) + self.cut.tolerance;
+        root.above = left_above(part, &lines, &poses, tool, [root.height, known + cusp(tool)]).unwrap_or(known);
+        (floor, root)
     }
 
     fn tool(&self, which: Which, lane: &OwnNormal, lanes: u32, levels: u32, m: f64) -> ToolTold {

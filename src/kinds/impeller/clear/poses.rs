@@ -9,6 +9,8 @@
 //! # Units
 //! Millimetres and radians.
 
+use std::cell::Cell;
+
 use nalgebra::Vector3;
 
 use crate::kinds::impeller::clear::tool::Tool;
@@ -18,6 +20,12 @@ use crate::machine::rotary::Rotary;
 
 /// How far apart the poses of a block are at most, mm at the tip: on a flank 3 mm wide that leaves cusps of 0.003 mm.
 const APART: f64 = 0.2;
+/// What the tool leaves between two poses that are so far apart, beside its side, mm.
+#[must_use]
+pub fn cusp(tool: Tool) -> f64 {
+    APART * APART / (8.0 * tool.a())
+}
+
 /// Poses of one block at most.
 const MOST: f64 = 400.0;
 /// A bunch of no more poses than this is not parted again.
@@ -183,6 +191,20 @@ impl Poses {
         };
         self.of(far).find(|(_, pose)| pose.apart(tool, point) <= over).map(|(number, _)| number)
     }
+
+    /// How far a point is from the tool at its nearest pose, as far as that is less than `most`; else `most`.
+    #[must_use]
+    pub fn apart(&self, tool: Tool, point: &Vector3<f64>, most: f64) -> f64 {
+        let nearest = Cell::new(most);
+        let far = |bunch: &Bunch| {
+            let Seen { beside, up } = bunch.seen(point);
+            apart(tool, [beside, up]) >= nearest.get()
+        };
+        for (_, pose) in self.of(far) {
+            nearest.set(nearest.get().min(pose.apart(tool, point)));
+        }
+        nearest.get()
+    }
 }
 
 #[cfg(test)]
@@ -214,6 +236,8 @@ mod tests {
                 let found = poses.holding(tool, &point, 0.02);
                 assert_eq!(found.is_some(), one, "{k} {tool:?}");
                 assert!(found.is_none_or(|at| all[at].apart(tool, &point) <= 0.02));
+                let nearest = all.iter().map(|pose| pose.apart(tool, &point)).fold(1.0, f64::min);
+                assert_eq!(poses.apart(tool, &point, 1.0), nearest, "{k} {tool:?}");
                 held += u32::from(one);
             }
         }

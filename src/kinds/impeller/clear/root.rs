@@ -14,6 +14,9 @@
 //! each line is left a step above the last place that holds, so that what is told of a line is no less than what is left on
 //! it. Between the lines it is not looked at.
 //!
+//! Above the corner's height the faces are looked at too: where the end of a flank's tool stands high, what is left beside it
+//! may be less than counts as the corner's and more than the fit leaves.
+//!
 //! # Units
 //! Millimetres and radians.
 
@@ -21,6 +24,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector3;
 
+use crate::kinds::impeller::clear::body::turn;
 use crate::kinds::impeller::clear::contact::Beside;
 use crate::kinds::impeller::clear::cut::Job;
 use crate::kinds::impeller::clear::flank::FlankWay;
@@ -55,6 +59,8 @@ pub struct Root {
     pub width: f64,
     /// v where that is.
     pub width_v: f64,
+    /// The most that is left of the faces higher up.
+    pub above: f64,
 }
 
 /// A line of a face down to the floor.
@@ -78,6 +84,7 @@ pub fn face_lines(part: &Part, face: Face, turn: f64, from: f64) -> Vec<Line> {
     let end = pieces.last().map_or(RIM, |piece| piece.v[1]);
     (0..=LINES)
         .map(|line| begin + (end - begin) * f64::from(line) / f64::from(LINES))
+        .chain([HUB, RIM].into_iter().filter(|v| (begin..=end).contains(v)))
         .map(|v| {
             let out = part.frame(v).1.b * face.side();
             Line { ruling: part.ruling(face, v), top: part.top(v), out, v, turn }
@@ -104,19 +111,18 @@ pub fn nose_lines(part: &Part, v_s: f64, turn: f64) -> Vec<Line> {
 pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -> Root {
     let torus = part.circle.torus;
     let r_f = torus.r + part.a_p;
-    let mut root = Root { over, height: 0.0, v: HUB, width: 0.0, width_v: HUB };
+    let mut root = Root { over, height: 0.0, v: HUB, width: 0.0, width_v: HUB, above: over };
     let mut last = 0;
     for line in lines {
-        let (sin, cos) = sin_cos(line.turn);
-        // The pose that has held the last place usually holds the next one.
+        let turn = turn(line.turn);
+        // How far inside of what is held a point is. The pose that has held the last place usually holds the next one.
         let mut held = |point: &Vector3<f64>| {
-            let point = Vector3::new(point.x * cos - point.y * sin, point.x * sin + point.y * cos, point.z);
-            if poses.get(last).is_some_and(|pose| pose.apart(tool, &point) <= over) {
-                return true;
-            }
-            let found = poses.holding(tool, &point, over);
-            last = found.unwrap_or(last);
-            found.is_some()
+            let point = turn(point);
+            let inside = |pose: &Pose| Some(over - pose.apart(tool, &point)).filter(|&inside| inside >= 0.0);
+            poses.get(last).and_then(inside).or_else(|| {
+                last = poses.holding(tool, &point, over)?;
+                poses.get(last).and_then(inside)
+            })
         };
         let bottom = part.floor(&line.ruling, line.top);
         let mut height = None;
@@ -124,11 +130,16 @@ pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -
         while h < bottom {
             let point = line.ruling.at(h);
             let depth = part.depth(&point);
-            if depth >= 0.0 && part.trimmed(&point) && !held(&point) {
-                height = Some((part.a_p - depth + DOWN).min(part.a_p));
-                break;
+            let mut step = DOWN;
+            if depth >= 0.0 && part.trimmed(&point) {
+                let Some(inside) = held(&point) else {
+                    height = Some((part.a_p - depth + DOWN).min(part.a_p));
+                    break;
+                };
+                // What is nearer to the point than that is held by the same pose.
+                step = step.max(inside);
             }
-            h += DOWN;
+            h += step;
         }
         if let Some(height) = height.filter(|height| *height > root.height) {
             root = Root { height, v: line.v, ..root };
@@ -140,7 +151,7 @@ pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -
             let rho = hypot(place.x, place.y);
             let c = Vector3::new(place.x / rho, place.y / rho, 0.0) * torus.R;
             let point = c + (place - c).try_normalize(1e-9).unwrap_or(line.out) * r_f;
-            !part.trimmed(&point) || held(&point)
+            !part.trimmed(&point) || held(&point).is_some()
         };
         // Farther out than `BESIDE` it is the floor's rest; where the corner's goes on beyond, it counts as the corner's.
         let mut width = BESIDE + tool.r_c;
@@ -159,6 +170,42 @@ pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -
         }
     }
     root
+}
+
+/// The most that the poses of a tool leave along some lines higher above the floor than the corner; `None` where it is nowhere
+/// more than `most`.
+#[must_use]
+pub fn left_above(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, [corner, most]: [f64; 2]) -> Option<f64> {
+    let mut found = None;
+    let (mut most, mut last) = (most, 0);
+    for line in lines {
+        let turn = turn(line.turn);
+        // From the corner up: there the most is left.
+        let mut h = part.floor(&line.ruling, line.top) - DOWN;
+        while h >= line.top {
+            let point = line.ruling.at(h);
+            let depth = part.depth(&point);
+            let mut step = DOWN;
+            if depth >= 0.0 && part.a_p - depth >= corner && part.trimmed(&point) {
+                let point = turn(&point);
+                let apart = |pose: &Pose| pose.apart(tool, &point);
+                let mut here = poses.get(last).map_or(f64::INFINITY, apart);
+                if here > most {
+                    if let Some(held) = poses.holding(tool, &point, most) {
+                        last = held;
+                        here = poses.get(last).map_or(f64::INFINITY, apart);
+                    } else {
+                        most = poses.apart(tool, &point, f64::INFINITY);
+                        (found, here) = (Some(most), most);
+                    }
+                }
+                // What is nearer to the point than that is held by the same pose.
+                step = step.max(most - here);
+            }
+            h -= step;
+        }
+    }
+    found
 }
 
 /// c_r, how high the end of a flank's tool stands above the floor at the face at the rim.

@@ -234,6 +234,14 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             ["fondo junto a las caras, más de c_s + tol", "floor beside the faces, more than c_s + tol"],
         ),
         quantity(
+            "rest_above",
+            "Resto en las caras por encima de la esquina, como mucho",
+            "Rest on the faces above the corner, at most",
+            told.root.above,
+            mm,
+            ["líneas de las caras; ajuste más tol", "lines of the faces; fit plus tol"],
+        ),
+        quantity(
             "floor_rest",
             "Resto en el fondo, a más de 0.4 mm y r_c de las caras, aproximado",
             "Rest on the floor, farther than 0.4 mm and r_c from the faces, approximate",
@@ -243,8 +251,18 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
         ),
     ];
     for (error, symbol, es, en) in [
-        (&told.faces[0], "rest_obverse", "Resto en el anverso, como mucho", "Rest on the obverse, at most"),
-        (&told.faces[1], "rest_reverse", "Resto en el reverso, como mucho", "Rest on the reverse, at most"),
+        (
+            &told.faces[0],
+            "rest_obverse",
+            "Resto del flanco en el anverso, como mucho",
+            "Rest of the flank pass on the obverse, at most",
+        ),
+        (
+            &told.faces[1],
+            "rest_reverse",
+            "Resto del flanco en el reverso, como mucho",
+            "Rest of the flank pass on the reverse, at most",
+        ),
     ] {
         // The fit is that of the poses; between them the blocks leave the way by up to the tolerance.
         let source = ["ajuste del eje a la cara, más tol", "fit of the axis to the face, plus tol"];
