@@ -20,6 +20,16 @@ fn told<'a>(outcome: &'a Outcome, words: &str) -> Option<&'a str> {
 }
 
 #[test]
+fn lanes_that_pass_close_by_a_splitter_do_not_cut_into_its_nose() {
+    // With three blades and these depths a lane clears the splitter's faces by less than its nose stands out of them.
+    for a_p in [1.7, 1.75, 1.8] {
+        let outcome = common::outcome("clear", &[("N", Value::Whole(3)), ("a_p", Value::Real(a_p))]);
+        assert_eq!(End::of(&outcome.findings, false), End::Whole, "{a_p} {:?}", outcome.findings);
+        assert!(outcome.quantities.iter().any(|one| one.symbol == "v_s"));
+    }
+}
+
+#[test]
 fn rounded_ends_are_judged_and_their_rests_told() {
     for (r_c, r_cf, end) in [(0.0, 0.5, "BULL NOSE"), (3.0, 1.5, "BALL")] {
         let outcome = outcome(&[("r_c", Value::Real(r_c)), ("r_cf", Value::Real(r_cf))]);

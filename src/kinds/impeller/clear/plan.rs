@@ -531,11 +531,16 @@ impl Draft<'_> {
                 let inside: Vec<f64> =
                     [0.0, 0.5, 1.0].into_iter().filter(|q| (whole[0]..whole[1]).contains(q)).collect();
                 let ends: Vec<f64> = [whole[0]].into_iter().chain(inside).chain([whole[1]]).collect();
+                // A half round on a twisted blade stands out of the faces by (e/2)(hτ)²/2: less than half of e/2.
+                let torus = self.job.part.circle.torus;
+                let nose = self.job.part.e / 4.0 / (torus.r / torus.R * (torus.R - torus.r));
                 parts(&ends, |q| {
                     let psi = contacts.psi(lambda, q);
                     let [reverse, obverse] = contacts.beside_splitter(q);
-                    // Clear of a splitter as long as the blade, or of the one that is there.
-                    psi >= reverse || psi <= obverse || obstacles.keeps_splitter(&lane.axis(q, psi, room), room)
+                    // Clear of a splitter as long as the blade, nose and all, or of the one that is there.
+                    psi >= reverse + nose
+                        || psi <= obverse - nose
+                        || obstacles.keeps_splitter(&lane.axis(q, psi, room), room)
                 })
             }
         };
