@@ -13,6 +13,8 @@ const A4: u8 = 9;
 pub const WHOLE: RowNum = 1_000;
 /// So many rows are printed from either end: a page, upright.
 pub const ENDS: RowNum = 45;
+/// How large a table of many columns is printed, in percent: its figures are 8 pt high.
+const WIDE: u16 = 70;
 /// The most characters of a note in a header: more would run into the sheet's name.
 pub const NOTE: usize = 90;
 
@@ -52,6 +54,15 @@ impl Further {
     }
 }
 
+/// What the header of a table says of which only both ends are printed.
+#[must_use]
+pub fn both_ends(rows: usize) -> Text {
+    Text::new(
+        format!("De {rows} filas se imprimen las {ENDS} primeras y las {ENDS} últimas"),
+        format!("Of {rows} rows the first and the last {ENDS} are printed"),
+    )
+}
+
 /// What is printed on every page of a sheet.
 #[derive(Clone, Copy, Debug)]
 pub struct Page<'a> {
@@ -75,6 +86,21 @@ impl Page<'_> {
     pub fn set_up(&self, sheet: &mut Worksheet, language: Language) -> Result<(), XlsxError> {
         self.set_up_fitted(sheet, language);
         sheet.set_repeat_rows(self.repeat.0, self.repeat.1)?;
+        Ok(())
+    }
+
+    /// Sets a sheet of many columns up for A4 at a size that can be read, on as many pages across as the columns take, one beside the
+    /// other; with the first rows and columns on each.
+    ///
+    /// # Errors
+    /// For rows or columns outside the sheet.
+    pub fn set_up_wide(&self, sheet: &mut Worksheet, language: Language, columns: ColNum) -> Result<(), XlsxError> {
+        self.set_up_columns(sheet, language);
+        sheet.set_print_scale(WIDE);
+        // Across first: the library calls the order downwards the true one.
+        sheet.set_page_order(false);
+        sheet.set_repeat_rows(self.repeat.0, self.repeat.1)?;
+        sheet.set_repeat_columns(0, columns.saturating_sub(1))?;
         Ok(())
     }
 

@@ -10,7 +10,7 @@ use rust_xlsxwriter::{
 
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
-use super::page::{Page, properties};
+use super::page::{ENDS, Further, Page, WHOLE, both_ends, properties};
 use super::save::{Additions, save};
 use super::style::{Styles, digits, grade_fill};
 use crate::finding::Grade;
@@ -24,6 +24,12 @@ use crate::text::{Language, Text, t};
 pub const ALL_MOST: u64 = 20_000;
 /// The row of the headings, from 0; the units stand above it.
 pub(super) const HEADINGS: RowNum = 4;
+/// The most inputs that stand beside the number of a design on every printed page; more would leave no room for what came out.
+const REPEATED: ColNum = 6;
+/// The place of the sheet of all designs, from 0.
+const SECOND: usize = 1;
+/// The widest column of texts.
+const TEXT_MOST: usize = 40;
 /// The most inputs and objectives that are charted against each other.
 const CHARTED: usize = 8;
 /// The most designs of the chart of parallel coordinates: a chart takes 255 curves.
@@ -71,17 +77,17 @@ impl SweepBook<'_> {
         let (mut workbook, styles) = (Workbook::new(), Styles::default());
         workbook.set_properties(&properties(self.text(&TITLE))?);
         self.write_top(workbook.add_worksheet(), &styles)?;
-        self.write_all(workbook.add_worksheet(), &styles)?;
+        let printed = self.write_all(workbook.add_worksheet(), &styles)?.into_iter().collect();
         self.write_why(workbook.add_worksheet(), &styles)?;
         self.write_effects(workbook.add_worksheet(), &styles)?;
         if self.results.all.rows() > 0 && !self.results.plan.objectives.is_empty() {
             self.write_charts(&mut workbook, &styles)?;
         }
-        save(&mut workbook, Additions::default(), out)
+        save(&mut workbook, Additions { printed, ..Additions::default() }, out)
     }
 
     pub(super) const fn page(&self) -> Page<'_> {
-        Page { part: "", origin: self.results.source, repeat: (HEADINGS, HEADINGS), landscape: true, single: false }
+        Page { part: "", origin: self.results.source, repeat: (HEADINGS - 1, HEADINGS), landscape: true, single: false }
     }
 
     pub(super) fn text<'t>(&self, text: &'t Text) -> &'t str {
@@ -118,14 +124,15 @@ impl SweepBook<'_> {
         let shown = table.columns.iter().filter(|one| one.name == "id" || filled(&one.cells));
         let mut placed = Vec::new();
         for (at, column) in (first..).zip(shown) {
-            let (format, wide) = match &column.cells {
-                Cells::Number(_) | Cells::Whole(_) => (&styles.number_header, 12.0),
-                Cells::Text(_) | Cells::Truth(_) => (&styles.text_header, 16.0),
+            let format = match &column.cells {
+                Cells::Number(_) | Cells::Whole(_) => &styles.number_header,
+                Cells::Text(_) | Cells::Truth(_) => &styles.text_header,
             };
+            let shown = self.digits(&column.name);
             write_text(sheet, HEADINGS - 1, at, column.unit, &styles.number_unit)?;
             write_text(sheet, HEADINGS, at, &column.name, format)?;
-            sheet.set_column_width(at, heading_width(&column.name).max(wide))?;
-            let number = Format::new().set_num_format(self.digits(&column.name));
+            sheet.set_column_width(at, heading_width(&column.name).max(cells_width(&column.cells, shown)))?;
+            let number = Format::new().set_num_format(shown);
             for (row, cell) in (HEADINGS + 1..).zip(0..table.rows()) {
                 match &column.cells {
                     Cells::Text(_) => {
@@ -183,7 +190,8 @@ impl SweepBook<'_> {
         Ok(())
     }
 
-    fn write_all(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+    /// The sheet of all designs; gives what is printed of a long one beside its first rows.
+    fn write_all(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<Option<Further>, WriteError> {
         static TITLE: Text = t("Todos los diseños", "All designs");
         let told = if self.results.all.rows() as u64 == self.results.plan.count {
             t("Los filtros de los encabezados eligen filas.", "The filters in the headings choose rows.")
@@ -205,8 +213,16 @@ impl SweepBook<'_> {
             sheet.autofilter(HEADINGS, 0, last, *end)?;
         }
         sheet.set_freeze_panes(HEADINGS + 1, 1)?;
-        self.page().set_up(sheet, self.language)?;
-        Ok(())
+        let inputs = ColNum::try_from(self.results.plan.inputs.len()).unwrap_or(REPEATED);
+        let page = self.page();
+        page.set_up_wide(sheet, self.language, 1 + inputs.min(REPEATED))?;
+        let (rows, end) = (self.results.all.rows(), placed.last().map_or(0, |(_, end)| *end));
+        if rows <= WHOLE as usize {
+            return Ok(None);
+        }
+        page.set_header(sheet, both_ends(rows).get(self.language));
+        let areas = [[(0, 0), (HEADINGS + ENDS, end)], [(last + 1 - ENDS, 0), (last, end)]];
+        Ok(Further::set(sheet, SECOND, &areas)?)
     }
 
     fn write_why(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
@@ -453,6 +469,21 @@ const fn count(number: u64) -> f64 {
 /// The width of a column in which a heading stands clear of the next.
 fn heading_width(heading: &str) -> f64 {
     f64::from(u16::try_from(heading.chars().count()).unwrap_or(u16::MAX)) * 1.2 + 2.0
+}
+
+/// The width of a column in which its values stand clear of the next, in the digits that are shown.
+fn cells_width(cells: &Cells, shown: &str) -> f64 {
+    let digits = shown.split_once('.').map(|(_, decimals)| decimals.len());
+    let length = |row: usize| match (cells, digits) {
+        (Cells::Text(_), _) => cells.text(row).map_or(0, |text| text.chars().count().min(TEXT_MOST)),
+        (Cells::Truth(_), _) => "FALSE".len(),
+        (_, Some(digits)) => cells.number(row).map_or(0, |value| format!("{value:.digits$}").len()),
+        (_, None) if shown == "0" => cells.number(row).map_or(0, |value| format!("{value:.0}").len()),
+        // A spreadsheet shortens what is shown in no given form.
+        (_, None) => cells.number(row).map_or(0, |value| value.to_string().len().min(8)),
+    };
+    heading_width("")
+        + (0..cells.len()).map(length).max().and_then(|most| u16::try_from(most).ok()).map_or(0.0, f64::from)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use super::error::WriteError;
 use super::guard;
 use super::live::{self, LiveTables, NOTHING};
 use super::long_rows::{RowWriter, Rows};
-use super::page::{Area, ENDS, Further, Page, WHOLE};
+use super::page::{Area, ENDS, Further, Page, WHOLE, both_ends};
 use super::style::{Styles, digits};
 use crate::table::{Cells, Column, Entry, Table};
 use crate::text::{Language, Text, t};
@@ -124,12 +124,7 @@ impl<'a> TableSheet<'a> {
         let single = last < ONE_PAGE;
         Page { repeat: (0, UNITS), landscape, single, ..*page }.set_up(sheet, self.language)?;
         if further.is_some() {
-            let rows = self.table.rows();
-            let note = Text::new(
-                format!("De {rows} filas se imprimen las {ENDS} primeras y las {ENDS} últimas"),
-                format!("Of {rows} rows the first and the last {ENDS} are printed"),
-            );
-            page.set_header(sheet, note.get(self.language));
+            page.set_header(sheet, both_ends(self.table.rows()).get(self.language));
         }
         Ok(further)
     }

@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 
 use rodete::kinds::impeller::cases::CASES;
 
-use crate::common::workbook::{quick, thick, with_variants, with_variants_of};
+use crate::common::workbook::{Parts, quick, thick, with_variants, with_variants_of};
 
 /// 36 designs, some of them refused: judged by the derived limits, or by the programs.
 fn book(level: &str) -> Vec<u8> {
@@ -171,6 +171,33 @@ fn the_best_designs_are_workbooks_that_are_built() {
         .collect();
     assert_eq!(names.iter().filter(|name| name.ends_with("-results.xlsx")).count(), 2, "{names:?}");
     assert!(names.iter().any(|name| name.ends_with("-blade.nc")), "{names:?}");
+}
+
+/// On paper the figures keep their size: columns go on beside, with number and inputs again, and of many rows both ends are printed.
+#[test]
+fn all_designs_are_printed_at_a_size_that_can_be_read() {
+    let folder = folder("limits");
+    let at = folder.path();
+    let printed = |out: &str| {
+        done(at, out);
+        let parts = Parts::of(&fs::read(at.join("s/a-sweep.xlsx")).unwrap());
+        let (sheet, book) = (parts.text("xl/worksheets/sheet2.xml"), parts.text("xl/workbook.xml"));
+        assert!(sheet.contains("scale=\"70\" pageOrder=\"overThenDown\" orientation=\"landscape\""));
+        assert!(!sheet.contains("fitToPage"));
+        (sheet, book)
+    };
+    let (sheet, book) = printed("-o s");
+    assert!(book.contains("localSheetId=\"1\">ALL!$A:$D,ALL!$4:$5<"), "{book}");
+    assert!(!book.contains("Print_Area\" localSheetId=\"1\"") && !sheet.contains("rows the first"));
+    fs::remove_dir_all(at.join("s")).unwrap();
+    let settings = [("method", "factorial"), ("level", "limits"), ("objectives", "e_max min")];
+    let inputs = [["R", "22", "32", "0.02", "", ""], ["e", "", "", "", "1; 2", ""]];
+    fs::write(at.join("a.xlsx"), with_variants_of(&thick(quick()), &settings, &inputs, &[])).unwrap();
+    let (sheet, book) = printed("-o s");
+    assert!(sheet.contains("Of 1002 rows the first and the last 45 are printed"));
+    let areas = book.split_once("Print_Area\" localSheetId=\"1\">").unwrap().1.split_once('<').unwrap().0;
+    let rows: Vec<&str> = areas.split(['$', ',', ':']).filter(|part| part.parse::<u32>().is_ok()).collect();
+    assert_eq!(rows, ["1", "50", "963", "1007"], "{areas}");
 }
 
 #[test]
