@@ -105,9 +105,9 @@ impl SweepBook<'_> {
     ) -> Result<(), WriteError> {
         sheet.set_name(self.text(name))?;
         write_text(sheet, 0, 0, self.text(title), &styles.title)?;
-        let Text { es, en } = self.results.counted();
-        let told = Text::new(format!("{}: {es}", self.results.source), format!("{}: {en}", self.results.source));
-        write_text(sheet, 1, 0, self.text(&told), &styles.source)?;
+        let counted = self.results.counted();
+        let told = format!("{}: {}", self.results.source, self.text(&counted));
+        write_text(sheet, 1, 0, &told, &styles.source)?;
         write_text(sheet, 2, 0, more, &styles.source)?;
         Ok(())
     }
@@ -207,6 +207,8 @@ impl SweepBook<'_> {
             )
         };
         self.head(sheet, styles, &ALL, &TITLE, self.text(&told))?;
+        // On pages farther across only the first columns are repeated: figures cut off there could be misread.
+        write_text(sheet, 1, 0, self.results.source, &styles.source)?;
         let placed = self.rows(sheet, styles, self.results.all, 0)?;
         let last = HEADINGS + RowNum::try_from(self.results.all.rows()).unwrap_or_default();
         if let (Some((_, end)), true) = (placed.last(), last > HEADINGS) {
