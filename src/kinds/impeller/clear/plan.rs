@@ -770,7 +770,7 @@ impl Draft<'_> {
         // Nothing is known of a plan that is refused.
         if self.full() {
             let (most, v) = (part.a_p, HUB);
-            let root = Root { over, height: most, v, width: most, width_v: v, above: 0.0 };
+            let root = Root { over, height: most, v, width: most, width_v: v, above: most };
             return (FloorRest { beside, most, v }, root);
         }
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
