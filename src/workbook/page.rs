@@ -1,5 +1,7 @@
 //! How a sheet is printed.
 
+use std::ops::RangeInclusive;
+
 use rust_xlsxwriter::{
     ColNum, DocProperties, ExcelDateTime, RowNum, Worksheet, XlsxError, utility::column_number_to_name,
 };
@@ -13,8 +15,10 @@ const A4: u8 = 9;
 pub const WHOLE: RowNum = 1_000;
 /// So many rows are printed from either end: a page, upright.
 pub const ENDS: RowNum = 45;
-/// How large a table of many columns is printed, in percent: its figures are 8 pt high.
-const WIDE: u16 = 70;
+/// How large a table of many columns is printed, in percent: its figures are 7 to 8 pt high.
+const WIDE: RangeInclusive<u16> = 62..=72;
+/// What a page of A4 across has room for between its margins, mm; a little is kept back, for columns are set in whole pixels.
+const ACROSS: f64 = 297.0 - 2.0 * 0.6 * 25.4 - 5.0;
 /// The most characters of a note in a header: more would run into the sheet's name.
 pub const NOTE: usize = 90;
 
@@ -89,14 +93,20 @@ impl Page<'_> {
         Ok(())
     }
 
-    /// Sets a sheet of many columns up for A4 at a size that can be read, on as many pages across as the columns take, one beside the
-    /// other; with the first rows and columns on each.
+    /// Sets a sheet of many columns, whose widths are given in digits, up for A4 at a size that can be read, on as few pages across
+    /// as the columns take at it, one beside the other; with the first rows and so many of the first columns on each.
     ///
     /// # Errors
     /// For rows or columns outside the sheet.
-    pub fn set_up_wide(&self, sheet: &mut Worksheet, language: Language, columns: ColNum) -> Result<(), XlsxError> {
+    pub fn set_up_wide(
+        &self,
+        sheet: &mut Worksheet,
+        language: Language,
+        widths: &[f64],
+        columns: ColNum,
+    ) -> Result<(), XlsxError> {
         self.set_up_columns(sheet, language);
-        sheet.set_print_scale(WIDE);
+        sheet.set_print_scale(wide(widths, columns.into()));
         // Across first: the library calls the order downwards the true one.
         sheet.set_page_order(false);
         sheet.set_repeat_rows(self.repeat.0, self.repeat.1)?;
@@ -131,6 +141,27 @@ impl Page<'_> {
     }
 }
 
+/// The size in percent at which columns of some widths in digits take the fewest pages across, so many of the first being
+/// repeated on each; the largest such one.
+fn wide(widths: &[f64], repeated: usize) -> u16 {
+    // A digit of the usual font is 7 pixels wide, and a column has 5 more; 96 pixels make an inch.
+    let mm = |width: &f64| (width * 7.0 + 5.0) * 25.4 / 96.0;
+    let (first, rest) = widths.split_at(repeated.min(widths.len()));
+    let first: f64 = first.iter().map(mm).sum();
+    let pages = |scale: &u16| {
+        let room = ACROSS * 100.0 / f64::from(*scale) - first;
+        let (mut pages, mut left) = (1_u32, room);
+        for width in rest.iter().map(mm) {
+            if width > left {
+                (pages, left) = (pages + 1, room);
+            }
+            left -= width;
+        }
+        pages
+    };
+    WIDE.rev().min_by_key(pages).unwrap_or(*WIDE.end())
+}
+
 /// The properties of a workbook: its title, and the same date for ever, so that equal input gives equal bytes.
 ///
 /// # Errors
@@ -139,4 +170,18 @@ pub fn properties(title: &str) -> Result<DocProperties, XlsxError> {
     // The first day of the zip format's calendar: it stands for "no date", as in the package's own entries.
     let date = ExcelDateTime::from_ymd(1980, 1, 1)?;
     Ok(DocProperties::new().set_title(title).set_creation_datetime(&date))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wide;
+
+    #[test]
+    fn a_wide_table_is_printed_as_large_as_its_fewest_pages_allow() {
+        // 260 mm at 72 % are 361 mm, some 190 digits in columns of 10; two columns are repeated.
+        assert_eq!(wide(&[10.0; 18], 2), 72);
+        assert_eq!(wide(&[10.0; 19], 2), 69);
+        // At no size on one page: as large as two allow.
+        assert_eq!(wide(&[10.0; 30], 2), 72);
+    }
 }

@@ -65,6 +65,8 @@ static TOP: Text = t("MEJORES", "TOP");
 static ALL: Text = t("TODOS", "ALL");
 static WHY: Text = t("POR_QUE", "WHY");
 static CHARTS: Text = t("GRAFICOS", "CHARTS");
+static YES: Text = t("sí", "yes");
+static NO: Text = t("no", "no");
 static CURVES_SHEET: Text = t("CURVAS", "CURVES");
 
 impl SweepBook<'_> {
@@ -113,16 +115,16 @@ impl SweepBook<'_> {
     }
 
     /// The rows of a table below headings and units, from a column on; columns that are empty in all rows are left out. Gives the
-    /// columns by name.
+    /// widths of the columns.
     fn rows(
         &self,
         sheet: &mut Worksheet,
         styles: &Styles,
         table: &Table,
         first: ColNum,
-    ) -> Result<Vec<(String, ColNum)>, WriteError> {
+    ) -> Result<Vec<f64>, WriteError> {
         let shown = table.columns.iter().filter(|one| one.name == "id" || filled(&one.cells));
-        let mut placed = Vec::new();
+        let mut widths = Vec::new();
         for (at, column) in (first..).zip(shown) {
             let format = match &column.cells {
                 Cells::Number(_) | Cells::Whole(_) => &styles.number_header,
@@ -131,18 +133,20 @@ impl SweepBook<'_> {
             let shown = self.digits(&column.name);
             write_text(sheet, HEADINGS - 1, at, column.unit, &styles.number_unit)?;
             write_text(sheet, HEADINGS, at, &column.name, format)?;
-            sheet.set_column_width(at, heading_width(&column.name).max(cells_width(&column.cells, shown)))?;
+            let width = heading_width(&column.name).max(cells_width(&column.cells, shown));
+            sheet.set_column_width(at, width)?;
             let number = Format::new().set_num_format(shown);
+            let words = styles.block.clone().set_indent(1);
             for (row, cell) in (HEADINGS + 1..).zip(0..table.rows()) {
                 match &column.cells {
                     Cells::Text(_) => {
                         if let Some(text) = column.cells.text(cell) {
-                            write_text(sheet, row, at, text, &styles.block)?;
+                            write_text(sheet, row, at, text, &words)?;
                         }
                     }
                     Cells::Truth(cells) => {
                         if let Some(Some(truth)) = cells.get(cell) {
-                            sheet.write_boolean(row, at, *truth)?;
+                            write_text(sheet, row, at, self.text(if *truth { &YES } else { &NO }), &words)?;
                         }
                     }
                     cells => {
@@ -152,9 +156,9 @@ impl SweepBook<'_> {
                     }
                 }
             }
-            placed.push((column.name.clone(), at));
+            widths.push(width);
         }
-        Ok(placed)
+        Ok(widths)
     }
 
     /// How a column's numbers are shown.
@@ -209,16 +213,17 @@ impl SweepBook<'_> {
         self.head(sheet, styles, &ALL, &TITLE, self.text(&told))?;
         // On pages farther across only the first columns are repeated: figures cut off there could be misread.
         write_text(sheet, 1, 0, self.results.source, &styles.source)?;
-        let placed = self.rows(sheet, styles, self.results.all, 0)?;
+        let widths = self.rows(sheet, styles, self.results.all, 0)?;
         let last = HEADINGS + RowNum::try_from(self.results.all.rows()).unwrap_or_default();
-        if let (Some((_, end)), true) = (placed.last(), last > HEADINGS) {
-            sheet.autofilter(HEADINGS, 0, last, *end)?;
+        let end = ColNum::try_from(widths.len()).unwrap_or(ColNum::MAX).saturating_sub(1);
+        if last > HEADINGS {
+            sheet.autofilter(HEADINGS, 0, last, end)?;
         }
         sheet.set_freeze_panes(HEADINGS + 1, 1)?;
         let inputs = ColNum::try_from(self.results.plan.inputs.len()).unwrap_or(REPEATED);
         let page = self.page();
-        page.set_up_wide(sheet, self.language, 1 + inputs.min(REPEATED))?;
-        let (rows, end) = (self.results.all.rows(), placed.last().map_or(0, |(_, end)| *end));
+        page.set_up_wide(sheet, self.language, &widths, 1 + inputs.min(REPEATED))?;
+        let rows = self.results.all.rows();
         if rows <= WHOLE as usize {
             return Ok(None);
         }
@@ -478,7 +483,7 @@ fn cells_width(cells: &Cells, shown: &str) -> f64 {
     let digits = shown.split_once('.').map(|(_, decimals)| decimals.len());
     let length = |row: usize| match (cells, digits) {
         (Cells::Text(_), _) => cells.text(row).map_or(0, |text| text.chars().count().min(TEXT_MOST)),
-        (Cells::Truth(_), _) => "FALSE".len(),
+        (Cells::Truth(_), _) => 2,
         (_, Some(digits)) => cells.number(row).map_or(0, |value| format!("{value:.digits$}").len()),
         (_, None) if shown == "0" => cells.number(row).map_or(0, |value| format!("{value:.0}").len()),
         // A spreadsheet shortens what is shown in no given form.
