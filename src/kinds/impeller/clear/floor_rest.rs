@@ -4,7 +4,8 @@
 //! The law of the ridges says what lanes leave between them. Beside the walls and round a splitter it says nothing: a floor
 //! point at v is touched from the stations v ± θ alone, and where both are shut by a wall it stays higher. So along each
 //! line from K through a floor point the lowest place is looked for that the tools of the passes hold, close to each other; what
-//! is left is the greatest of what is lacking to a_p. It is a greatest of samples, not a bound: between them it may be a little more.
+//! is left is the greatest of what is lacking to a_p. From where most is left the rest is climbed to its top. It is a greatest of
+//! samples, not a bound: where the rest has several tops of one height, a higher one may lie between the stations.
 //!
 //! # Units
 //! Millimetres and radians.
@@ -32,6 +33,11 @@ const STEPS: u8 = 8;
 const HALVINGS: u8 = 12;
 /// Halvings for the place at a distance from a wall.
 const EDGES: u8 = 8;
+/// So many of the stations at which most is left are looked at more closely, in so many steps each.
+const TOPS: usize = 4;
+const CLIMBS: u8 = 12;
+/// How far a wall's edge may shift aside from one step to the next, in steps of ψ.
+const WIDER: f64 = 2.0;
 
 /// What is left on the floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -159,8 +165,103 @@ fn reach(tool: Tool, pose: &Pose, c: &Vector3<f64>, out: &Vector3<f64>, [r, r_f]
     low
 }
 
+/// A place of the floor, and what is left there.
+#[derive(Clone, Copy, Debug)]
+struct Sample {
+    rest: f64,
+    v: f64,
+    psi: f64,
+    /// Towards which ψ the wall is, at a place that is just as far from it as asked; else 0.
+    wall: f64,
+}
+
+/// What is looked at: the floor, and the poses that cut it.
+struct Look<'a> {
+    floor: Floor,
+    beside: f64,
+    R: f64,
+    /// r and r_f.
+    depths: [f64; 2],
+    tool: Tool,
+    poses: &'a Poses,
+    /// The pose that held the deepest place of the last line, which it usually does for the next.
+    last: Cell<Option<usize>>,
+}
+
+impl Look<'_> {
+    /// K and the direction away from it, of the floor point at v and ψ.
+    fn line(&self, v: f64, psi: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let ((sin_v, cos_v), (sin, cos)) = (sin_cos(v), sin_cos(psi));
+        (Vector3::new(self.R * cos, self.R * sin, 0.0), Vector3::new(cos_v * cos, cos_v * sin, sin_v))
+    }
+
+    fn is_free(&self, v: f64, psi: f64) -> bool {
+        let (c, out) = self.line(v, psi);
+        self.floor.is_free(&(c + out * self.depths[1]), self.beside)
+    }
+
+    /// What is left at a place.
+    fn rest(&self, v: f64, psi: f64) -> f64 {
+        let ((c, out), [r, r_f]) = (self.line(v, psi), self.depths);
+        // Of tools whose axis passes farther from the middle of the line than this, none holds a place of it.
+        let middle = c + out * f64::midpoint(r, r_f);
+        let wide = self.tool.a() + (r_f - r) / 2.0;
+        let held = |pose: &Pose| reach(self.tool, pose, &c, &out, self.depths);
+        let deepest = Cell::new(self.last.get().and_then(|last| self.poses.get(last)).map_or(r, held));
+        // Nor does one hold a deeper place whose end is above that known.
+        let far =
+            self.poses.of(|bunch| bunch.seen(&middle).beside > wide || bunch.seen(&(c + out * deepest.get())).up < 0.0);
+        for (number, pose) in far {
+            let found = held(pose);
+            if found > deepest.get() {
+                deepest.set(found);
+                self.last.set(Some(number));
+            }
+        }
+        r_f - deepest.get()
+    }
+
+    fn at(&self, v: f64, psi: f64, wall: f64) -> Sample {
+        Sample { rest: self.rest(v, psi), v, psi, wall }
+    }
+
+    /// The place at v that is just as far from a wall as asked, between one that is free and one that is not.
+    fn edge(&self, v: f64, [mut open, mut shut]: [f64; 2]) -> Sample {
+        let wall = (shut - open).signum();
+        for _ in 0..EDGES {
+            let middle = f64::midpoint(shut, open);
+            if self.is_free(v, middle) { open = middle } else { shut = middle }
+        }
+        self.at(v, open, wall)
+    }
+
+    /// The greatest rest about a sample, by steps in v and ψ that become smaller. What is just as far from a wall as asked stays so.
+    fn climbed(&self, mut top: Sample, [mut by_v, mut by_psi]: [f64; 2], within: [f64; 2]) -> Sample {
+        for _ in 0..CLIMBS {
+            let mut best = top;
+            for (up, aside) in [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)] {
+                let v = (top.v + up * by_v).clamp(within[0], within[1]);
+                let one = if top.wall == 0.0 {
+                    let psi = top.psi + aside * by_psi;
+                    self.is_free(v, psi).then(|| self.at(v, psi, 0.0))
+                } else {
+                    let sides = [-1.0, 1.0].map(|side| top.psi + side * top.wall * by_psi * WIDER);
+                    (up != 0.0 && self.is_free(v, sides[0]) && !self.is_free(v, sides[1])).then(|| self.edge(v, sides))
+                };
+                best = one.filter(|one| one.rest > best.rest).unwrap_or(best);
+            }
+            if best.rest > top.rest {
+                top = best;
+            } else {
+                (by_v, by_psi) = (by_v / 2.0, by_psi / 2.0);
+            }
+        }
+        top
+    }
+}
+
 /// The rest that the poses of a tool leave, farther from the walls than `beside`, from v on; in a channel of the pitch, with
-/// a splitter from v_s on, looked at in so many places across.
+/// a splitter from v_s on, looked at in so many places across, and about the greatest of them more closely.
 #[must_use]
 pub fn floor_rest(
     part: &Part,
@@ -171,68 +272,43 @@ pub fn floor_rest(
     across: u32,
 ) -> FloorRest {
     let torus = part.circle.torus;
-    let (r, r_f) = (torus.r, torus.r + part.a_p);
     let floor = Floor::new(part, pitch, tool.a(), v_s);
-    let mut rest = FloorRest { beside, most: 0.0, v: from };
-    let mut last = None;
-    for look in 0..ALONG {
-        let v = from + (RIM - from) * (f64::from(look) + 0.5) / f64::from(ALONG);
-        let (sin_v, cos_v) = sin_cos(v);
-        let [high, low] = [0, 1].map(|side: usize| psi_at(&floor.sides[side], v));
-        let place = |psi: f64| {
-            let (sin, cos) = sin_cos(psi);
-            let c = Vector3::new(torus.R * cos, torus.R * sin, 0.0);
-            (c, Vector3::new(cos_v * cos, cos_v * sin, sin_v))
-        };
-        let free = |psi: f64| {
-            let (c, out) = place(psi);
-            floor.is_free(&(c + out * r_f), beside)
-        };
-        let mut look = |psi: f64| {
-            let (c, out) = place(psi);
-            // Of tools whose axis passes farther from the middle of the line than this, none holds a place of it.
-            let middle = c + out * f64::midpoint(r, r_f);
-            let wide = tool.a() + (r_f - r) / 2.0;
-            // The pose that holds the deepest place usually does so for the next line.
-            let held = |pose: &Pose| reach(tool, pose, &c, &out, [r, r_f]);
-            let deepest = Cell::new(last.and_then(|last| poses.get(last)).map_or(r, held));
-            // Nor does one hold a deeper place whose end is above that known.
-            let far =
-                poses.of(|bunch| bunch.seen(&middle).beside > wide || bunch.seen(&(c + out * deepest.get())).up < 0.0);
-            for (number, pose) in far {
-                let found = held(pose);
-                if found > deepest.get() {
-                    deepest.set(found);
-                    last = Some(number);
-                }
-            }
-            let deepest = deepest.get();
-            if r_f - deepest > rest.most {
-                rest = FloorRest { most: r_f - deepest, v, ..rest };
-            }
-        };
+    let depths = [torus.r, torus.r + part.a_p];
+    let look = Look { floor, beside, R: torus.R, depths, tool, poses, last: Cell::new(None) };
+    let apart = (RIM - from) / f64::from(ALONG);
+    let mut tops: Vec<(Sample, f64)> = Vec::new();
+    for station in 0..ALONG {
+        let v = from + apart * (f64::from(station) + 0.5);
+        let [high, low] = [0, 1].map(|side: usize| psi_at(&look.floor.sides[side], v));
+        let step = (high - low) / f64::from(across);
+        let mut top: Option<Sample> = None;
+        let mut see = |one: Sample| top = Some(top.filter(|top| top.rest >= one.rest).unwrap_or(one));
         let mut before: Option<(f64, bool)> = None;
-        for step in 0..=across {
-            let psi = low + (high - low) * f64::from(step) / f64::from(across);
-            let here = free(psi);
+        for at in 0..=across {
+            let psi = low + step * f64::from(at);
+            let here = look.is_free(v, psi);
             // What stays in the corner of a wall falls off steeply: the place at just that distance from it is looked at.
             if let Some((last, there)) = before
                 && there != here
             {
-                let (mut shut, mut open) = if there { (psi, last) } else { (last, psi) };
-                for _ in 0..EDGES {
-                    let middle = f64::midpoint(shut, open);
-                    if free(middle) { open = middle } else { shut = middle }
-                }
-                look(open);
+                see(look.edge(v, if there { [last, psi] } else { [psi, last] }));
             }
             if here {
-                look(psi);
+                see(look.at(v, psi, 0.0));
             }
             before = Some((psi, here));
         }
+        tops.extend(top.map(|top| (top, step)));
     }
-    rest
+    tops.sort_by(|one, other| other.0.rest.total_cmp(&one.0.rest));
+    let climbed =
+        tops.iter().take(TOPS).map(|(top, step)| look.climbed(*top, [apart, *step].map(|by| by / 2.0), [from, RIM]));
+    let most = climbed.reduce(|one, other| if other.rest > one.rest { other } else { one });
+    most.filter(|most| most.rest > 0.0).map_or(FloorRest { beside, most: 0.0, v: from }, |most| FloorRest {
+        beside,
+        most: most.rest,
+        v: most.v,
+    })
 }
 
 #[cfg(test)]
