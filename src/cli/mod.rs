@@ -53,6 +53,7 @@ use self::rules::OutputNotWritten;
 use self::terminal::Terminal;
 use self::verdict::{Ending, code, gravest};
 use crate::escape::printable;
+use crate::finding::answer::answer;
 use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::kind::Kind;
 use crate::parameter::FieldKind;
@@ -84,7 +85,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -
     finding::more(&mut terminal);
     terminal.end(matches!(exit, Exit::Done | Exit::ReportFailed));
     if let Some(error) = terminal.fault() {
-        let told = OutputNotWritten { reason: error.to_string() }.at(Place::File);
+        let told = OutputNotWritten { reason: answer(&error) }.at(Place::File);
         finding::general(&[told], spoken(None, None), &mut terminal);
         exit = gravest(exit, Exit::Unwritable);
     }

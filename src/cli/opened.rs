@@ -2,11 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use opener::OpenError;
+
 use super::delivery::REPORT;
 use super::rules::NotOpened;
 use super::show;
 use super::verdict::Ending;
 use crate::escape::printable;
+use crate::finding::answer::{answer, quoted};
 use crate::finding::{Finding, Place, Raise};
 
 /// What is to be opened of a workbook that was built; none where nothing was written.
@@ -21,5 +24,9 @@ pub(super) fn chosen(verdict: &Ending) -> Option<PathBuf> {
 /// Opens it; a caution where the desktop has nothing to do so with.
 pub(super) fn open(path: &Path) -> Option<Finding> {
     let error = opener::open(path).err()?;
-    Some(NotOpened { path: show::path(path), reason: printable(&error.to_string()) }.at(Place::File))
+    let told = |error: &OpenError| match error {
+        OpenError::Io(error) => answer(error),
+        error => quoted(printable(&error.to_string())),
+    };
+    Some(NotOpened { path: show::path(path), reason: told(&error) }.at(Place::File))
 }

@@ -22,7 +22,7 @@ use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
 use crate::parameter::field::Fields;
 use crate::store;
-use crate::text::Language;
+use crate::text::{Language, Text};
 use crate::workbook::{self, Input};
 
 /// How the file of a workbook begins: it is a package.
@@ -65,14 +65,13 @@ impl Beside {
 
 impl Files for Beside {
     #[expect(clippy::disallowed_methods, reason = "the door to the files that the command names")]
-    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
+    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text> {
         for (folder, ending) in
             self.folders.iter().flat_map(|folder| [".ngc", ".nc", ""].map(|ending| (folder, ending)))
         {
             let path = folder.join(format!("{name}{ending}"));
             if path.is_file() {
-                let bytes = workbook::open_as(Input::Program, &path)
-                    .map_err(|refusal| refusal.reason().get(Language::En).to_owned())?;
+                let bytes = workbook::open_as(Input::Program, &path).map_err(|refusal| refusal.reason())?;
                 let found = Consulted::new(&path, &bytes);
                 let mut read = self.read.borrow_mut();
                 if !read.contains(&found) {

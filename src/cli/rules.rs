@@ -2,7 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// A command by itself, or over files: each its name and its lines, joined with `|`.
 macro_rules! line {
@@ -77,7 +77,7 @@ rules! {
         why "Alguien podría tomar un programa anterior por uno de este libro.", "An old program could be mistaken for one of this workbook.";
         example made!("leftover", "una carpeta con un resultado que build ya no escribe",
             "a folder with a result that the build does not write any more");
-    "U0116" NotOpened Caution { path: String, reason: String }
+    "U0116" NotOpened Caution { path: String, reason: Text }
         es "no se puede abrir {path}: {reason}"
         en "cannot open {path}: {reason}"
         remedy "ábralo usted; los archivos están escritos", "open it yourself; the files are written";
@@ -118,7 +118,7 @@ rules! {
         why "Su máquina puede tener otros recorridos, otro plato y otras herramientas.",
             "Your machine may have other travels, another chuck and other tools.";
         example line!("simulate" "part.nc"; "part.nc" = "G50 S2500|T0101|G97 S900 M3|G0 X54. Z2.|G1 X48. F0.2|Z-20.|X54.|G0 X100. Z50.|M30");
-    "U0125" SubprogramUnreadable Stop { name: String, reason: String }
+    "U0125" SubprogramUnreadable Stop { name: String, reason: Text }
         es "no se puede leer el subprograma {name}: {reason}"
         en "cannot read subprogram {name}: {reason}"
         remedy "compruebe el archivo", "check the file";
@@ -183,7 +183,7 @@ rules! {
         remedy "ejecute rodete explain, que lista los códigos", "run rodete explain, which lists the codes";
         why "Un código es una letra y cuatro cifras, como W0424.", "A code is a letter and four digits, like W0424.";
         example line!("explain" "Z9999");
-    "U0142" OutputNotWritten Stop { reason: String }
+    "U0142" OutputNotWritten Stop { reason: Text }
         es "no se puede escribir en la salida estándar: {reason}"
         en "cannot write to standard output: {reason}"
         remedy "compruebe adónde va la salida: el disco puede estar lleno", "check where the output goes: the disk may be full";

@@ -9,6 +9,7 @@ use std::path::{Component, Path};
 use super::plan::beside;
 use super::show;
 use crate::escape::{excerpt, printable};
+use crate::finding::answer::answer;
 use crate::finding::{Finding, Place, Raise};
 use crate::kind::{NamedFile, Outcome};
 use crate::parameter::{Values, title_block};
@@ -75,7 +76,7 @@ pub(super) fn named(workbook: &Path, outcome: &Outcome, verified: &[NamedFile]) 
 
 /// The bytes of a file of at most so many.
 fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Text> {
-    let unread = |error: io::Error| Text::same(printable(&error.to_string()));
+    let unread = |error: io::Error| answer(&error);
     if !fs::metadata(path).map_err(unread)?.is_file() {
         return Err(t("no es un archivo", "it is not a file"));
     }
@@ -101,7 +102,7 @@ pub(super) fn templates(folder: &Path) -> Result<Vec<Template>, Box<Finding>> {
         Text::new(format!("{}: {}", printable(name), reason.es), format!("{}: {}", printable(name), reason.en))
     };
     while let Some((path, below, depth)) = open.pop() {
-        let unread = |error: io::Error| refused(Text::same(printable(&error.to_string())));
+        let unread = |error: io::Error| refused(answer(&error));
         for entry in fs::read_dir(&path).map_err(unread)? {
             let entry = entry.map_err(unread)?;
             let name = format!("{below}{}", entry.file_name().to_string_lossy());

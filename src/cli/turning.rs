@@ -32,7 +32,7 @@ use crate::parameter::Values;
 use crate::parameter::field::{Field, Fields, Required, Stated};
 use crate::parameter::list::{Row, Rows};
 use crate::store;
-use crate::text::Language;
+use crate::text::{Language, Text};
 use crate::workbook;
 
 /// Held in the jaws, and faced off, where only the stock's size is given: mm.
@@ -265,7 +265,7 @@ fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::
                 if found.contains_key(&name) {
                     continue;
                 }
-                let unreadable = |reason: String| {
+                let unreadable = |reason: Text| {
                     let name = name.clone();
                     SubprogramUnreadable { name, reason }.refused(Exit::Unreadable, Place::File)
                 };

@@ -1,5 +1,6 @@
 //! What rodete has to say about an input or a result: graded, placed, with the value, the limit and the remedy.
 
+pub mod answer;
 pub mod datum;
 pub mod rule;
 pub mod rules;

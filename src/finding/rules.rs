@@ -19,7 +19,7 @@ rules! {
     RULES;
 
     "X0001" NotComposed Stop { path: String, reason: String }
-        es "fallo de rodete: no se ha podido componer {path}: {reason}"
+        es "fallo de rodete: no se ha podido componer {path}: «{reason}»"
         en "fault in rodete: {path} could not be composed: {reason}"
         remedy "comunique el fallo y envíe el libro que lo provoca", "report the fault and send the workbook that causes it";
         why "El contenido no cabía en una hoja o en un programa.",
@@ -34,7 +34,7 @@ rules! {
             "A step of the calculation met an impossible state and stopped.";
         example never!();
     "X0003" NotSerialized Caution { document: Text, reason: String }
-        es "{document} no se ha podido componer: {reason}"
+        es "{document} no se ha podido componer: «{reason}»"
         en "{document} could not be typeset: {reason}"
         remedy "las hojas y los programas están completos; use --no-report para prescindir de los PDF",
             "the sheets and programs are complete; use --no-report to do without the PDFs";

@@ -4,7 +4,8 @@ use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use super::rules::*;
-use crate::escape::{printable, printable_path};
+use crate::escape::printable_path;
+use crate::finding::answer::answer;
 use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::text::{Text, t};
 
@@ -47,6 +48,6 @@ fn row(path: &Path, error: &io::Error, after: Text) -> Box<dyn Raise> {
         ErrorKind::IsADirectory => Box::new(FolderInPlaceOfFile { path, after }),
         ErrorKind::InvalidFilename => Box::new(NameNotAllowed { path, after }),
         ErrorKind::ResourceBusy => Box::new(FileBusy { path, after }),
-        _ => Box::new(CannotWrite { path, reason: printable(&error.to_string()), after }),
+        _ => Box::new(CannotWrite { path, reason: answer(error), after }),
     }
 }

@@ -84,7 +84,7 @@ rules! {
         why "Otro programa tiene abierto el archivo, y el sistema no deja sustituirlo.",
             "Another program has the file open, and the system does not let rodete replace it.";
         example by_the_system!();
-    "S0110" CannotWrite Stop { path: String, reason: String, after: Text }
+    "S0110" CannotWrite Stop { path: String, reason: Text, after: Text }
         es "no se puede escribir en {path}: {reason}{after}"
         en "cannot write to {path}: {reason}{after}"
         remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";

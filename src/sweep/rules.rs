@@ -203,7 +203,7 @@ rules! {
         remedy "dé menos objetivos, o restricciones", "give fewer objectives, or constraints";
         why "Un frente tan largo no distingue unos diseños de otros.", "So long a front does not tell designs apart.";
         example Example::Never(t("un plan tan grande tarda demasiado para una prueba", "a plan of this size takes too long for a test"));
-    "D0208" NoScheduler Stop { reason: String }
+    "D0208" NoScheduler Stop { reason: Text }
         es "no se puede ejecutar sbatch: {reason}"
         en "sbatch cannot be run: {reason}"
         remedy "envíe los trozos desde un ordenador con Slurm; el guion sweep.sbatch ya está escrito", "submit from a computer that has Slurm; the script sweep.sbatch is written already";

@@ -8,6 +8,7 @@ use std::time::Duration;
 use thiserror::Error;
 
 use super::rules::*;
+use crate::finding::answer::answer;
 use crate::finding::rules::NotSerialized;
 use crate::finding::{Finding, Place, Raise};
 use crate::text::{Text, t};
@@ -108,10 +109,10 @@ impl ReportFailure {
     pub fn finding_on(&self, document: &Text) -> Finding {
         let document = document.clone();
         match self {
-            Self::Folder(error) => NoTemporaryFolder { document, reason: error.to_string() }.at(Place::File),
+            Self::Folder(error) => NoTemporaryFolder { document, reason: answer(error) }.at(Place::File),
             Self::Json(error) => NotSerialized { document, reason: error.to_string() }.at(Place::File),
             Self::NotStarted { program, error } => {
-                let (program, reason) = (clean(&program.to_string_lossy()), error.to_string());
+                let (program, reason) = (clean(&program.to_string_lossy()), answer(error));
                 CompilerNotStarted { document, program, reason, version: TYPST_VERSION }.at(Place::File)
             }
             Self::OwnTemplate { diagnostics } => {
@@ -144,9 +145,13 @@ impl Ending {
                 )
             }
             Self::Interrupted => t("se ha detenido a petición del usuario", "was stopped by the user"),
-            Self::Lost(error) => Text::new(format!("no responde ({error})"), format!("cannot be waited for ({error})")),
+            Self::Lost(error) => {
+                let Text { es, en } = answer(error);
+                Text::new(format!("no responde ({es})"), format!("cannot be waited for ({en})"))
+            }
             Self::Output(error) => {
-                Text::new(format!("no dejó ningún PDF legible ({error})"), format!("left no readable PDF ({error})"))
+                let Text { es, en } = answer(error);
+                Text::new(format!("no dejó ningún PDF legible ({es})"), format!("left no readable PDF ({en})"))
             }
             Self::NotPdf { length } => Text::new(
                 format!("dejó {length} bytes que no son un PDF completo"),

@@ -8,7 +8,7 @@ rules! {
     /// The rows of documents that are set.
     RULES;
 
-    "T0101" NoTemporaryFolder Caution { document: Text, reason: String }
+    "T0101" NoTemporaryFolder Caution { document: Text, reason: Text }
         es "{document} no se ha podido componer: no se puede escribir en la carpeta temporal ({reason})"
         en "{document} could not be typeset: cannot write to the temporary folder ({reason})"
         remedy "libere espacio o indique otra carpeta temporal con la variable TMPDIR",
@@ -16,7 +16,7 @@ rules! {
         why "rodete prepara en esa carpeta los archivos que lee el compilador.", "rodete prepares the compiler's input files in that folder.";
         example Example::Made { key: "no-tmpdir", how: t(
             "build con TMPDIR en una carpeta que no existe", "build with TMPDIR in a folder that does not exist") };
-    "T0102" CompilerNotStarted Caution { document: Text, program: String, reason: String, version: &'static str }
+    "T0102" CompilerNotStarted Caution { document: Text, program: String, reason: Text, version: &'static str }
         es "{document} no se ha podido componer: no se puede ejecutar «{program}» ({reason})"
         en "{document} could not be typeset: cannot run '{program}' ({reason})"
         remedy "indique con --typst o RODETE_TYPST un typst {version}, o no dé ninguno para usar el incorporado",

@@ -63,9 +63,23 @@ fn signature(bytes: &[u8]) -> Result<(), Refusal> {
     if !bytes.starts_with(b"PK") {
         let head: String = String::from_utf8_lossy(bytes.get(..64).unwrap_or(bytes)).chars().take(16).collect();
         let head = printable(head.lines().next().unwrap_or_default());
+        if begins_a_program(bytes) {
+            return Err(ProgramForWorkbook { head }.refused(Exit::Unreadable, Place::File));
+        }
         return Err(NoWorkbook { head }.refused(Exit::Unreadable, Place::File));
     }
     Ok(())
+}
+
+/// True for a text whose first line begins as a program does: with a percent sign, a number of program or block, a G word or a
+/// comment.
+fn begins_a_program(bytes: &[u8]) -> bool {
+    let line = bytes.trim_ascii_start().split(|byte| b"\r\n".contains(byte)).next().unwrap_or_default();
+    match line {
+        [b'%' | b'(', ..] => true,
+        [b'O' | b'o' | b'N' | b'n' | b'G' | b'g' | b':', digit, ..] => digit.is_ascii_digit(),
+        _ => false,
+    }
 }
 
 /// Names the packages that are no `.xlsx`.

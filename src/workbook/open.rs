@@ -7,6 +7,7 @@ use std::io::{self, BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use crate::escape::{printable, printable_path};
+use crate::finding::answer::answer;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::text::{Text, t};
 
@@ -128,7 +129,7 @@ fn refuse(input: Input, named: &Path, error: &io::Error) -> Refusal {
         ErrorKind::PermissionDenied if open() => NoPermissionWhileOpen { path }.at(Place::File),
         ErrorKind::PermissionDenied => NoPermissionToRead { path }.at(Place::File),
         _ => {
-            let reason = printable(&error.to_string());
+            let reason = answer(error);
             if open() {
                 CannotOpenWhileOpen { path, reason }.at(Place::File)
             } else {

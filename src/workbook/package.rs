@@ -8,6 +8,7 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use crate::escape::{excerpt, printable};
+use crate::finding::answer::quoted;
 use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::text::{Text, t};
 
@@ -235,7 +236,7 @@ fn broken(name: &str, error: &ZipError) -> Refusal {
     let how = match error {
         ZipError::Io(error) if error.to_string().contains("checksum") => t("suma de comprobación", "checksum"),
         ZipError::Io(_) => t("datos comprimidos", "compressed data"),
-        error => Text::same(printable(&error.to_string())),
+        error => quoted(printable(&error.to_string())),
     };
     part_damaged(name, how)
 }

@@ -16,6 +16,7 @@ use rodete::limits::LISTED_REFUSALS;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 use rodete::proof::account::drift;
+use rodete::text::Text;
 
 fn rules() -> impl Iterator<Item = &'static Rule> {
     rows(KINDS).into_iter()
@@ -25,7 +26,7 @@ fn rules() -> impl Iterator<Item = &'static Rule> {
 struct Beside(BTreeMap<&'static str, &'static str>);
 
 impl Files for Beside {
-    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
+    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text> {
         Ok(self.0.get(name).map(|text| text.replace('|', "\n").into_bytes()))
     }
 }

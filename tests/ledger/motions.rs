@@ -12,6 +12,7 @@ use rodete::gcode::motion::{FeedMode, Motion, MotionKind};
 use rodete::machine::axis::Pose;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
+use rodete::text::Text;
 
 use crate::golden::Item;
 
@@ -104,7 +105,7 @@ impl Group {
 struct Beside(PathBuf);
 
 impl Files for Beside {
-    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
+    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text> {
         let paths = [".ngc", ".nc"].map(|ending| self.0.join(format!("{name}{ending}")));
         Ok(paths.into_iter().find_map(|path| fs::read(path).ok()))
     }

@@ -72,7 +72,7 @@ fn a_clear_design_that_is_refused_tells_by_how_much_it_misses_the_limit() {
         ("P1205", vec![real("d_t", 3.0), real("d_f", 6.0)], Some(6.0), Some(3.0)),
         ("P1206", vec![("N", Value::Whole(6))], Some(6.0), None),
         ("P1207", vec![real("s_w", 3.0)], Some(3.0), Some(2.0)),
-        ("P1208", vec![no, real("l_t", 8.0)], Some(8.0), None),
+        ("P1224", vec![no, real("l_t", 8.0)], Some(8.0), None),
         ("P1215", vec![real("tol", 0.0045), real("delta", 0.005)], None, Some(100_000.0)),
         ("P1217", vec![real("r_c", 4.0)], Some(4.0), Some(3.0)),
         ("P1223", vec![("program", Value::Whole(9999))], Some(9999.0), Some(9998.0)),

@@ -13,6 +13,7 @@ use super::args::Sweep;
 use super::folder::{Rows, State};
 use super::{Study, absolute, count, ranges};
 use crate::escape::printable;
+use crate::finding::answer::{self, answer};
 use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::store::{Existing, Folder, Set};
 use crate::sweep::rules::NoScheduler;
@@ -126,7 +127,7 @@ fn option(name: &str, value: &OsStr) -> OsString {
 
 /// Submits a job, and gives its number.
 fn sbatch(own: &[OsString], further: &[OsString], script: &Path) -> Result<String, Refusal> {
-    let told = |reason: &str| NoScheduler { reason: printable(reason.trim()) }.refused(Exit::CommandLine, Place::File);
+    let told = |reason: Text| NoScheduler { reason }.refused(Exit::CommandLine, Place::File);
     let out = Command::new("sbatch")
         .arg("--parsable")
         .args(own)
@@ -134,9 +135,9 @@ fn sbatch(own: &[OsString], further: &[OsString], script: &Path) -> Result<Strin
         .arg(script)
         .stdin(Stdio::null())
         .output()
-        .map_err(|error| told(&error.to_string()))?;
+        .map_err(|error| told(answer(&error)))?;
     if !out.status.success() {
-        return Err(told(&String::from_utf8_lossy(&out.stderr)));
+        return Err(told(answer::quoted(printable(String::from_utf8_lossy(&out.stderr).trim()))));
     }
     // With several clusters the number is followed by the cluster's name.
     let text = String::from_utf8_lossy(&out.stdout);

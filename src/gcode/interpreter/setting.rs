@@ -7,6 +7,7 @@ use crate::gcode::turning::nose::Nose;
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
+use crate::text::Text;
 
 /// A tool of the tool table; lengths in mm, angles in degrees.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -28,7 +29,7 @@ pub trait Files {
     ///
     /// # Errors
     /// Where the file is there and cannot be read: the reason.
-    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String>;
+    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text>;
 }
 
 /// No subprogram has a file of its own.
@@ -36,7 +37,7 @@ pub trait Files {
 pub struct NoFiles;
 
 impl Files for NoFiles {
-    fn find(&mut self, _name: &str) -> Result<Option<Vec<u8>>, String> {
+    fn find(&mut self, _name: &str) -> Result<Option<Vec<u8>>, Text> {
         Ok(None)
     }
 }

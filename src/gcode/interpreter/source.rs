@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::io::{self, BufRead, Seek, SeekFrom};
 
+use crate::finding::answer::answer;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::rules::lexis::{LineEndless, ProgramTooLarge, Unreadable};
 
@@ -122,7 +123,7 @@ pub fn line_feeds(text: &str) -> String {
 }
 
 fn unreadable(error: &io::Error) -> Box<Refused> {
-    let mut fault = Refused::of(&Unreadable { reason: error.to_string() }, &[]).fatal();
+    let mut fault = Refused::of(&Unreadable { reason: answer(error) }, &[]).fatal();
     fault.exit = crate::finding::Exit::Unreadable;
     fault
 }

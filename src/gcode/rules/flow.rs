@@ -134,7 +134,7 @@ rules! {
         why "Un programa no debe leer archivos de otras carpetas.",
             "A program must not read files from other folders.";
         example Example::program("linuxcnc", "G21 G90 F100|O</etc/hole> CALL|M2", "2");
-    "G0319" SubprogramUnreadable Stop { name: String, reason: String }
+    "G0319" SubprogramUnreadable Stop { name: String, reason: Text }
         es "no se puede leer el subprograma «{name}»: {reason}"
         en "cannot read subprogram '{name}': {reason}"
         remedy "compruebe el archivo", "check the file";

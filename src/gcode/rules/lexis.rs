@@ -2,7 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::t;
+use crate::text::{Text, t};
 
 rules! {
     /// The rows of this file.
@@ -113,7 +113,7 @@ rules! {
         why "En un bloque la E es la letra de una palabra: 1e3 no es mil.",
             "In a block E is a word letter: 1e3 is not a thousand.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1e3|M2", "2:6");
-    "G0016" Unreadable Stop { reason: String }
+    "G0016" Unreadable Stop { reason: Text }
         es "no se puede leer el programa: {reason}"
         en "cannot read the program: {reason}"
         remedy "compruebe el archivo y el disco", "check the file and the disk";

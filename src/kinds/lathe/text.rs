@@ -8,6 +8,7 @@ use crate::gcode::program::Part;
 use crate::kinds::lathe::parameters::{BLOCK, SUBPROGRAM_KEY};
 use crate::kinds::lathe::rules::SubprogramOnTwoSheets;
 use crate::parameter::field::{Entry, Fields};
+use crate::text::Text;
 
 /// Lines of a program, each with the cell it stands in.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -180,7 +181,7 @@ fn number(sheet: &str) -> Option<u32> {
 struct Sheets(BTreeMap<String, Lines>);
 
 impl Files for Sheets {
-    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
+    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text> {
         Ok(self.0.get(name).map(|text| text.text.clone().into_bytes()))
     }
 }

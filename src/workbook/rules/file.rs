@@ -69,13 +69,13 @@ rules! {
             "Beside the workbook is a file that Excel creates while the workbook is open.";
         example made!("unreadable-and-open", "un libro sin permiso de lectura y junto a él un ~$impeller.xlsx",
             "a workbook without permission to read it, and a ~$impeller.xlsx beside it");
-    "W0110" CannotOpen Stop { path: String, reason: String }
+    "W0110" CannotOpen Stop { path: String, reason: Text }
         es "no se puede abrir {path}: {reason}"
         en "cannot open {path}: {reason}"
         remedy "compruebe la ruta", "check the path";
         why "El sistema no puede abrir el archivo, por la razón indicada.", "The system cannot open the file, for the reason given.";
         example made!("long-name", "un nombre de 300 letras", "a name of 300 letters");
-    "W0111" CannotOpenWhileOpen Stop { path: String, reason: String }
+    "W0111" CannotOpenWhileOpen Stop { path: String, reason: Text }
         es "no se puede abrir {path}: {reason}"
         en "cannot open {path}: {reason}"
         remedy "ciérrelo en Excel o LibreOffice y repita el comando", "close it in Excel or LibreOffice and run the command again";

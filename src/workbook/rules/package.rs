@@ -43,6 +43,13 @@ rules! {
         why "Las celdas no contienen lo que escribiría una macro hasta que se guarda el libro.",
             "The cells do not hold what a macro would write until the workbook is saved.";
         example made!("macros", "un libro con macros", "a workbook with macros");
+    "W0206" ProgramForWorkbook Stop { head: String }
+        es "es un programa, no un libro .xlsx (empieza por \"{head}\")"
+        en "this is a program, not an .xlsx workbook (starts with \"{head}\")"
+        remedy "dé el libro; un programa se comprueba con rodete verify", "give the workbook; rodete verify checks programs";
+        why "Este comando lee las celdas de un libro; los programas los lee rodete verify.",
+            "This command reads the cells of a workbook; rodete verify reads programs.";
+        example made!("program-as-book", "un programa con el nombre de un libro", "a program under the name of a workbook");
     "W0211" TooManyEntries Stop { most: usize }
         es "el paquete tiene más de {most} partes; un libro .xlsx tiene menos"
         en "the package has more than {most} entries; an .xlsx workbook has fewer"
@@ -59,7 +66,7 @@ rules! {
             "The end of the package lists its parts: without it, it is not clear where each part begins.";
         example made!("half", "la primera mitad de un libro", "the first half of a workbook");
     "W0213" ZipDirectoryDamaged Stop { reason: String }
-        es "no es un .xlsx completo (el directorio del zip está dañado: {reason})"
+        es "no es un .xlsx completo (el directorio del zip está dañado: «{reason}»)"
         en "not a complete .xlsx (the zip directory is damaged: {reason})"
         remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
             "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
@@ -142,7 +149,7 @@ rules! {
         why "Esos bytes no son texto: podría cambiar un valor.", "These bytes are not text: a value might be wrong.";
         example made!("latin1", "un libro con una letra de Latin-1 en una hoja", "a workbook with a letter of Latin-1 in a sheet");
     "W0233" PartIllFormed Stop { part: String, byte: u64, reason: String }
-        es "la parte {part} está dañada: XML mal formado en el byte {byte} ({reason})"
+        es "la parte {part} está dañada: XML mal formado en el byte {byte} («{reason}»)"
         en "the part {part} is damaged: XML not well formed at byte {byte} ({reason})"
         remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
             "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
@@ -286,7 +293,7 @@ rules! {
         why "Las celdas de la hoja están en esa parte.", "The sheet's cells are in that part.";
         example made!("no-part", "un libro sin la parte de su primera hoja", "a workbook without the part of its first sheet");
     "W0261" WorkbookUnread Stop { reason: String }
-        es "el libro no se puede leer: {reason}"
+        es "el libro no se puede leer: «{reason}»"
         en "the workbook cannot be read: {reason}"
         remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
             "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
@@ -295,7 +302,7 @@ rules! {
             "rodete rechaza antes, con su propio código, lo que el lector no admite; esto recoge lo que falte",
             "rodete first rejects, under its own code, what the reader does not accept; this catches the rest"));
     "W0262" SheetUnread Stop { sheet: String, reason: String }
-        es "la hoja \"{sheet}\" no se puede leer: {reason}"
+        es "la hoja \"{sheet}\" no se puede leer: «{reason}»"
         en "the sheet \"{sheet}\" cannot be read: {reason}"
         remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
             "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";

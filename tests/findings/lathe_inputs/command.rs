@@ -251,7 +251,7 @@ fn a_workbook_of_tools_is_named_where_it_is_wrong() {
     fs::write(folder.path().join("held.xlsx"), long.bytes()).unwrap();
     for (tools, exit, what) in [
         ("other.xlsx", 3, "error W0514: other.xlsx: schema is \"rodete-impeller 2\"; rodete reads \"rodete-lathe 1\""),
-        ("p.nc", 4, "error W0203: p.nc: this is not an .xlsx workbook"),
+        ("p.nc", 4, "error W0206: p.nc: this is a program, not an .xlsx workbook"),
         ("missing.xlsx", 4, "error W0106: cannot open missing.xlsx: no such file"),
         (".", 4, "error W0101: cannot open .: it is a folder"),
         ("held.xlsx", 3, "error P4001: held.xlsx: L4 is 200 mm; it must be less than L = 120 mm"),

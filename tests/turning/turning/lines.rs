@@ -10,6 +10,7 @@ use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::machine::axis::{Axis, Pose};
 use rodete::machine::var_file::VarFile;
 use rodete::number::shown;
+use rodete::text::Text;
 
 /// A pose with X as a diameter.
 pub fn pose(x: f64, z: f64) -> Pose {
@@ -41,7 +42,7 @@ pub fn var_file() -> VarFile {
 pub struct Folder(pub BTreeMap<String, String>);
 
 impl Files for Folder {
-    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
+    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text> {
         Ok(self.0.get(name).map(|text| text.clone().into_bytes()))
     }
 }

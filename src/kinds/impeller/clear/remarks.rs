@@ -123,8 +123,13 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
         if found < 0.0 {
             let enough = enough(tool);
             let clearance = Size::mm((-found * 1000.0).ceil() / 1000.0);
-            let told = HolderHitsBlank { tool: tool_name(which), clearance, enough }.at(at(&[key, "d_h"]));
-            findings.push(missed(told, Size::mm(stage.from), enough));
+            let (tool, from, place) = (tool_name(which), Size::mm(stage.from), at(&[key, "d_h"]));
+            let told = if found.is_finite() {
+                HolderHitsBlank { tool, clearance, enough }.at(place)
+            } else {
+                StickOutTooShort { tool, from, enough }.at(place)
+            };
+            findings.push(missed(told, from, enough));
         }
     }
     findings

@@ -160,14 +160,15 @@ impl<'a> Terms<'a> {
     /// The spindle runs up to its greatest speed near the axis where the program does not limit it.
     fn speed_limit(&self, program: &Program) -> Check {
         let name = t("Límite de giro a velocidad constante", "Speed limit under constant surface speed");
-        let rpm =
-            |speed: Option<f64>| speed.map_or_else(|| "∞ rpm".to_owned(), |speed| format!("{} rpm", shown(speed, 0)));
+        let rpm = |speed: Option<f64>| {
+            speed.map_or_else(|| t("ninguno", "none"), |speed| Text::same(format!("{} rpm", shown(speed, 0))))
+        };
         let (at, found) = self.limit.map_or((None, None), |(at, found)| (Some(at), found));
         let wanted = self.wanted_limit();
         let [shown_found, shown_wanted] = [found, wanted].map(rpm);
-        let limit = if wanted.is_some() { shown_wanted.clone() } else { String::new() };
+        let limit = if wanted.is_some() { shown_wanted.clone() } else { t("", "") };
         let asked = Question::new("blank-speed-limit", name, program);
-        let asked = asked.showing(Text::same(shown_found.clone()), Text::same(limit)).at(at).seen(self.feeds);
+        let asked = asked.showing(shown_found.clone(), limit).at(at).seen(self.feeds);
         if found != wanted {
             return asked
                 .holds(false, |place| SpeedLimitDiffers { found: shown_found, wanted: shown_wanted }.at(place));

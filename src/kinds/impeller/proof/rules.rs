@@ -179,7 +179,7 @@ crate::finding::rule::rules! {
         why "Con otra herramienta, otro giro u otro avance el corte no es el pedido.",
             "With another tool, spindle speed or feed the cut is not the one asked for.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "F0.100", to: "F1.000" };
-    "V0402" SpeedLimitDiffers Stop { found: String, wanted: String }
+    "V0402" SpeedLimitDiffers Stop { found: Text, wanted: Text }
         es "el límite de giro del programa es {found}; el del formulario, {wanted}"
         en "the speed limit is {found} in the program and {wanted} in the form"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
