@@ -18,8 +18,11 @@ const LINES: u8 = 40;
 const ROW: usize = 41;
 
 /// The same about each of the nearest of them.
-const FINER: u8 = 12;
-const FINER_ROW: usize = 13;
+const FINER: std::ops::RangeInclusive<u8> = 12..=120;
+const FINER_ROW: usize = 121;
+/// No farther from each other than this part of what a tool's radius takes of the tube's circle: the thinner the tool, the narrower
+/// are the valleys of its distance from a face.
+const NARROW: f64 = 0.25;
 
 /// Steps of a golden section about the nearest of those, where parabolas do not lead to a bottom.
 const STEPS: u32 = 24;
@@ -72,6 +75,8 @@ pub struct Wall {
     overhang: f64,
     /// The lines that are looked at first.
     lines: Vec<Line>,
+    /// Steps between the lines about each of the nearest of them.
+    finer: u8,
     /// Between two of them no distance is less than at the nearer by more than this, mm.
     between: f64,
 }
@@ -150,13 +155,18 @@ impl Wall {
         let torus = part.circle.torus;
         let (sin, cos) = (torus.r / torus.R, part.circle.k / torus.R);
         let beyond = ((part.e / 2.0 + a) * cos / sin + a / sin + 0.5) / torus.R;
-        Self::over(part, [HUB - beyond, RIM + beyond])
+        let mut wall = Self::over(part, [HUB - beyond, RIM + beyond]);
+        let finer = (3.0 * wall.step() * torus.R / (NARROW * a)).ceil();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held within what a byte takes")]
+        let finer = finer.clamp(f64::from(*FINER.start()), f64::from(*FINER.end())) as u8;
+        wall.finer = finer;
+        wall
     }
 
     /// The same faces, but beginning at v.
     #[must_use]
     pub fn from(&self, v: f64) -> Self {
-        Self::over(&self.part, [v, self.v[1]])
+        Self { finer: self.finer, ..Self::over(&self.part, [v, self.v[1]]) }
     }
 
     fn over(part: &Part, v: [f64; 2]) -> Self {
@@ -167,6 +177,7 @@ impl Wall {
             knots: Face::ALL.map(|face| knots(part, face)),
             overhang: part.overhang(),
             lines: Vec::new(),
+            finer: *FINER.start(),
             between: 0.0,
         };
         wall.lines = (0..=LINES).map(|line| wall.line(v[0] + wall.step() * f64::from(line))).collect();
@@ -299,13 +310,14 @@ impl Scan<'_> {
         for (_, about) in bottoms(&first, reach) {
             // Two valleys, one of the upper edge and one of the tool's end, may be nearer to each other than two lines.
             let around = within(about, step * 1.5);
-            let finer = (around[1] - around[0]) / f64::from(FINER);
+            let finer = (around[1] - around[0]) / f64::from(wall.finer);
             let mut row = [(f64::INFINITY, begin); FINER_ROW];
-            for (line, place) in (0_u8..).zip(&mut row) {
+            let row = &mut row[..=usize::from(wall.finer)];
+            for (line, place) in (0_u8..).zip(&mut *row) {
                 let v = around[0] + finer * f64::from(line);
                 *place = (at(v), v);
             }
-            for (apart, about) in bottoms(&row, reach) {
+            for (apart, about) in bottoms(row, reach) {
                 least = nearer(least, (apart, about));
                 let ends = within(about, finer);
                 // At an end of the face the distance may still be falling: then the end is the nearest.

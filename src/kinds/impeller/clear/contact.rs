@@ -29,6 +29,8 @@ const CLOSE: f64 = 1e-10;
 const NEAR: f64 = 0.2;
 /// A valley is the lowest where its distance is that of all to this, mm.
 const SAME: f64 = 1e-6;
+/// The most steps in which a tool comes to a face from outside.
+const MARCH: u16 = 400;
 /// The first station of a tool that does not fit where it has run out of the hub.
 const LEAST: f64 = 1e-6;
 /// How close the table is, mm at the rim.
@@ -80,12 +82,28 @@ impl Beside {
             distance - wanted
         };
         let fresh = |x: f64| self.wall.nearest(face, &axis(x), None).0 - wanted;
+        let sought = |value: &dyn Fn(f64) -> f64| {
+            // In the middle of a blade thicker than itself a tool touches no face. The face is the first thing that it meets
+            // from outside: its distance falls by no more than the tool moves.
+            let (mut low, mut high) = (0.0, begin);
+            if value(low) >= 0.0 {
+                low = high;
+                for _ in 0..MARCH {
+                    let apart = value(low);
+                    if apart < 0.0 {
+                        break;
+                    }
+                    (low, high) = (low - (apart + wanted) / (torus.R + out), low);
+                }
+            }
+            low + touching(high - low, |x| value(low + x))
+        };
         let found =
             near.and_then(|near| closing(near.x, near.slope, NEAR, follow)).filter(|(x, _)| fresh(*x).abs() < SAME);
         let (x, slope) = found.unwrap_or_else(|| {
             guess.set(None);
-            let x = touching(begin, follow);
-            (if fresh(x).abs() < SAME { x } else { touching(begin, fresh) }, rho * sin_alpha)
+            let x = sought(&follow);
+            (if fresh(x).abs() < SAME { x } else { sought(&fresh) }, rho * sin_alpha)
         });
         (middle + away * x, Touch { q, x, slope, at: guess.get().unwrap_or(v) })
     }
