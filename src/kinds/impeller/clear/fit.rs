@@ -189,9 +189,22 @@ impl Flank {
         [foot, N, t * R + (t * -aside + N * twist) * half, -t * along - b * twist]
     }
 
-    /// The point of the face nearest to a point, its depth left free, sought from v on.
+    /// The point of the face nearest to a point, its depth left free, sought from v on; near an end of the blade, where the
+    /// face goes over into its straight end, from the other side of it as well.
     #[must_use]
     pub fn nearest(&self, point: &Vector3<f64>, v: f64, beyond: Beyond) -> Nearest {
+        let found = self.sought(point, v, beyond);
+        let end = if v < f64::midpoint(HUB, RIM) { HUB } else { RIM };
+        let reach = (self.a + self.part.e) / self.part.circle.torus.R;
+        if beyond != Beyond::Straight || (v - end).abs() > reach {
+            return found;
+        }
+        let aside = (v - end).abs().max(reach / 4.0);
+        let other = self.sought(point, if v < end { end + aside } else { end - aside }, beyond);
+        if other.distance < found.distance { other } else { found }
+    }
+
+    fn sought(&self, point: &Vector3<f64>, v: f64, beyond: Beyond) -> Nearest {
         let seen = |v: f64| {
             let [foot, N, foot_v, N_v] = self.ruling(v, beyond);
             let h = (foot - point).dot(&N);
