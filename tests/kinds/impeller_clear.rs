@@ -30,6 +30,63 @@ fn lanes_that_pass_close_by_a_splitter_do_not_cut_into_its_nose() {
 }
 
 #[test]
+fn a_finishing_tool_thinner_than_the_blade_does_not_cut_into_it() {
+    // Its axis may lie in the blade and touch no face; and its distance from a face has two valleys close to each other.
+    for (R, r, N, e, a_p, d_f, tol) in [(53.2, 31.1, 6, 3.9, 6.7, 1.07, 0.03), (41.9, 23.4, 5, 3.0, 4.3, 1.33, 0.01)] {
+        let outcome = outcome(&[
+            ("R", Value::Real(R)),
+            ("r", Value::Real(r)),
+            ("N", Value::Whole(N)),
+            ("e", Value::Real(e)),
+            ("a_p", Value::Real(a_p)),
+            ("d_t", Value::Real(2.3)),
+            ("d_f", Value::Real(d_f)),
+            ("tol", Value::Real(tol)),
+            ("L_b", Value::Real(80.0)),
+        ]);
+        assert_eq!(End::of(&outcome.findings, false), End::Whole, "{R} {:?}", outcome.findings);
+    }
+}
+
+#[test]
+fn the_flank_of_a_deep_blade_is_not_cut_into_where_it_goes_over_into_its_straight_end() {
+    let outcome = outcome(&[
+        ("R", Value::Real(22.0)),
+        ("r", Value::Real(8.3)),
+        ("N", Value::Whole(3)),
+        ("e", Value::Real(2.4)),
+        ("a_p", Value::Real(6.5)),
+        ("d_t", Value::Real(6.1)),
+        ("d_f", Value::Real(2.9)),
+        ("tol", Value::Real(0.0145)),
+        ("L_b", Value::Real(80.0)),
+    ]);
+    assert_eq!(End::of(&outcome.findings, false), End::Whole, "{:?}", outcome.findings);
+}
+
+#[test]
+fn the_way_round_a_thick_splitter_keeps_clear_of_its_nose_where_that_stands_out_of_the_faces() {
+    for (R, r, N, e, a_p, d_t, d_f) in
+        [(35.05, 11.04, 3, 3.53, 3.14, 4.17, 2.99), (41.6, 15.9, 4, 3.67, 6.77, 4.63, 2.05)]
+    {
+        let outcome = outcome(&[
+            ("R", Value::Real(R)),
+            ("r", Value::Real(r)),
+            ("N", Value::Whole(N)),
+            ("e", Value::Real(e)),
+            ("a_p", Value::Real(a_p)),
+            ("d_t", Value::Real(d_t)),
+            ("d_f", Value::Real(d_f)),
+            ("tol", Value::Real(0.014)),
+            ("splitters", Value::Choice("yes")),
+            ("L_b", Value::Real(80.0)),
+        ]);
+        assert_eq!(End::of(&outcome.findings, false), End::Whole, "{R} {:?}", outcome.findings);
+        assert!(outcome.quantities.iter().any(|one| one.symbol == "v_s"));
+    }
+}
+
+#[test]
 fn rounded_ends_are_judged_and_their_rests_told() {
     for (r_c, r_cf, end) in [(0.0, 0.5, "BULL NOSE"), (3.0, 1.5, "BALL")] {
         let outcome = outcome(&[("r_c", Value::Real(r_c)), ("r_cf", Value::Real(r_cf))]);

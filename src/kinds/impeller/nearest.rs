@@ -265,13 +265,13 @@ impl Wall {
     }
 
     /// The distance of an axis from a half round of some radius about the ruling of the mean line at v. Points of it stand up
-    /// to the radius times the sine of the lean higher over the tool's end than those of the ruling.
+    /// to the radius times the sine of the lean higher over the tool's end, or lower, than those of the ruling.
     #[must_use]
     pub fn from_round(&self, v: f64, radius: f64, axis: &Axis) -> f64 {
         let line = self.line(v);
         let upright = line.down.dot(&axis.along);
-        let lower = axis.range[0] - radius * (1.0 - upright * upright).max(0.0).sqrt();
-        line.apart(0.0, &Axis { range: [lower, axis.range[1]], ..*axis }) - radius
+        let shift = radius * (1.0 - upright * upright).max(0.0).sqrt();
+        line.apart(0.0, &Axis { range: [axis.range[0] - shift, axis.range[1] + shift], ..*axis }) - radius
     }
 }
 

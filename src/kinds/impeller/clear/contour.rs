@@ -2,7 +2,8 @@
 //!
 //! # Derivation
 //! Beside the faces the tool runs on the contact lanes of a blade, turned by half a pitch. Round the nose, for f from +90°
-//! to −90°, its foot lies the distance D from the nose's ruling in the direction −cos f·t + sin f·b, which on the torus is
+//! to −90° and a little on both sides, where the half round stands out of twisted faces, its foot lies the distance D from
+//! the nose's ruling in the direction −cos f·t + sin f·b, which on the torus is
 //!
 //! > v = v_s + D(−cos f·sin α + sin f·cos α)/r, ψ = u_s + D(−cos f·cos α − sin f·sin α)/ρ,
 //!
@@ -27,6 +28,8 @@ use crate::number::trig::sin_cos;
 
 /// How close the way round the nose is kept, radians of v and of ψ.
 const TABLE: f64 = 1e-6;
+/// How far the way round the nose goes on beside each face, at most, radians of f.
+const BESIDE: f64 = 0.5;
 /// Places round the nose at which the room is looked at.
 const LOOKS: u8 = 8;
 /// Stations at which a splitter is tried to begin, and halvings about the first that is clear.
@@ -42,9 +45,21 @@ struct Nose<'a> {
     contacts: &'a Contacts,
     body: Body,
     s: f64,
+    /// From −f to f it goes.
+    f: f64,
 }
 
-impl Nose<'_> {
+impl<'a> Nose<'a> {
+    fn new(part: &'a Part, contacts: &'a Contacts, s: f64, v_s: f64) -> Self {
+        let body = Body::new(part, v_s, -contacts.pitch / 2.0, contacts.lane.tool.a() + s);
+        let mut nose = Self { part, contacts, body, s, f: FRAC_PI_2 + BESIDE };
+        // Of a splitter that begins near the rim there is less.
+        while nose.f > FRAC_PI_2 + BESIDE / 16.0 && [-nose.f, nose.f].iter().any(|&f| nose.at(f)[0] >= RIM) {
+            nose.f = f64::midpoint(nose.f, FRAC_PI_2);
+        }
+        nose
+    }
+
     /// v and ψ at f.
     fn at(&self, f: f64) -> [f64; 2] {
         let (torus, k) = (self.part.circle.torus, self.part.circle.k);
@@ -59,9 +74,10 @@ impl Nose<'_> {
             ]
         };
         let wanted = self.contacts.lane.tool.a() + self.s;
+        let reach = wanted + self.part.overhang();
         let off = |D: f64| {
             let [v, psi] = place(D);
-            self.body.apart(&self.contacts.lane.axis((v - HUB) / FRAC_PI_2, psi, wanted)) - wanted
+            self.body.apart(&self.contacts.lane.axis((v - HUB) / FRAC_PI_2, psi, reach)) - wanted
         };
         let least = self.part.e / 2.0;
         // The axis leans but little: from the distance of one that does not it is not far.
@@ -77,7 +93,7 @@ impl Nose<'_> {
         let mut least = f64::INFINITY;
         let mut from: f64 = 1.0;
         for look in 0..=LOOKS {
-            let [v, psi] = self.at(FRAC_PI_2 * (1.0 - 2.0 * f64::from(look) / f64::from(LOOKS)));
+            let [v, psi] = self.at(self.f * (1.0 - 2.0 * f64::from(look) / f64::from(LOOKS)));
             let q = (v - HUB) / FRAC_PI_2;
             if !(0.0..=1.0).contains(&q) {
                 return f64::NEG_INFINITY;
@@ -94,8 +110,7 @@ impl Nose<'_> {
 /// The least room to the blades that a tool has round a splitter that begins at v_s, mm.
 #[must_use]
 pub fn room(part: &Part, contacts: &Contacts, s: f64, v_s: f64) -> f64 {
-    let body = Body::new(part, v_s, -contacts.pitch / 2.0, contacts.lane.tool.a() + s);
-    Nose { part, contacts, body, s }.room()
+    Nose::new(part, contacts, s, v_s).room()
 }
 
 /// The least v_s from which on a splitter leaves a tool room, with s on all faces; `None` where there is none.
@@ -119,6 +134,8 @@ pub fn start(part: &Part, contacts: &Contacts, s: f64) -> Option<f64> {
 pub struct Contour<'a> {
     contacts: &'a Contacts,
     nose: Table<2>,
+    /// The way round the nose goes from f to −f.
+    f: f64,
     /// The stations at which the lanes beside its obverse and its reverse meet the nose.
     meets: [f64; 2],
 }
@@ -127,11 +144,11 @@ impl<'a> Contour<'a> {
     /// The contour of the splitter that begins at v_s, with s left on it.
     #[must_use]
     pub fn new(part: &'a Part, contacts: &'a Contacts, s: f64, v_s: f64) -> Self {
-        let body = Body::new(part, v_s, -contacts.pitch / 2.0, contacts.lane.tool.a() + s);
-        let nose = Nose { part, contacts, body, s };
-        let table = Table::new(&[-FRAC_PI_2, 0.0, FRAC_PI_2], [TABLE; 2], |f| nose.at(f));
-        let meets = [FRAC_PI_2, -FRAC_PI_2].map(|f| (table.at(f)[0] - HUB) / FRAC_PI_2);
-        Self { contacts, nose: table, meets }
+        let nose = Nose::new(part, contacts, s, v_s);
+        let f = nose.f;
+        let table = Table::new(&[-f, -FRAC_PI_2, 0.0, FRAC_PI_2, f], [TABLE; 2], |f| nose.at(f));
+        let meets = [f, -f].map(|f| (table.at(f)[0] - HUB) / FRAC_PI_2);
+        Self { contacts, nose: table, f, meets }
     }
 
     /// Where its pieces end, run out by m at the rim: the obverse for x from 0 to 1, the nose from 1 to 2, the reverse to 3.
@@ -153,7 +170,7 @@ impl<'a> Contour<'a> {
             let q = between(out, self.meets[0], x);
             [q, self.contacts.beside_splitter(q)[1]]
         } else if x < 2.0 {
-            let [v, psi] = self.nose.at(FRAC_PI_2 * (3.0 - 2.0 * x));
+            let [v, psi] = self.nose.at(self.f * (3.0 - 2.0 * x));
             [(v - HUB) / FRAC_PI_2, psi]
         } else {
             let q = between(self.meets[1], out, x - 2.0);

@@ -35,14 +35,12 @@ use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, Told, ToolTold
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clear::uncut;
 use crate::kinds::impeller::clearance::Stand;
-use crate::kinds::impeller::gap::{RUN_OUT, gap};
+use crate::kinds::impeller::gap::{RUN_OUT, gap, over_tops};
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::trig::{atan2, hypot, pow, sin_cos};
 
-/// Above the tops the tool counts as far as this, mm.
-const OVER: f64 = 0.3;
 /// The feed into the full.
 const SLOT_FEED: f64 = 0.5;
 /// The rest of the floor is told farther from the walls than this and the corner radius, mm.
@@ -298,6 +296,14 @@ fn widest(ways: &[Vec<FlankWay>; 2]) -> f64 {
     ways.iter().flatten().map(places).fold(0.0, f64::max)
 }
 
+/// How high above its tip a tool cuts on the way along a face, mm.
+fn highest(way: &FlankWay) -> f64 {
+    (0..=LOOKS)
+        .map(|look| way.beside(HUB + (RIM - HUB) * f64::from(look) / f64::from(LOOKS)).range)
+        .map(|[low, high]| high - low)
+        .fold(0.0, f64::max)
+}
+
 /// What the ways along a face leave of it.
 fn face_error(ways: &[FlankWay]) -> FaceError {
     let face = ways.first().map_or(Face::Obverse, FlankWay::face);
@@ -371,8 +377,8 @@ struct Way<F> {
     breaks: Vec<f64>,
     /// From where to where it is in the part.
     inside: [f64; 2],
-    /// How deep it cuts.
-    depth: f64,
+    /// How high above its tip the tool cuts, mm.
+    height: f64,
     /// v of a place.
     to_v: fn(f64) -> f64,
 }
@@ -407,12 +413,18 @@ impl Draft<'_> {
         usize::try_from(most).unwrap_or(usize::MAX).saturating_sub(self.blocks).max(2)
     }
 
-    fn tolerance(&self, tool: Which, depth: f64) -> Tolerance {
+    /// How high above its tip an own-normal tool that goes so deep cuts.
+    fn height(&self, tool: Which, depth: f64) -> f64 {
+        let part = &self.job.part;
+        depth + over_tops(part.circle.torus.r, self.cut.tool(tool).a() + part.overhang())
+    }
+
+    fn tolerance(&self, tool: Which, height: f64) -> Tolerance {
         Tolerance {
             machine: self.job.machine,
             epsilon: self.cut.tolerance,
             delta: self.cut.feed,
-            height: depth + OVER,
+            height,
             tool: self.cut.tool(tool),
             torus: self.job.part.circle.torus,
         }
@@ -468,10 +480,10 @@ impl Draft<'_> {
         if self.full() {
             return false;
         }
-        let Way { stand: way, breaks, inside, depth, to_v } = way;
-        let (inside, depth) = (*inside, *depth);
+        let Way { stand: way, breaks, inside, height, to_v } = way;
+        let (inside, height) = (*inside, *height);
         let (Some(&begin), Some(&end)) = (breaks.first(), breaks.last()) else { return false };
-        let tolerance = self.tolerance(wanted.tool, depth);
+        let tolerance = self.tolerance(wanted.tool, height);
         let mut from_rim = false;
         let mut run = Vec::new();
         for &[from, to] in kept {
@@ -528,6 +540,7 @@ impl Draft<'_> {
             None => vec![whole],
             Some(_) => {
                 let obstacles = Obstacles::new(&self.job.part, self.pitch, room, self.v_s);
+                let reach = room + self.job.part.overhang();
                 let inside: Vec<f64> =
                     [0.0, 0.5, 1.0].into_iter().filter(|q| (whole[0]..whole[1]).contains(q)).collect();
                 let ends: Vec<f64> = [whole[0]].into_iter().chain(inside).chain([whole[1]]).collect();
@@ -540,12 +553,12 @@ impl Draft<'_> {
                     // Clear of a splitter as long as the blade, nose and all, or of the one that is there.
                     psi >= reverse + nose
                         || psi <= obverse - nose
-                        || obstacles.keeps_splitter(&lane.axis(q, psi, room), room)
+                        || obstacles.keeps_splitter(&lane.axis(q, psi, reach), room)
                 })
             }
         };
-        let depth = lane.r_f - lane.torus.r;
-        let way = Way { stand: way, breaks, inside: [wanted.from.max(0.0), 1.0], depth, to_v: v_at };
+        let height = self.height(wanted.tool, lane.r_f - lane.torus.r);
+        let way = Way { stand: way, breaks, inside: [wanted.from.max(0.0), 1.0], height, to_v: v_at };
         self.run(wanted, &way, &kept, By::Splitter)
     }
 
@@ -653,8 +666,9 @@ impl Draft<'_> {
             return;
         }
         let contour = Contour::new(part, contacts, s, v_s);
-        let (machine, depth) = (self.job.machine, contacts.lane.r_f - contacts.lane.torus.r);
-        self.go_round(cutting, tool, true, contour.pieces(m), depth, |x| contour.stand(machine, x, m));
+        let machine = self.job.machine;
+        let height = self.height(tool, contacts.lane.r_f - contacts.lane.torus.r);
+        self.go_round(cutting, tool, true, contour.pieces(m), height, |x| contour.stand(machine, x, m));
     }
 
     /// Runs the flanks of a blade along one face: the obverse of this channel's, the reverse of the next.
@@ -700,7 +714,8 @@ impl Draft<'_> {
                 self.dropped.push(Dropped { cutting, tool, v: [v_s, RIM], by: By::Blade });
                 continue;
             }
-            self.go_round(cutting, tool, false, round.pieces(), self.job.part.a_p, |x| round.stand(machine, x, turn));
+            let height = highest(obverse).max(highest(reverse));
+            self.go_round(cutting, tool, false, round.pieces(), height, |x| round.stand(machine, x, turn));
         }
     }
 
@@ -711,13 +726,13 @@ impl Draft<'_> {
         tool: Which,
         on_lane: bool,
         mut pieces: Vec<f64>,
-        depth: f64,
+        height: f64,
         way: impl Fn(f64) -> Stand,
     ) {
         if self.cut.spindle == Spindle::Counterclockwise {
             pieces.reverse();
         }
-        let placed = self.tolerance(tool, depth).place(&way, &pieces, self.most());
+        let placed = self.tolerance(tool, height).place(&way, &pieces, self.most());
         let points = placed.into_iter().map(|(_, stand)| stand).collect();
         self.add(Wanted {
             cutting,
@@ -757,7 +772,7 @@ impl Draft<'_> {
             stand: |v| way.stand(machine, v, turn),
             breaks,
             inside: [from.max(HUB), RIM],
-            depth: self.job.part.a_p,
+            height: highest(way),
             to_v: |v| v,
         };
         self.run(&wanted, &way, kept, by);

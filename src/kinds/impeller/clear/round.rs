@@ -7,10 +7,15 @@
 //! ruling, in the direction −cos f·t + sin f·b, D such that the axis is a from the splitter, and leaves along the reverse
 //! likewise. Between two axes beside a nearly plane face, both clear of it, all are clear.
 //!
+//! The half round stands out of the twisted faces by (e/2)(hτ)²/2. Near v_s the axes beside the faces are moved off along b by
+//! what that takes.
+//!
 //! # Units
 //! Millimetres and radians.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
+
+use nalgebra::Vector3;
 
 use crate::kinds::impeller::clear::body::{Body, Obstacles, turned};
 use crate::kinds::impeller::clear::contact::closing;
@@ -26,6 +31,10 @@ use crate::number::trig::sin_cos;
 
 /// How close the distance from the nose's ruling is kept, mm.
 const TABLE: f64 = 1e-5;
+/// Nearer to the splitter than its own radius by this a tool is left where it is, mm: the fit takes as much.
+const NEARER: f64 = 2e-4;
+/// How often the way along a face is asked, twice as far from v_s each time, whether the nose still stands out there.
+const ASKED: u8 = 6;
 /// Places at which each piece of the way is looked at for its room.
 const LOOKS: u8 = 24;
 
@@ -39,16 +48,61 @@ pub struct Round<'a> {
     v_s: f64,
     /// D over f.
     distance: Table<1>,
+    /// By how much the axes beside the faces are moved off, over v, and up to which v.
+    off: [(Table<1>, f64); 2],
 }
 
 impl<'a> Round<'a> {
     /// The way of a tool along two flanks, cut equally deep, of the splitter that begins at v_s.
     #[must_use]
     pub fn new(part: &'a Part, tool: Tool, ways: [&'a FlankWay; 2], v_s: f64) -> Self {
-        let mut round = Self { part, tool, ways, v_s, distance: Table::new(&[0.0, 0.0], [1.0], |_| [0.0]) };
+        let none = || Table::new(&[0.0, 0.0], [1.0], |_| [0.0]);
+        let mut round = Self { part, tool, ways, v_s, distance: none(), off: [(none(), v_s), (none(), v_s)] };
         let body = Body::new(part, v_s, 0.0, tool.a());
         round.distance = Table::new(&[-FRAC_PI_2, 0.0, FRAC_PI_2], [TABLE], |f| [round.clear_of(&body, f)]);
+        round.off = [0, 1].map(|side| {
+            let off = |v: f64| round.off_nose(&body, side, v);
+            if off(v_s) <= 0.0 {
+                return (none(), v_s);
+            }
+            let near = (part.e / 2.0 + tool.a()) / 4.0 / part.circle.torus.R;
+            let ends = (0..ASKED).map(|k| v_s + near * f64::from(1_u32 << k)).filter(|&v| v < RIM - FADES[0]);
+            let end = ends.into_iter().find(|&v| off(v) <= 0.0).unwrap_or(v_s);
+            if end > v_s { (Table::new(&[v_s, end], [TABLE], |v| [off(v)]), end) } else { (none(), v_s) }
+        });
         round
+    }
+
+    /// An axis beside a face at v, moved off it along b, its tip as deep as the floor lets it.
+    fn moved(&self, side: usize, v: f64, by: f64) -> Axis {
+        let axis = self.ways[side].axis(v);
+        let foot = axis.foot + self.part.frame(v).1.b * (self.ways[side].face().side() * by);
+        self.deep(foot, axis.along, self.part.circle.u(v))
+    }
+
+    /// By how much the axis beside a face at v must be moved off for the splitter's nose.
+    fn off_nose(&self, body: &Body, side: usize, v: f64) -> f64 {
+        let wanted = self.tool.a() - NEARER;
+        let lacking = |by: f64| wanted - body.apart(&self.seen(&self.moved(side, v, by)));
+        let mut by = 0.0_f64;
+        for _ in 0..3 {
+            by += lacking(by).max(0.0);
+        }
+        by
+    }
+
+    /// An axis through a point, with its tip as deep as the floor lets it, K being nearest near ψ.
+    fn deep(&self, foot: Vector3<f64>, along: Vector3<f64>, near: f64) -> Axis {
+        let pass = passing(&foot, &along, self.part.circle.torus.R, near);
+        let r_f = self.ways[0].r_f();
+        let tip = pass.at - self.tool.below(r_f, pass.m).unwrap_or(r_f);
+        Axis { foot, along, range: [tip, r_f.max(tip)] }
+    }
+
+    /// The axis beside a face at v.
+    fn along(&self, side: usize, v: f64) -> Axis {
+        let (off, end) = &self.off[side];
+        if v < *end { self.moved(side, v, off.at(v)[0].max(0.0)) } else { self.ways[side].axis(v) }
     }
 
     /// The least D at which the axis is a from the splitter.
@@ -81,11 +135,7 @@ impl<'a> Round<'a> {
         let (P, frame) = self.part.frame(self.v_s);
         let (sin, cos) = sin_cos(f);
         let foot = P + (frame.b * sin - frame.t * cos) * D;
-        let near = self.part.circle.u(self.v_s);
-        let pass = passing(&foot, &frame.N, self.part.circle.torus.R, near);
-        let r_f = self.ways[0].r_f();
-        let tip = pass.at - self.tool.below(r_f, pass.m).unwrap_or(r_f);
-        Axis { foot, along: frame.N, range: [tip, r_f.max(tip)] }
+        self.deep(foot, frame.N, self.part.circle.u(self.v_s))
     }
 
     /// The axis at x, of blade 0: along the obverse up to 1, onto N(v_s) up to 2, round the nose up to 3, off N(v_s) up to
@@ -98,17 +148,16 @@ impl<'a> Round<'a> {
             let foot = tip(from) + (tip(to) - tip(from)) * part;
             Axis { foot, along: along / along.norm(), range: [0.0, self.ways[0].r_f()] }
         };
-        let [obverse, reverse] = self.ways;
         if x < 1.0 {
-            obverse.axis(self.v_at(0, 1.0 - x))
+            self.along(0, self.v_at(0, 1.0 - x))
         } else if x < 2.0 {
-            between(&obverse.axis(self.v_s), &nose(FRAC_PI_2), x - 1.0)
+            between(&self.along(0, self.v_s), &nose(FRAC_PI_2), x - 1.0)
         } else if x <= 3.0 {
             nose(FRAC_PI_2 * (5.0 - 2.0 * x))
         } else if x <= 4.0 {
-            between(&nose(-FRAC_PI_2), &reverse.axis(self.v_s), x - 3.0)
+            between(&nose(-FRAC_PI_2), &self.along(1, self.v_s), x - 3.0)
         } else {
-            reverse.axis(self.v_at(1, x - 4.0))
+            self.along(1, self.v_at(1, x - 4.0))
         }
     }
 
@@ -122,7 +171,7 @@ impl<'a> Round<'a> {
     pub fn pieces(&self) -> Vec<f64> {
         let breaks = |side: usize| {
             let end = self.ways[side].v[1];
-            [RIM - FADES[0], RIM - FADES[1], RIM]
+            [self.off[side].1, RIM - FADES[0], RIM - FADES[1], RIM]
                 .into_iter()
                 .filter(|&v| v > self.v_s)
                 .map(move |v| (v - self.v_s) / (end - self.v_s))
@@ -138,14 +187,15 @@ impl<'a> Round<'a> {
     /// Where the machine's axes stand at x, the splitter turned about the axis of the part.
     #[must_use]
     pub fn stand(&self, machine: Rotary, x: f64, turn: f64) -> Stand {
-        if x < 1.0 {
-            return self.ways[0].stand(machine, self.v_at(0, 1.0 - x), turn);
+        let beside =
+            if x < 1.0 { Some((0, self.v_at(0, 1.0 - x))) } else { (x > 4.0).then(|| (1, self.v_at(1, x - 4.0))) };
+        match beside {
+            Some((side, v)) if v >= self.off[side].1 => self.ways[side].stand(machine, v, turn),
+            beside => {
+                let (axis, v) = (self.axis(x), beside.map_or(self.v_s, |(_, v)| v));
+                stand(machine, &axis, &axis.along, self.part.circle.u(v) - TAU, turn)
+            }
         }
-        if x > 4.0 {
-            return self.ways[1].stand(machine, self.v_at(1, x - 4.0), turn);
-        }
-        let axis = self.axis(x);
-        stand(machine, &axis, &axis.along, self.part.circle.u(self.v_s) - TAU, turn)
     }
 
     /// True where the whole way keeps clear of both blades of the channel, the splitter turned about the axis of the part, and
