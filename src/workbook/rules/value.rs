@@ -73,8 +73,8 @@ rules! {
     "W0410" NumberWithMarks Stop { name: Text, text: String, number: String, unit: Text, sign: Text }
         es "{name} es el texto \"{text}\", no un número"
         en "{name} is the text \"{text}\", not a number"
-        remedy "escriba el número {number}{unit}{sign}, con el signo decimal de su hoja de cálculo",
-            "type the number {number}{unit}{sign}, with the decimal sign of your spreadsheet";
+        remedy "escriba el número {number}{sign}, con el signo decimal de su hoja de cálculo{unit}",
+            "type the number {number}{sign}, with the decimal sign of your spreadsheet{unit}";
         why "rodete sugiere lo que parece querer decir, pero nunca lo toma por el valor.",
             "rodete suggests what you probably mean, but never takes it for the value.";
         example book!("impeller", "R" = "'12,5");

@@ -59,13 +59,7 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
         value("B4 groups", "R", &sound().string("R", "1 234,5"), "not a number", "type the number 1234.5"),
         value("B4 points", "R", &sound().string("R", "1.234,5"), "not a number", "type the number 1234.5"),
         value("B4 underscore", "R", &sound().string("R", "1_000"), "not a number", "type the number 1000"),
-        value(
-            "B4 unit",
-            "R",
-            &sound().string("R", "12 mm"),
-            "not a number",
-            "type the number 12, without the unit: column D says mm",
-        ),
+        value("B4 unit", "R", &sound().string("R", "12 mm"), "not a number", "and without the unit: column D says mm"),
         value(
             "B4 hexadecimal",
             "R",
