@@ -31,8 +31,8 @@ pub fn told(name: Text, text: &str, shown: String, unit: &str) -> Box<dyn Raise>
         (false, _) => none,
         (true, "") => t(" y sin unidad", " and without a unit"),
         (true, unit) => Text::new(
-            format!(" y sin unidad: la columna D ya dice {unit}"),
-            format!(" and without the unit: column D says {unit}"),
+            format!(" y sin unidad: rodete lo lee en {unit}"),
+            format!(" and without the unit: rodete reads it in {unit}"),
         ),
     };
     match read(number) {
@@ -185,9 +185,13 @@ mod tests {
     #[test]
     fn a_typed_unit_is_left_out_and_a_percentage_is_divided() {
         for (text, unit, hinted) in [
-            ("12 mm", "mm", "12, with the decimal sign of your spreadsheet and without the unit: column D says mm"),
-            ("12mm", "mm", "12, with the decimal sign of your spreadsheet and without the unit: column D says mm"),
-            ("30°", "°", "30, with the decimal sign of your spreadsheet and without the unit: column D says °"),
+            (
+                "12 mm",
+                "mm",
+                "12, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
+            ),
+            ("12mm", "mm", "12, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm"),
+            ("30°", "°", "30, with the decimal sign of your spreadsheet and without the unit: rodete reads it in °"),
             ("10 %", "", "0.1, with the decimal sign of your spreadsheet and without a unit"),
             ("-2,5%", "", "-0.025, with the decimal sign of your spreadsheet and without a unit"),
         ] {
