@@ -1,6 +1,6 @@
 //! The findings of an outcome, for sheets and reports: the verdict in words, and the table of all.
 
-use crate::finding::{Finding, Grade, Place};
+use crate::finding::{CellPlace, Finding, Grade, Place};
 use crate::proof::check::Check;
 use crate::table::{Column, Index, Law, Print, Table};
 use crate::text::{Language, Text, t};
@@ -107,26 +107,15 @@ pub fn place(place: &Place) -> Text {
         Place::Part(part) => Text::same(part.as_str()),
         Place::Sheet(sheet) => Text::new(format!("Hoja {sheet}"), format!("Sheet {sheet}")),
         Place::Cells(cells) => {
-            let list = |language: Language| {
-                let mut sheet = None;
-                let mut list = String::new();
-                for cell in cells {
-                    if !list.is_empty() {
-                        list.push_str(", ");
-                    }
-                    if sheet != Some(&cell.sheet) {
-                        list.push_str(&cell.sheet);
-                        list.push_str(match language {
-                            Language::Es => ", celda ",
-                            Language::En => ", cell ",
-                        });
-                        sheet = Some(&cell.sheet);
-                    }
-                    list.push_str(&cell.cell);
-                }
-                list
+            let list = |[one, many]: [&str; 2]| {
+                let of_sheet = |cells: &[CellPlace]| {
+                    let sheet = cells.first().map_or("", |cell| cell.sheet.as_str());
+                    let listed: Vec<&str> = cells.iter().map(|cell| cell.cell.as_str()).collect();
+                    format!("{sheet}, {} {}", if cells.len() == 1 { one } else { many }, listed.join(", "))
+                };
+                cells.chunk_by(|a, b| a.sheet == b.sheet).map(of_sheet).collect::<Vec<_>>().join("; ")
             };
-            Text::new(list(Language::Es), list(Language::En))
+            Text::new(list(["celda", "celdas"]), list(["cell", "cells"]))
         }
         Place::Parameters(keys) => Text::same(keys.join(", ")),
         Place::Point { table, index } => {
@@ -165,8 +154,8 @@ mod tests {
     #[test]
     fn cells_of_one_sheet_are_listed_under_its_name() {
         let cells = Place::Cells(vec![cell("DATOS", "C9"), cell("DATOS", "C12"), cell("CALIBRACION", "C5")]);
-        assert_eq!(place(&cells).es, "DATOS, celda C9, C12, CALIBRACION, celda C5");
-        assert_eq!(place(&cells).en, "DATOS, cell C9, C12, CALIBRACION, cell C5");
+        assert_eq!(place(&cells).es, "DATOS, celdas C9, C12; CALIBRACION, celda C5");
+        assert_eq!(place(&cells).en, "DATOS, cells C9, C12; CALIBRACION, cell C5");
     }
 
     #[test]

@@ -46,7 +46,7 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
         );
         return asked.showing(value, limit).seen(motions).passes();
     };
-    let asked = asked.showing(t("sólo linear", "linear only"), limit).seen(motions + 1);
+    let asked = asked.showing(t("solo linear", "linear only"), limit).seen(motions + 1);
     match counting {
         Rotary::Linear => asked.informs(),
         Rotary::Rollover => {

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use crate::escape::{excerpt, printable};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::text::{Text, t};
 
 use super::limits;
 use super::listing::{self, Listing, SheetEntry};
@@ -84,7 +85,8 @@ fn begins_a_program(bytes: &[u8]) -> bool {
 
 /// Names the packages that are no `.xlsx`.
 fn format(package: &mut Package<'_>) -> Result<(), Refusal> {
-    let other = |format: &str| OtherFormat { format: format.to_owned() }.refused(Exit::Unreadable, Place::File);
+    let named = |format: Text| OtherFormat { format }.refused(Exit::Unreadable, Place::File);
+    let other = |format: &str| named(Text::same(format));
     if let Some(mime) = package.part("mimetype", limits::STRUCTURE)? {
         let mime = String::from_utf8_lossy(&mime);
         if mime.contains("opendocument.spreadsheet") {
@@ -102,7 +104,7 @@ fn format(package: &mut Package<'_>) -> Result<(), Refusal> {
         return Err(other("Office (.pptx)"));
     }
     if !package.has("[Content_Types].xml") {
-        return Err(other("archive (.zip)"));
+        return Err(named(t(".zip", "archive (.zip)")));
     }
     structure(package, "[Content_Types].xml", limits::ATTRIBUTE, |_, _| Ok(()))?;
     Ok(())

@@ -92,8 +92,10 @@ impl Summary<'_> {
         let found = &outcome.findings;
         let source = &outcome.source;
         let part: Vec<&str> = [outcome.part(), outcome.material()].into_iter().filter(|one| !one.is_empty()).collect();
-        let style = outcome.style.map_or_else(String::new, |style| format!(", style {}", style.key()));
-        let control = format!("{}{style}", outcome.control.name);
+        let control = |word: &str| {
+            let style = outcome.style.map_or_else(String::new, |style| format!(", {word} {}", style.key()));
+            format!("{}{style}", outcome.control.name)
+        };
         let (words, grade) = checks::verdict(outcome.stopped(), found);
         let passed = checks::passed(&outcome.checks);
         let sentences = |words: &str, passed: &str| format!("{words}. {passed}").trim_end().to_owned();
@@ -104,7 +106,7 @@ impl Summary<'_> {
         let line = |label: Text, text: Text| (label, text, None);
         vec![
             line(t("Pieza", "Part"), Text::same(part.join(", "))),
-            line(t("Control", "Control"), Text::same(control)),
+            line(t("Control", "Control"), Text::new(control("estilo"), control("style"))),
             (t("Resultado", "Verdict"), verdict, Some(grade)),
             (t("Qué revisar", "What to check"), looked, attention),
             line(t("Programas", "Programs"), programs(&outcome.programs)),

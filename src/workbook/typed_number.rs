@@ -29,14 +29,17 @@ pub fn told(name: Text, text: &str, shown: String, unit: &str) -> Box<dyn Raise>
     let typed_unit = suffix.chars().any(|character| character.is_alphabetic() || "°\"'%/".contains(character));
     let unit = match (typed_unit, unit) {
         (false, _) => none,
-        (true, "") => t(", sin unidad", ", without a unit"),
+        (true, "") => t(" y sin unidad", " and without a unit"),
         (true, unit) => Text::new(
-            format!(", sin unidad: la columna D ya dice {unit}"),
-            format!(", without the unit: column D says {unit}"),
+            format!(" y sin unidad: rodete lo lee en {unit}"),
+            format!(" and without the unit: rodete reads it in {unit}"),
         ),
     };
     match read(number) {
-        Some(Reading::One(number)) => Box::new(NumberWithMarks { name, text: shown, number, unit, sign }),
+        Some(Reading::One(number)) => {
+            let number = if suffix == "%" { hundredth(&number) } else { number };
+            Box::new(NumberWithMarks { name, text: shown, number, unit, sign })
+        }
         Some(Reading::Either(one, other)) => Box::new(NumberOfTwoReadings { name, text: shown, one, other, sign }),
         None => Box::new(NotANumber { name, text: shown, sign }),
     }
@@ -86,6 +89,11 @@ fn read(text: &str) -> Option<Reading> {
         ',' | '.' => Reading::One(parted),
         _ => Reading::One(joined),
     })
+}
+
+/// What a percentage is as a number: no cell of a form counts in per cent.
+fn hundredth(number: &str) -> String {
+    number.parse().map_or_else(|_| number.to_owned(), |percent: f64| crate::number::shown(percent / 100.0, 9))
 }
 
 /// The text with the digits, signs and blanks of other scripts replaced by plain ones, and the first such character.
@@ -153,9 +161,6 @@ mod tests {
             ("1,234", "mm", "type the number 1.234 or 1234, whichever is meant"),
             ("0,125", "mm", "type the number 0.125"),
             ("1_000", "", "type the number 1000"),
-            ("12 mm", "mm", "type the number 12, without the unit: column D says mm"),
-            ("12mm", "mm", "type the number 12, without the unit: column D says mm"),
-            ("30°", "°", "type the number 30, without the unit: column D says °"),
             ("0x10", "", "type a number, such as 12.5"),
             ("nan", "mm", "type a number, such as 12.5"),
             ("inf", "mm", "type a number, such as 12.5"),
@@ -174,6 +179,24 @@ mod tests {
             // A text that is a number already says nothing of signs.
             let sign = if hinted.starts_with("set ") { "" } else { ", with the decimal sign of your spreadsheet" };
             assert_eq!(remedy, format!("{hinted}{sign}"), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn a_typed_unit_is_left_out_and_a_percentage_is_divided() {
+        for (text, unit, hinted) in [
+            (
+                "12 mm",
+                "mm",
+                "12, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
+            ),
+            ("12mm", "mm", "12, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm"),
+            ("30°", "°", "30, with the decimal sign of your spreadsheet and without the unit: rodete reads it in °"),
+            ("10 %", "", "0.1, with the decimal sign of your spreadsheet and without a unit"),
+            ("-2,5%", "", "-0.025, with the decimal sign of your spreadsheet and without a unit"),
+        ] {
+            let remedy = told(Text::same("R"), text, String::new(), unit).remedy().en;
+            assert_eq!(remedy, format!("type the number {hinted}"), "{text:?}");
         }
     }
 }

@@ -87,6 +87,16 @@ fn the_way_round_a_thick_splitter_keeps_clear_of_its_nose_where_that_stands_out_
 }
 
 #[test]
+fn the_figure_of_the_finishing_names_a_splitter_only_where_there_is_one() {
+    for (splitters, named) in [("no", false), ("yes", true)] {
+        let outcome = outcome(&[("splitters", Value::Choice(splitters))]);
+        let figure = outcome.figures.iter().find(|figure| figure.key == "finishing").expect("a figure");
+        assert_eq!(figure.caption.en.contains("splitter"), named, "{}", figure.caption.en);
+        assert_eq!(figure.caption.es.contains("intermedio"), named, "{}", figure.caption.es);
+    }
+}
+
+#[test]
 fn rounded_ends_are_judged_and_their_rests_told() {
     for (r_c, r_cf, end) in [(0.0, 0.5, "BULL NOSE"), (3.0, 1.5, "BALL")] {
         let outcome = outcome(&[("r_c", Value::Real(r_c)), ("r_cf", Value::Real(r_cf))]);

@@ -281,8 +281,11 @@ mod embedded {
                 Language::En => "is red",
             };
             assert!(first.contains(red), "{name}: page 1 says what a red banner means");
+            assert!(!first.contains(" -"), "{name}: page 1 has hyphens for minus signs: {first}");
             for table in outcome.tables.iter().filter(|table| table.print != Print::No && table.rows() > 0) {
-                assert!(text.contains(table.name.get(*language)), "{name} {}", table.key);
+                let called = table.name.get(*language);
+                assert!(text.contains(called), "{name} {}", table.key);
+                assert!(!text.contains(&format!("{called}. {called} ")), "{name} {}: its name twice", table.key);
             }
         }
     }
@@ -358,6 +361,33 @@ mod embedded {
             assert!(whole[1..=sheet.len()].iter().all(|page| page.contains(foot)), "{case}");
             assert_eq!(whole.iter().filter(|page| page.contains(foot)).count(), sheet.len(), "{case}");
         }
+    }
+
+    /// The machinist sets the tools as they were checked, and is not told of axes that the form says the machine has not.
+    #[test]
+    fn the_set_up_sheet_of_an_impeller_tells_stick_outs_and_how_the_machine_counts() {
+        let sheet = |changes: &[(&'static str, Value)]| {
+            let outcome = common::outcome("clear", changes);
+            let report = typeset(&outcome, &[workbook()], &Stationery::default(), Language::En, &typst()).unwrap();
+            text(&report.setup).map(|text| text.split_whitespace().collect::<Vec<_>>().join(" "))
+        };
+        let held = [("l_t", 25.0), ("l_f", 12.0), ("d_h", 20.0)].map(|(key, size)| (key, Value::Real(size)));
+        let Some(sticking) = sheet(&held) else { return };
+        for told in ["Stick-out lt 25 mm", "Stick-out lf 12 mm", "Diameter of the holder dh 20 mm"] {
+            assert!(sticking.contains(told), "{told}: {sticking}");
+        }
+        assert!(sticking.contains("Diameter 2·R 50 mm"), "{sticking}");
+        assert!(sticking.contains("B and C show 0 before each program"), "{sticking}");
+        let linuxcnc = |rotary: &'static str| {
+            sheet(&[
+                ("dialect", Value::Choice("linuxcnc")),
+                ("start_codes", Value::Line("M3".to_owned())),
+                ("rotary", Value::Choice(rotary)),
+            ])
+        };
+        let (Some(rollover), Some(linear)) = (linuxcnc("rollover"), linuxcnc("linear")) else { return };
+        assert!(!rollover.contains("not rollover") && rollover.contains("C counts past 360°"), "{rollover}");
+        assert!(linear.contains("B and C are not rollover axes"), "{linear}");
     }
 
     /// What no page holds goes on, and says so on top: more tools than a page has lines.

@@ -314,6 +314,8 @@ fn the_first_sheet_says_what_came_out_what_to_look_at_and_where_the_files_are() 
         assert_eq!(names.first().map(String::as_str), Some(first));
         let [part, verdict, look, programs, delivered] = labels.map(|label| text(&range, row_of(&range, label), 1));
         assert!(part.contains(outcome.part()) && part.contains(outcome.material()), "{part}");
+        let style = t("fagor-8055, estilo full", "fagor-8055, style full");
+        assert_eq!(text(&range, row_of(&range, "Control"), 1), style.get(language));
         let (words, _) = checks::verdict(false, &outcome.findings);
         let passed = checks::passed(&outcome.checks);
         assert_eq!(verdict, format!("{}. {}", words.get(language), passed.get(language)));

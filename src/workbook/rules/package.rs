@@ -30,7 +30,7 @@ rules! {
         why "Un archivo de texto o una página web con nombre de libro no tiene celdas.",
             "A text file or a web page named like a workbook has no cells.";
         example made!("text", "un texto, «hello», con el nombre de un libro", "a text, \"hello\", under the name of a workbook");
-    "W0204" OtherFormat Stop { format: String }
+    "W0204" OtherFormat Stop { format: Text }
         es "es un archivo {format}, no un libro .xlsx"
         en "this is an {format} file, not an .xlsx workbook"
         remedy "guárdelo como .xlsx", "save it as .xlsx";

@@ -25,19 +25,19 @@ rules! {
     "W0403" ValueMissing Stop { name: Text, cell: String, expected: Text }
         es "falta {name}"
         en "{name} is missing"
-        remedy "escriba en {cell} {expected}", "write {expected} in {cell}";
+        remedy "escriba en {cell} {expected}", "in {cell} write {expected}";
         why "El cálculo necesita este valor, y rodete no lo supone.", "The calculation needs this value, and rodete does not assume one.";
         example book!("impeller", "R" = "");
     "W0404" ValueIsError Stop { name: Text, error: String, cell: String, expected: Text }
         es "{name} es el error {error}"
         en "{name} is the error {error}"
-        remedy "escriba en {cell} {expected}", "write {expected} in {cell}";
+        remedy "escriba en {cell} {expected}", "in {cell} write {expected}";
         why "La fórmula de la celda no dio ningún valor.", "The cell's formula gave no value.";
         example book!("impeller", "R" = "#DIV/0!");
     "W0405" ValueIsTruth Stop { name: Text, truth: Text, cell: String, expected: Text }
         es "{name} es el valor lógico {truth}"
         en "{name} is the truth value {truth}"
-        remedy "escriba en {cell} {expected}", "write {expected} in {cell}";
+        remedy "escriba en {cell} {expected}", "in {cell} write {expected}";
         why "Verdadero podría leerse como 1, y rodete no lo adivina.", "True might be read as 1, and rodete does not guess.";
         example book!("impeller", "R" = "TRUE");
     "W0406" ValueIsDate Stop { name: Text, cell: String }
@@ -58,7 +58,7 @@ rules! {
     "W0408" NotWhole Stop { name: Text, value: Typed, cell: String, expected: Text }
         es "{name} es {value} y debe ser un número entero"
         en "{name} is {value}; it must be a whole number"
-        remedy "escriba en {cell} {expected}", "write {expected} in {cell}";
+        remedy "escriba en {cell} {expected}", "in {cell} write {expected}";
         why "No existe medio álabe ni medio punto, y rodete no redondea por usted.",
             "There is no half blade and no half point, and rodete does not round for you.";
         example book!("impeller", "n" = "39.5");
@@ -73,8 +73,8 @@ rules! {
     "W0410" NumberWithMarks Stop { name: Text, text: String, number: String, unit: Text, sign: Text }
         es "{name} es el texto \"{text}\", no un número"
         en "{name} is the text \"{text}\", not a number"
-        remedy "escriba el número {number}{unit}{sign}, con el signo decimal de su hoja de cálculo",
-            "type the number {number}{unit}{sign}, with the decimal sign of your spreadsheet";
+        remedy "escriba el número {number}{sign}, con el signo decimal de su hoja de cálculo{unit}",
+            "type the number {number}{sign}, with the decimal sign of your spreadsheet{unit}";
         why "rodete sugiere lo que parece querer decir, pero nunca lo toma por el valor.",
             "rodete suggests what you probably mean, but never takes it for the value.";
         example book!("impeller", "R" = "'12,5");
@@ -103,7 +103,7 @@ rules! {
     "W0414" NoSuchChoice Stop { name: Text, text: String, choices: Text, cell: String }
         es "{name} es \"{text}\" y debe ser {choices}"
         en "{name} is \"{text}\"; it must be {choices}"
-        remedy "escriba en {cell} {choices}", "write {choices} in {cell}";
+        remedy "escriba en {cell} {choices}", "in {cell} write {choices}";
         why "Cada palabra de la lista elige un modo de cálculo; las demás, ninguno.",
             "Each word of the list selects a way to compute; others select none.";
         example book!("impeller", "style" = "pretty");
@@ -117,13 +117,13 @@ rules! {
     "W0416" WrongCode Stop { name: Text, wrong: String, cell: String, expected: Text }
         es "{name} lleva \"{wrong}\", que no es un código de máquina (G o M y un número entero)"
         en "{name} has \"{wrong}\", which is not a machine code (G or M and a whole number)"
-        remedy "escriba en {cell} {expected}", "write {expected} in {cell}";
+        remedy "escriba en {cell} {expected}", "in {cell} write {expected}";
         why "rodete copia estos códigos tal cual en los programas.", "rodete copies these codes into the programs unchanged.";
         example book!("impeller", "start_codes" = "M3 X100");
     "W0417" WrongBlock Stop { name: Text, wrong: String, cell: String, expected: Text }
         es "{name} lleva \"{wrong}\"; solo admite códigos y X, Y, Z con su número, por este orden: G, ejes, M, y ningún eje giratorio"
         en "{name} has \"{wrong}\"; it allows only codes and X, Y, Z with their numbers, in this order: G, axes, M, and no rotary axis"
-        remedy "escriba en {cell} {expected}", "write {expected} in {cell}";
+        remedy "escriba en {cell} {expected}", "in {cell} write {expected}";
         why "rodete copia este bloque tal cual en los programas, y la máquina lo ejecuta.",
             "rodete copies this block into the programs unchanged, and the machine runs it.";
         example book!("impeller", "retract" = "G0 B90");
@@ -170,7 +170,7 @@ rules! {
     "W0424" OutOfLimits Stop { name: Text, value: Typed, min: Typed, max: Typed, cell: String, expected: Text }
         es "{name} es {value} y debe estar entre {min} y {max}"
         en "{name} is {value}; it must be from {min} to {max}"
-        remedy "escriba en {cell} {expected}", "write {expected} in {cell}";
+        remedy "escriba en {cell} {expected}", "in {cell} write {expected}";
         why "Fuera de estos límites no existe tal pieza ni tal máquina.", "Beyond these limits no such part or machine exists.";
         example book!("impeller", "R" = "-25");
     "W0425" LikelyOtherUnit Stop { name: Text, value: Typed, min: Typed, max: Typed, meant: Text }

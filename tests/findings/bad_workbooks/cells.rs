@@ -32,14 +32,14 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "R",
             &sound().cell(DATA, &cell("R"), ""),
             "R (Torus radius, axis to the centre of the meridian) is missing",
-            "write a number from 5 to 1000 mm in C7",
+            "in C7 write a number from 5 to 1000 mm",
         ),
         value(
             "B1 empty choice",
             "dialect",
             &sound().cell(DATA, &cell("dialect"), ""),
             "is missing",
-            "write one of: fagor-8055, fagor-8070, linuxcnc in C",
+            "write one of: fagor-8055, fagor-8070, linuxcnc",
         ),
         value(
             "B1 blanks only",
@@ -64,7 +64,7 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "R",
             &sound().string("R", "12 mm"),
             "not a number",
-            "type the number 12, without the unit: column D says mm",
+            "and without the unit: rodete reads it in mm",
         ),
         value(
             "B4 hexadecimal",
@@ -173,7 +173,7 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "R",
             &sound().value("R", "t=\"e\"", "<f>1/0</f><v>#DIV/0!</v>"),
             "is the error #DIV/0!",
-            "write a number from 5 to 1000 mm in C7",
+            "in C7 write a number from 5 to 1000 mm",
         ),
         value(
             "B9 #N/A",
@@ -201,7 +201,7 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "R",
             &sound().value("R", "t=\"b\"", "<v>1</v>"),
             "is the truth value TRUE",
-            "write a number from 5 to 1000 mm in C7",
+            "in C7 write a number from 5 to 1000 mm",
         ),
         value(
             "B11 FALSE choice",
@@ -274,7 +274,7 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "R",
             &sound().number("R", "1e308"),
             "is 1e308 mm; it must be from 5 to 1000 mm",
-            "write a number from 5 to 1000 mm in C7",
+            "in C7 write a number from 5 to 1000 mm",
         ),
         value(
             "B19 subnormal",

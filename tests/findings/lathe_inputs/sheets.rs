@@ -339,7 +339,7 @@ fn headings_and_sheets_that_are_missing_are_named() {
 #[test]
 fn a_block_must_be_a_text() {
     let with = |inner: &str| parts(&sound()).cell(PROGRAM, "A8", inner).zip();
-    let text = "write a text of up to 200 characters in A8";
+    let text = "in A8 write a text of up to 200 characters";
     let block = "PROGRAM!A8 BLOCK (one block per row)";
     stops("a truth", &with("<c r=\"A8\" t=\"b\"><v>1</v></c>"), &[&format!("{block} is the truth value TRUE")], text);
     stops(

@@ -78,7 +78,7 @@ pub(in crate::kinds::impeller) static ALLOWANCE: Field<f64, Usual> = Field::real
     "allowance_s_w",
     MM,
     [0.0, 10.0],
-    t("Creces que deja el desbaste en caras y fondo", "Allowance that roughing leaves on faces and floor"),
+    t("Demasía que deja el desbaste en caras y fondo", "Allowance that roughing leaves on faces and floor"),
     t("Solo con method = clear; vacía: 0.3", "Only with method = clear; empty: 0.3"),
 );
 pub(in crate::kinds::impeller) static LEVEL: Field<f64, Optional> = Field::real(

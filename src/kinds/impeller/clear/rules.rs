@@ -40,13 +40,13 @@ rules! {
     "P1206" ToolDoesNotFit Stop { tool: Text, d: Size, largest: Text, uncut: Size }
         es "{tool} de {d} no pasa entre los álabes: {largest}; dejaría sin cortar el {uncut} % de los canales"
         en "{tool} of {d} does not pass between the blades: {largest}; it would leave {uncut} % of the channels uncut"
-        remedy "use una herramienta menor, menos álabes o álabes más delgados; con partly = yes se corta hasta donde cabe", "use a smaller tool, fewer blades, or thinner blades; with partly = yes it cuts as far as it fits";
+        remedy "use una herramienta menor, menos álabes o álabes más delgados; con partly = sí se corta hasta donde cabe", "use a smaller tool, fewer blades, or thinner blades; with partly = yes it cuts as far as it fits";
         why "Una herramienta más ancha que el canal corta los dos álabes.", "A tool wider than the channel cuts into both blades.";
         example book!("impeller", "N" = "6");
     "P1207" AllowanceUsesUpDepth Stop { s: Size, a_p: Size }
-        es "las creces s_w de {s} no dejan nada que desbastar en una profundidad a_p de {a_p}"
+        es "la demasía s_w de {s} no deja nada que desbastar en una profundidad a_p de {a_p}"
         en "the allowance s_w of {s} leaves nothing to rough in a depth a_p of {a_p}"
-        remedy "elija unas creces menores", "choose a smaller allowance";
+        remedy "elija una demasía menor", "choose a smaller allowance";
         why "El desbaste se queda a esa distancia del fondo.", "Roughing stays that far above the floor.";
         example book!("impeller", "s_w" = "3");
     "P1208" HolderHitsBlank Stop { tool: Text, clearance: Size, enough: Size }
@@ -125,7 +125,7 @@ rules! {
         es "la fresa de desbaste cabe desde el {from} % del camino del cubo al borde; más adentro desbasta la de acabado"
         en "the roughing tool fits from {from} % of the way from hub to rim on; farther in the finishing tool roughs"
         remedy "una fresa de desbaste menor ahorra tiempo a la de acabado", "a smaller roughing tool spares the finishing tool";
-        why "Con partly = yes cada fresa corta hasta donde cabe.", "With partly = yes each tool cuts as far as it fits.";
+        why "Con partly = sí cada fresa corta hasta donde cabe.", "With partly = yes each tool cuts as far as it fits.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8", "d_f" = "3", "T_f" = "2", "D_f" = "2");
     "P1221" LargestForTheRoot Note { height: Size, tool: Text, left: Size }
         es "para un resto de {height} como mucho en la esquina: {tool}; la fresa de acabado dada deja hasta {left}"

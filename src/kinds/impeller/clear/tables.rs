@@ -95,7 +95,7 @@ fn passes(design: &Design, plan: &Plan) -> Table {
             "Pasadas de un canal, en orden; los demás son iguales",
             "Passes of one channel, in order; all channels are alike",
         ),
-        source: t("derivado aquí", "derived here"),
+        source: t("deducido aquí", "derived here"),
         index: Index::None,
         print: Print::Short,
         columns: vec![
@@ -129,7 +129,7 @@ fn poses(plan: &Plan) -> Table {
             "Posiciones de los ejes a lo largo de las pasadas de un canal",
             "Positions of the axes along the passes of one channel",
         ),
-        source: t("derivado aquí", "derived here"),
+        source: t("deducido aquí", "derived here"),
         index: Index::None,
         print: Print::No,
         columns: vec![
@@ -243,8 +243,8 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
         ),
         quantity(
             "floor_rest",
-            "Resto en el fondo, a más de 0.4 mm y r_c de las caras, aproximado",
-            "Rest on the floor, farther than 0.4 mm and r_c from the faces, approximate",
+            "Resto en el fondo, a más de 0.4 mm más el radio de esquina de la fresa de las caras, aproximado",
+            "Rest on the floor, farther than 0.4 mm plus the tool's corner radius from the faces, approximate",
             told.floor.most,
             mm,
             ["crestas entre pasadas", "ridges between lanes"],

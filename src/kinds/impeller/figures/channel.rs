@@ -171,17 +171,22 @@ fn finishing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
         strokes.push(arrow(ink, way(design, pass)));
     }
     let lanes = plan.told.finish.lanes;
+    let then = if found.iter().any(|(ink, _)| *ink == Ink::Splitter) {
+        t("caras y álabe intermedio", "faces and splitter")
+    } else {
+        t("caras", "faces")
+    };
     Figure {
         key: "finishing",
         height: HEIGHT,
         caption: Text::new(
             format!(
-                "Acabado de un canal en planta: {lanes} caminos de la punta en el fondo, del centro hacia fuera, y después caras y \
-                 álabe intermedio"
+                "Acabado de un canal en planta: {lanes} caminos de la punta en el fondo, del centro hacia fuera, y después {}",
+                then.es
             ),
             format!(
-                "Finishing of one channel in plan: {lanes} ways of the tip on the floor, from the middle outwards, then faces \
-                 and splitter"
+                "Finishing of one channel in plan: {lanes} ways of the tip on the floor, from the middle outwards, then {}",
+                then.en
             ),
         ),
         axes: None,
