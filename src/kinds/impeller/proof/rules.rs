@@ -146,7 +146,7 @@ crate::finding::rule::rules! {
         en "the tool enters the face of a blade by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
         remedy "use una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o menos álabes o más delgados", "use a smaller tool in this program (d_t in roughing, d_f in finishing), or fewer or thinner blades";
         why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
-        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N23350 G1 X-2.837", to: "N23350 G1 X-3.137" };
+        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N23350 G1 X-2.836", to: "N23350 G1 X-3.136" };
     "V0127" ClearCutsSplitter Stop { depth: Size, limit: Size, line: usize, program: Text }
         es "la herramienta entra {depth} en un álabe intermedio, en la línea {line} de «{program}»; la tolerancia admite {limit}"
         en "the tool enters a splitter by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
