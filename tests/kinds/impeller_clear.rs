@@ -67,7 +67,7 @@ fn the_flank_of_a_deep_blade_is_not_cut_into_where_it_goes_over_into_its_straigh
 #[test]
 fn the_way_round_a_thick_splitter_keeps_clear_of_its_nose_where_that_stands_out_of_the_faces() {
     for (R, r, N, e, a_p, d_t, d_f) in
-        [(35.05, 11.04, 3, 3.53, 3.14, 4.17, 2.99), (41.6, 15.9, 4, 3.67, 6.77, 4.63, 2.05)]
+        [(35.05, 11.04, 3, 3.53, 3.15, 4.17, 2.99), (41.6, 15.9, 4, 3.67, 6.77, 4.63, 2.05)]
     {
         let outcome = outcome(&[
             ("R", Value::Real(R)),
