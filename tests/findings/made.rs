@@ -146,7 +146,7 @@ fn made(key: &str) -> Option<Vec<u8>> {
         "empty" => Vec::new(),
         "old" => b"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1rest".to_vec(),
         "text" => b"hello\nworld".to_vec(),
-        "program-as-book" => b"O1234\nG21 G90\n".to_vec(),
+        "g-code" => b"O1234\nG21 G90\n".to_vec(),
         "zip" => zip_of(&["a.txt"]),
         "macros" => sound().put("xl/vbaProject.bin", b"\xD0\xCF".to_vec()).zip(),
         "many-entries" => {

@@ -49,7 +49,7 @@ rules! {
         remedy "dé el libro; un programa se comprueba con rodete verify", "give the workbook; rodete verify checks programs";
         why "Este comando lee las celdas de un libro; los programas los lee rodete verify.",
             "This command reads the cells of a workbook; rodete verify reads programs.";
-        example made!("program-as-book", "un programa con el nombre de un libro", "a program under the name of a workbook");
+        example made!("g-code", "un programa con el nombre de un libro", "a program under the name of a workbook");
     "W0211" TooManyEntries Stop { most: usize }
         es "el paquete tiene más de {most} partes; un libro .xlsx tiene menos"
         en "the package has more than {most} entries; an .xlsx workbook has fewer"
