@@ -14,7 +14,7 @@
 //! Millimetres and radians.
 
 use std::cell::{Cell, RefCell};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use crate::kinds::impeller::clear::lane::{OwnNormal, out_at, v_at};
 use crate::kinds::impeller::clear::table::Table;
@@ -30,7 +30,7 @@ const NEAR: f64 = 0.2;
 /// A valley is the lowest where its distance is that of all to this, mm.
 const SAME: f64 = 1e-6;
 /// The most steps in which a tool comes to a face from outside.
-const MARCH: u16 = 400;
+const MARCH: u16 = 60;
 /// The first station of a tool that does not fit where it has run out of the hub.
 const LEAST: f64 = 1e-6;
 /// How close the table is, mm at the rim.
@@ -87,6 +87,10 @@ impl Beside {
             // from outside: its distance falls by no more than the tool moves.
             let (mut low, mut high) = (0.0, begin);
             if value(low) >= 0.0 {
+                // A blade as thick as half the part leaves no channel.
+                if begin > PI {
+                    return begin;
+                }
                 low = high;
                 for _ in 0..MARCH {
                     let apart = value(low);
