@@ -24,6 +24,8 @@ const GRAPH_MARGIN: [f64; 4] = [19.0, 3.0, 5.0, 13.0];
 const LETTER: f64 = figure::LETTER;
 /// Points of a stroke nearer than this to the last one drawn are left out, in mm of paper.
 const FINEST: f64 = 0.05;
+/// Width of the hairline that closes the seam between two filled shapes, mm.
+const SEAM: f64 = 0.14;
 
 /// Where figure coordinates fall on paper.
 struct Plot {
@@ -103,10 +105,10 @@ pub(super) fn dots(axes: &Axes, dots: &[Dots], language: Language) -> Option<Str
     Some(document(&body, frame.size))
 }
 
-/// An SVG document of a size in mm.
+/// An SVG document of a size in mm. What the thousands of faces of a solid share stands once, at its head.
 fn document(body: &str, [width, height]: [f64; 2]) -> String {
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.2}mm\" height=\"{height:.2}mm\" viewBox=\"0 0 {width:.2} {height:.2}\">\n{body}</svg>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.2}mm\" height=\"{height:.2}mm\" viewBox=\"0 0 {width:.2} {height:.2}\" stroke-width=\"{SEAM}\" stroke-linejoin=\"round\">\n{body}</svg>\n"
     )
 }
 
@@ -195,7 +197,7 @@ fn path(points: &[[f64; 2]]) -> String {
         if near && at + 1 < points.len() {
             continue;
         }
-        let _ = write!(text, "{}{x:.3} {y:.3}", if last.is_some() { " " } else { "M" });
+        let _ = write!(text, "{}{x:.2} {y:.2}", if last.is_some() { " " } else { "M" });
         last = Some([x, y]);
     }
     text
@@ -205,7 +207,7 @@ fn line(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
     let pen = pen(ink);
     let _ = write!(
         body,
-        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-linejoin=\"round\" stroke-linecap=\"round\"",
+        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-linecap=\"round\"",
         path(points),
         pen.colour,
         pen.width
@@ -223,9 +225,5 @@ fn fill(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
         Ink::Face(light) => face(light),
         other => pen(other).tint.to_owned(),
     };
-    let _ = writeln!(
-        body,
-        "<path d=\"{} Z\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"0.14\" stroke-linejoin=\"round\"/>",
-        path(points)
-    );
+    let _ = writeln!(body, "<path d=\"{} Z\" fill=\"{colour}\" stroke=\"{colour}\"/>", path(points));
 }

@@ -49,6 +49,17 @@ fn a_finishing_tool_thinner_than_the_blade_does_not_cut_into_it() {
 }
 
 #[test]
+fn floor_lanes_overlap_however_thin_the_finishing_tool_is() {
+    // By the law of the ridges alone the lanes would be farther apart than the tool is wide, with strips of the floor between.
+    for (d_f, c_s) in [(1.0, 0.025), (1.5, 0.1)] {
+        let outcome = outcome(&[("d_f", Value::Real(d_f)), ("c_s", Value::Real(c_s)), ("tol", Value::Real(0.02))]);
+        let rest = outcome.quantities.iter().find(|one| one.symbol == "floor_rest").unwrap().value;
+        assert!(rest <= c_s + 0.02, "{d_f}: {rest}");
+        assert!(told(&outcome, "on the floor about").is_none_or(|what| !what.contains("more than the ridge")), "{d_f}");
+    }
+}
+
+#[test]
 fn the_flank_of_a_deep_blade_is_not_cut_into_where_it_goes_over_into_its_straight_end() {
     let outcome = outcome(&[
         ("R", Value::Real(22.0)),

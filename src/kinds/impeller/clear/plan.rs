@@ -45,6 +45,8 @@ use crate::number::trig::{atan2, hypot, pow, sin_cos};
 const SLOT_FEED: f64 = 0.5;
 /// The rest of the floor is told farther from the walls than this and the corner radius, mm.
 pub const BESIDE: f64 = 0.4;
+/// The part of its width by which a tool steps from lane to lane at most.
+const LAPPED: f64 = 0.9;
 /// How often a splitter's beginning is moved on at most, and by how much, radians of v.
 const STARTS: u8 = 40;
 const START: f64 = 0.01;
@@ -246,9 +248,22 @@ fn ridge(contacts: &Contacts, q: f64) -> Ridge {
     Ridge::at(&contacts.lane, v_at(q), tan / (1.0 + tan * tan).sqrt())
 }
 
-/// The steps between lanes that leave ridges no higher than c.
+/// The steps between lanes that leave ridges no higher than c, and no strip between the ends of two neighbours: the law of the
+/// ridges holds as far as an end reaches along the parallel.
 fn ridges(contacts: &Contacts, c: f64) -> u32 {
-    steps(contacts.greatest(|q| contacts.room(q) / ridge(contacts, q).turn(c)) - 1e-9)
+    let OwnNormal { torus, r_f, tool, .. } = contacts.lane;
+    let reach = match tool.flat_radius() {
+        flat if flat > 0.0 => LAPPED * flat + (2.0 * tool.r_c * c).sqrt(),
+        _ => f64::INFINITY,
+    };
+    let widest = |q: f64| ridge(contacts, q).turn(c).min(2.0 * reach / (torus.R + r_f * sin_cos(v_at(q)).1));
+    steps(contacts.greatest(|q| contacts.room(q) / widest(q)) - 1e-9)
+}
+
+/// The sine of the greatest angle of the lanes to the parallel at a station.
+fn steepness(contacts: &Contacts, q: f64) -> f64 {
+    let tan = [0.0, 0.5, 1.0].map(|lambda| slope(contacts, lambda, q).abs()).into_iter().fold(0.0, f64::max);
+    if tan.is_finite() { tan / (1.0 + tan * tan).sqrt() } else { 1.0 }
 }
 
 /// The ways along both faces: one each, or as many as it takes to keep their errors within the tolerance.
@@ -611,9 +626,11 @@ impl Draft<'_> {
     fn rough(&mut self, contacts: &Contacts, tool: Which, from: f64) -> (u32, u32) {
         let (torus, mill, s) = (self.job.part.circle.torus, self.cut.tool(tool), self.cut.s);
         let sin_alpha = torus.r / torus.R;
-        let across = contacts
-            .greatest(|q| contacts.room(q) * (torus.R + contacts.lane.below(q) * sin_cos(v_at(q)).1) * sin_alpha);
-        let K = steps(across / (self.cut.step * mill.d));
+        let along = |q: f64| contacts.room(q) * (torus.R + contacts.lane.below(q) * sin_cos(v_at(q)).1);
+        let across = contacts.greatest(|q| along(q) * sin_alpha);
+        // Deep down lanes cross the parallels more steeply than the tops do: there, too, the tool must reach from one to the next.
+        let deep = contacts.greatest(|q| along(q) * steepness(contacts, q));
+        let K = steps(across / (self.cut.step * mill.d)).max(steps(deep / (LAPPED * mill.d)));
         // A round end leaves ridges on the level: no more of them than there is to finish.
         let K = if mill.r_c > 0.0 { K.max(ridges(contacts, s.max(self.cut.scallop))) } else { K };
         let depth = contacts.lane.r_f - torus.r;

@@ -38,6 +38,9 @@ use crate::number::trig::{hypot, sin_cos};
 /// Lines of a face, and of a half-round nose, that are looked at.
 const LINES: u16 = 160;
 const NOSE_LINES: u16 = 24;
+/// Lines of each straight end of a face, and how far inside of its edge the last one is, radians of v.
+const END_LINES: u16 = 16;
+const EDGE: f64 = 1e-6;
 /// Steps down a line, and along the floor, mm.
 const DOWN: f64 = 0.01;
 const ALONG: f64 = 0.02;
@@ -80,10 +83,16 @@ pub struct Line {
 #[must_use]
 pub fn face_lines(part: &Part, face: Face, turn: f64, from: f64) -> Vec<Line> {
     let pieces = part.pieces(face);
-    let begin = pieces.first().map_or(HUB, |piece| piece.v[0]).max(from);
-    let end = pieces.last().map_or(RIM, |piece| piece.v[1]);
-    (0..=LINES)
-        .map(|line| begin + (end - begin) * f64::from(line) / f64::from(LINES))
+    // At its very edges a face is not in the blank but on it.
+    let begin = pieces.first().map_or(HUB, |piece| piece.v[0] + EDGE).max(from);
+    let end = pieces.last().map_or(RIM, |piece| piece.v[1] - EDGE);
+    let evenly = |[low, high]: [f64; 2], lines: u16| {
+        (0..=lines).map(move |line| low + (high - low) * f64::from(line) / f64::from(lines))
+    };
+    // Straight ends are short, and what is left of them changes most.
+    let ends = [[begin, HUB], [RIM, end]].into_iter().filter(|[low, high]| low < high);
+    evenly([begin, end], LINES)
+        .chain(ends.flat_map(|end| evenly(end, END_LINES)))
         .chain([HUB, RIM].into_iter().filter(|v| (begin..=end).contains(v)))
         .map(|v| {
             let out = part.frame(v).1.b * face.side();

@@ -94,7 +94,7 @@ rules! {
     "P1215" TooManyClearBlocks Stop { program: Text, blocks: u64, most: u64 }
         es "«{program}» tendría al menos {blocks} bloques; el límite es {most}"
         en "\"{program}\" would have at least {blocks} blocks; the limit is {most}"
-        remedy "elija una tol, una c_s o una delta mayor, o menos niveles (a_k)", "choose a larger tol, c_s or delta, or fewer levels (a_k)";
+        remedy "elija una tol, una c_s o una delta mayor, una fresa de acabado más gruesa (d_f), o menos niveles (a_k)", "choose a larger tol, c_s or delta, a thicker finishing tool (d_f), or fewer levels (a_k)";
         why "Un programa tan largo no cabe en la memoria de muchos controles.", "So long a program does not fit the memory of many controls.";
         example book!("impeller", "tol" = "0.0045", "delta" = "0.005");
     "P1216" PublishedLeavesMetal Caution {}
