@@ -33,8 +33,8 @@ const STEPS: u8 = 8;
 const HALVINGS: u8 = 12;
 /// Halvings for the place at a distance from a wall.
 const EDGES: u8 = 8;
-/// So many of the stations at which most is left are looked at more closely, in so many steps each.
-const TOPS: usize = 4;
+/// So many of the places at which more is left than beside them are looked at more closely, in so many steps each.
+const TOPS: usize = 16;
 const CLIMBS: u8 = 12;
 /// How far a wall's edge may shift aside from one step to the next, in steps of ψ.
 const WIDER: f64 = 2.0;
@@ -281,8 +281,7 @@ pub fn floor_rest(
         let v = from + apart * (f64::from(station) + 0.5);
         let [high, low] = [0, 1].map(|side: usize| psi_at(&look.floor.sides[side], v));
         let step = (high - low) / f64::from(across);
-        let mut top: Option<Sample> = None;
-        let mut see = |one: Sample| top = Some(top.filter(|top| top.rest >= one.rest).unwrap_or(one));
+        let mut seen: Vec<Sample> = Vec::new();
         let mut before: Option<(f64, bool)> = None;
         for at in 0..=across {
             let psi = low + step * f64::from(at);
@@ -291,14 +290,16 @@ pub fn floor_rest(
             if let Some((last, there)) = before
                 && there != here
             {
-                see(look.edge(v, if there { [last, psi] } else { [psi, last] }));
+                seen.push(look.edge(v, if there { [last, psi] } else { [psi, last] }));
             }
             if here {
-                see(look.at(v, psi, 0.0));
+                seen.push(look.at(v, psi, 0.0));
             }
             before = Some((psi, here));
         }
-        tops.extend(top.map(|top| (top, step)));
+        let rest = |at: Option<usize>| at.and_then(|at| seen.get(at)).map_or(0.0, |one| one.rest);
+        let is_top = |at: usize| rest(Some(at)) >= rest(at.checked_sub(1)).max(rest(Some(at + 1)));
+        tops.extend((0..seen.len()).filter(|&at| is_top(at)).filter_map(|at| seen.get(at)).map(|&top| (top, step)));
     }
     tops.sort_by(|one, other| other.0.rest.total_cmp(&one.0.rest));
     let climbed =

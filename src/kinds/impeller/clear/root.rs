@@ -279,6 +279,20 @@ mod tests {
     use crate::geometry::torus::Torus;
 
     #[test]
+    fn lines_of_a_face_reach_from_the_plane_of_the_hub_to_the_cylinder_of_the_rim() {
+        let part = Part::with(Torus { R: 41.144, r: 27.296 }, 2.541, 5.901);
+        let at = |face: Face| {
+            let lines = face_lines(&part, face, 0.0, f64::NEG_INFINITY);
+            let points = lines.iter().map(|line| line.ruling.at(line.top + 1.0)).filter(|point| part.trimmed(point));
+            points.map(|point| [point.z, hypot(point.x, point.y)]).collect::<Vec<_>>()
+        };
+        // The straight ends stand on the obverse at the hub, and on the reverse at the rim.
+        let hub = at(Face::Obverse).iter().map(|[z, _]| *z).fold(f64::NEG_INFINITY, f64::max);
+        let rim = at(Face::Reverse).iter().map(|[_, rho]| *rho).fold(0.0, f64::max);
+        assert!(hub > -1e-4 && rim > part.circle.torus.R - 1e-4, "{hub} {rim}");
+    }
+
+    #[test]
     fn heights_are_those_of_the_check_values() {
         for (R, r, e, a_p, height) in
             [(25.0, 15.0, 2.0, 2.0, 1.152_079), (25.0, 17.0, 1.0, 4.0, 0.747_925), (50.0, 30.0, 2.0, 3.0, 0.577_958)]
