@@ -107,6 +107,23 @@ fn rounded_ends_are_judged_and_their_rests_told() {
 }
 
 #[test]
+fn one_tool_for_both_is_told_of_once_and_sticks_out_alike() {
+    let one = |changes: &[(&'static str, Value)]| {
+        let usual = [
+            ("method", Value::Choice("clear")),
+            ("splitters", Value::Choice("no")),
+            ("c_s", Value::Real(0.1)),
+            ("tol", Value::Real(0.03)),
+        ];
+        let made = common::outcome("full", &[&usual, changes].concat());
+        assert_eq!(End::of(&made.findings, false), End::Whole, "{:?}", made.findings);
+        ["P1209", "P1214"].map(|code| made.findings.iter().filter(|finding| finding.code() == code).count())
+    };
+    assert_eq!(one(&[]), [1, 1]);
+    assert_eq!(one(&[("l_t", Value::Real(60.0)), ("d_h", Value::Real(30.0))]), [0, 1]);
+}
+
+#[test]
 fn the_largest_tool_for_a_rest_is_told_when_it_is_asked_for() {
     assert!(told(&outcome(&[]), "at most in the corner").is_none());
     let asked = outcome(&[("h_r", Value::Real(0.6))]);

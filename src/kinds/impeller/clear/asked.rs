@@ -91,7 +91,10 @@ impl Asked {
             splitter_from: None,
             stages: Vec::new(),
         };
-        let stick_out = [fields.get(&fields::STICK_OUT), fields.get(&fields::STICK_OUT_F)];
+        let stick_out = fields.get(&fields::STICK_OUT);
+        // One tool for both sticks out alike.
+        let alike = stick_out.filter(|_| given.0.is_none());
+        let stick_out = [stick_out, fields.get(&fields::STICK_OUT_F).or(alike)];
         let root = fields.get(&fields::ROOT);
         Some(Self { cut, tolerance, finish, given, stick_out, holder: fields.get(&fields::HOLDER), root })
     }

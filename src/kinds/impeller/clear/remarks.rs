@@ -108,22 +108,26 @@ pub(in crate::kinds::impeller) fn too_long(program: Text, blocks: u64) -> Option
     (blocks > CLEAR_BLOCKS).then(|| missed(told.at(at(&["tol", "c_s", "delta", "a_k"])), blocks, CLEAR_BLOCKS))
 }
 
+/// The tools, and the cells of their stick-outs.
+const STICK_OUTS: [(Which, &str); 2] = [(Which::Rough, "l_t"), (Which::Finish, "l_f")];
+
 /// What stops a plan that was made.
 pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
     if plan.told.no_splitter {
         findings.push(NoRoomForClearSplitter {}.at(at(&["splitters", "d_f", "N", "e"])));
     }
-    for (which, key) in [(Which::Rough, "l_t"), (Which::Finish, "l_f")] {
+    for (which, key) in STICK_OUTS {
+        let cells: &[&'static str] = if asked.given.0.is_some() { &[key, "d_h"] } else { &["l_t", "l_f", "d_h"] };
         findings.extend(too_long(tool_name(which), plan.all_blocks(which) as u64));
         let Some(stage) = asked.stage(which) else { continue };
         let tool = of(plan, which);
         let r_t = tool.t + design.torus.r;
         let found = clearance(stage, design.torus.r, r_t, tool.stick_out - r_t - design.d_s);
         if found < 0.0 {
-            let enough = enough(tool);
+            let enough = enough(tool.stick_out);
             let clearance = Size::mm((-found * 1000.0).ceil() / 1000.0);
-            let (tool, from, place) = (tool_name(which), Size::mm(stage.from), at(&[key, "d_h"]));
+            let (tool, from, place) = (tool_name(which), Size::mm(stage.from), at(cells));
             let told = if found.is_finite() {
                 HolderHitsBlank { tool, clearance, enough }.at(place)
             } else {
@@ -143,8 +147,8 @@ const fn of(plan: &Plan, which: Which) -> &ToolTold {
 }
 
 /// A length that is enough: rounded up to a tenth.
-fn enough(tool: &ToolTold) -> Size {
-    Size { decimals: 1, ..Size::mm((tool.stick_out * 10.0).ceil() / 10.0) }
+fn enough(stick_out: f64) -> Size {
+    Size { decimals: 1, ..Size::mm((stick_out * 10.0).ceil() / 10.0) }
 }
 
 /// A length that is not more, in mm: rounded up to a hundredth.
@@ -156,14 +160,21 @@ fn at_most(value: f64) -> Size {
 pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let told = &plan.told;
     let mut findings = Vec::new();
-    let both = [(Which::Rough, "l_t"), (Which::Finish, "l_f")];
-    for (which, key) in both.into_iter().filter(|(which, _)| plan.of(*which).next().is_some()) {
-        let tool = of(plan, which);
+    // One tool for both is told of once: its greater stick-out, its greater change.
+    let two = asked.given.0.is_some();
+    let tools = STICK_OUTS.into_iter().filter(|(which, _)| plan.of(*which).next().is_some());
+    let told_of = tools.clone().take(if two { 2 } else { 1 });
+    let greatest = |which: Which, value: fn(&ToolTold) -> f64| {
+        tools.clone().filter(|(one, _)| !two || *one == which).map(|(one, _)| value(of(plan, one))).fold(0.0, f64::max)
+    };
+    for (which, key) in told_of {
         if asked.stage(which).is_none() {
-            findings.push(StickOutThatIsEnough { tool: tool_name(which), enough: enough(tool) }.at(at(&[key])));
+            let enough = enough(greatest(which, |tool| tool.stick_out));
+            findings.push(StickOutThatIsEnough { tool: tool_name(which), enough }.at(at(&[key])));
         }
-        if tool.feed_error > UNSAID {
-            let change = Size::number((tool.feed_error * 1000.0).ceil() / 10.0, 1);
+        let change = greatest(which, |tool| tool.feed_error);
+        if change > UNSAID {
+            let change = Size::number((change * 1000.0).ceil() / 10.0, 1);
             findings.push(FeedChangesInBlock { tool: tool_name(which), change }.at(at(&["delta"])));
         }
     }
