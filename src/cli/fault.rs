@@ -1,6 +1,7 @@
 //! Faults in rodete itself: a panic becomes one sentence and exit code 1, and nothing is written.
 
-use std::cell::{Cell, RefCell};
+use std::any::Any;
+use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -10,14 +11,15 @@ use crate::finding::rules::BrokeOff;
 use crate::finding::{Exit, Place, Raise, Refusal};
 
 thread_local! {
-    /// What the last panic of this thread said, and where.
-    static SAID: RefCell<Option<String>> = const { RefCell::new(None) };
     /// How deep in guarded work this thread is.
     static GUARDED: Cell<usize> = const { Cell::new(0) };
 }
 
-/// The same for threads that guarded work has started.
-static SAID_ELSEWHERE: Mutex<Option<String>> = Mutex::new(None);
+/// What the last panics said, and the same with their place. Guarded work is done by several threads, whose panics end it
+/// on the thread that began it: it knows its own again by what they said.
+static SAID: Mutex<Vec<(String, String)>> = Mutex::new(Vec::new());
+/// So many of them are kept.
+const KEPT: usize = 64;
 /// Command lines being run: their panics, in whatever thread, are not printed.
 static RUNNING: AtomicUsize = AtomicUsize::new(0);
 
@@ -30,22 +32,26 @@ pub(super) fn note_panics() {
 fn hook() {
     let before = take_hook();
     set_hook(Box::new(move |panic| {
-        if GUARDED.get() > 0 {
-            SAID.with(|said| {
-                if let Ok(mut said) = said.try_borrow_mut() {
-                    *said = Some(sentence(panic));
-                }
-            });
-        } else if RUNNING.load(Ordering::SeqCst) > 0 {
-            *SAID_ELSEWHERE.lock().unwrap_or_else(PoisonError::into_inner) = Some(sentence(panic));
+        if GUARDED.get() > 0 || RUNNING.load(Ordering::SeqCst) > 0 {
+            let mut said = SAID.lock().unwrap_or_else(PoisonError::into_inner);
+            if said.len() == KEPT {
+                said.remove(0);
+            }
+            said.push((message(panic.payload()).to_owned(), sentence(panic)));
         } else {
             before(panic);
         }
     }));
 }
 
+/// What a panic says.
+fn message(payload: &(dyn Any + Send)) -> &str {
+    let text = payload.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("no message")
+}
+
 fn sentence(panic: &PanicHookInfo<'_>) -> String {
-    let message = panic.payload_as_str().unwrap_or("no message");
+    let message = message(panic.payload());
     let line = message.lines().next().unwrap_or_default();
     let place = panic.location().map(|at| format!(", {}:{}", at.file(), at.line())).unwrap_or_default();
     printable(&format!("{line}{place}"))
@@ -59,10 +65,11 @@ pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Refusal> {
     GUARDED.set(GUARDED.get() + 1);
     let done = catch_unwind(AssertUnwindSafe(work));
     GUARDED.set(GUARDED.get().saturating_sub(1));
-    done.map_err(|_| {
-        let here = SAID.with(|said| said.try_borrow_mut().ok().and_then(|mut said| said.take()));
-        let elsewhere = || SAID_ELSEWHERE.lock().unwrap_or_else(PoisonError::into_inner).take();
-        refusal(&here.or_else(elsewhere).unwrap_or_else(|| "no message".to_owned()))
+    done.map_err(|payload| {
+        let own = message(payload.as_ref());
+        let mut said = SAID.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = said.iter().rposition(|(text, _)| text == own).map(|at| said.remove(at).1);
+        refusal(&found.unwrap_or_else(|| printable(own.lines().next().unwrap_or_default())))
     })
 }
 
@@ -87,5 +94,9 @@ mod tests {
         let what = &refusal.findings[0].what.en;
         assert!(what.contains("a point") && what.contains("fault.rs:") && !what.contains('\n'), "{what}");
         assert_eq!(guarded(|| 5), Ok(5));
+        // So does one on a thread that works for it.
+        let caught = guarded(|| rayon::join(|| 1, || panic!("beside")));
+        let what = caught.expect_err("it panicked").findings[0].what.en.to_string();
+        assert!(what.contains("beside"), "{what}");
     }
 }

@@ -36,12 +36,22 @@ impl Turned {
     }
 
     /// A direction of the part frame in machine axes.
+    #[inline]
     #[must_use]
     pub fn direction(&self, a: &Vector3<f64>) -> Vector3<f64> {
         let ((sin_B, cos_B), (sin_C, cos_C)) = (self.B, self.C);
         let x = a.x * cos_C + a.y * sin_C;
         let y = a.y * cos_C - a.x * sin_C;
         Vector3::new(x * cos_B - a.z * sin_B, y, x * sin_B + a.z * cos_B)
+    }
+
+    /// A direction in machine axes in the part frame.
+    #[inline]
+    #[must_use]
+    pub fn direction_to_part(&self, a: &Vector3<f64>) -> Vector3<f64> {
+        let ((sin_B, cos_B), (sin_C, cos_C)) = (self.B, self.C);
+        let x = a.x * cos_B + a.z * sin_B;
+        Vector3::new(x * cos_C - a.y * sin_C, x * sin_C + a.y * cos_C, a.z * cos_B - a.x * sin_B)
     }
 }
 
@@ -55,10 +65,7 @@ impl Rotary {
     /// M1(−C)ᵀ·M2(B)ᵀ·a: a direction in machine axes in the part frame.
     #[must_use]
     pub fn direction_to_part(a: &Vector3<f64>, B: f64, C: f64) -> Vector3<f64> {
-        let (sin_B, cos_B) = sin_cos(B);
-        let (sin_C, cos_C) = sin_cos(C);
-        let x = a.x * cos_B + a.z * sin_B;
-        Vector3::new(x * cos_C - a.y * sin_C, x * sin_C + a.y * cos_C, a.z * cos_B - a.x * sin_B)
+        Turned::to(B, C).direction_to_part(a)
     }
 
     /// Inverse kinematics: the machine position P″ at which the tool tip stands on the point P of the part.
@@ -79,8 +86,13 @@ impl Rotary {
     /// The tool in the part: the point at which its tip stands, and the direction of its axis.
     #[must_use]
     pub fn tool(self, machine: &Vector3<f64>, B: f64, C: f64) -> [Vector3<f64>; 2] {
-        let (sin_B, cos_B) = sin_cos(B);
-        let (sin_C, cos_C) = sin_cos(C);
+        self.tool_turned(machine, &Turned::to(B, C))
+    }
+
+    /// The same where the axes are turned already.
+    #[must_use]
+    pub fn tool_turned(self, machine: &Vector3<f64>, turned: &Turned) -> [Vector3<f64>; 2] {
+        let ((sin_B, cos_B), (sin_C, cos_C)) = (turned.B, turned.C);
         let z = machine.z + self.L;
         let x = machine.x * cos_B + z * sin_B;
         let tip =

@@ -65,7 +65,7 @@ pub fn greatest(
     cells: impl IntoIterator<Item = Cell>,
     tolerance: f64,
     most: usize,
-    bounds: impl Fn(&Cell) -> Bounds,
+    bounds: impl FnMut(&Cell) -> Bounds,
 ) -> Option<Greatest> {
     greatest_above(f64::NEG_INFINITY, cells, tolerance, most, bounds)
 }
@@ -77,7 +77,7 @@ pub fn greatest_above(
     cells: impl IntoIterator<Item = Cell>,
     tolerance: f64,
     most: usize,
-    bounds: impl Fn(&Cell) -> Bounds,
+    mut bounds: impl FnMut(&Cell) -> Bounds,
 ) -> Option<Greatest> {
     let mut open = BinaryHeap::new();
     let mut best: Option<(f64, Cell)> = None;

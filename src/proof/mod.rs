@@ -37,6 +37,8 @@ pub mod travel;
 pub mod turning;
 pub mod verification;
 
+use rayon::prelude::*;
+
 use crate::finding::Raise;
 use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::program::Program;
@@ -71,8 +73,12 @@ pub fn of(
     due: &[&'static str],
     rapids: Rapids,
 ) -> Judged {
-    let mut judged = over(program, &mut program.read_back_with(setting), plan, judges, due, rapids);
-    let characters = text::read(program);
+    let mut characters = None;
+    let mut judged = rayon::in_place_scope(|scope| {
+        scope.spawn(|_| characters = Some(text::read(program)));
+        over(program, &mut program.read_back_with(setting), plan, judges, due, rapids)
+    });
+    let characters = characters.unwrap_or_else(|| text::read(program));
     judged.bytes = characters.bytes();
     judged.checks.push(characters.check());
     judged
@@ -105,7 +111,9 @@ pub fn over(
     }
     let mut checks = vec![reading(program, text, fault.as_deref())];
     if fault.is_none() {
-        checks.extend(judges.into_iter().flat_map(|judge| judge.checks(program)));
+        // Some of them search for long, each by itself.
+        let found: Vec<Vec<Check>> = judges.into_par_iter().map(|judge| judge.checks(program)).collect();
+        checks.extend(found.into_iter().flatten());
         let missing: Vec<Check> = due
             .iter()
             .filter(|key| !checks.iter().any(|check| answers(check, key)))

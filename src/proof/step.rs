@@ -164,7 +164,7 @@ impl Step<'_> {
 }
 
 /// One that watches a program, motion by motion.
-pub trait Judge {
+pub trait Judge: Send {
     /// The next motion.
     fn see(&mut self, step: &Step<'_>);
 

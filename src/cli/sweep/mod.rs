@@ -144,7 +144,7 @@ pub(super) fn checked(bytes: &[u8], filled: &workbook::Filled, kind: &dyn Kind) 
 /// How many designs there are, and how long all would take.
 fn forecast(arguments: &Sweep, study: &Study<'_>, terminal: &mut Terminal) -> Result<Exit, Refusal> {
     let workshop = Workshop::open(study, arguments.jobs)?;
-    let tried = workshop.tried();
+    let tried = workshop.tried()?;
     let plan = &study.plan;
     let jobs = workshop.jobs();
     let chunks = arguments.chunks.unwrap_or_else(|| slurm::chunks(plan.count, tried.mean()));
@@ -202,7 +202,7 @@ fn all(
         .unwrap_or_else(|| beside(study.workbook).join(store::file_name(&store::stem(study.workbook), "-sweep")));
     let wanted = chunk.map(|(_, of)| of).or(arguments.chunks);
     let usual = || match &arguments.submit {
-        Some(_) => Ok(slurm::chunks(study.plan.count, Workshop::open(study, arguments.jobs)?.tried().mean())),
+        Some(_) => Ok(slurm::chunks(study.plan.count, Workshop::open(study, arguments.jobs)?.tried()?.mean())),
         None => Ok(study.plan.count.div_ceil(CHUNK).clamp(1, CHUNKS_MOST)),
     };
     let rows = Rows::open(&folder, study, wanted, usual, arguments.fresh)?;

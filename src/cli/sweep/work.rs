@@ -74,14 +74,17 @@ impl<'a> Workshop<'a> {
 
     /// Designs of the plan in an order by chance, always the same one, worked out one by one until so many of them are not refused,
     /// with the time that each took: what is refused early costs little, and says nothing of the others.
-    pub(super) fn tried(&self) -> Tried {
+    pub(super) fn tried(&self) -> Result<Tried, Refusal> {
+        // One thread: a design's searches would use all.
+        let one =
+            ThreadPoolBuilder::new().num_threads(1).build().map_err(|error| fault::refusal(&error.to_string()))?;
         let plan = &self.study.plan;
         let mut tried = Tried::default();
         for at in 0..plan.count.min(TRIED_MOST) {
             // A stride would meet the same levels of a factorial plan again and again.
             let id = permuted(at, plan.count, 0);
             let begun = Instant::now();
-            let row = self.design(id, plan.design(id));
+            let row = one.install(|| self.design(id, plan.design(id)));
             tried.seconds.push(begun.elapsed().as_secs_f64());
             match row.state {
                 State::Refused => tried.refused += 1,
@@ -91,7 +94,7 @@ impl<'a> Workshop<'a> {
                 break;
             }
         }
-        tried
+        Ok(tried)
     }
 
     /// Works a chunk out, from where an interrupted run has come to; nothing where it is there.

@@ -24,10 +24,11 @@
 //! # Units
 //! Millimetres and radians.
 
-use std::collections::{BTreeMap, BinaryHeap};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::collections::BinaryHeap;
+use std::sync::{Mutex, PoisonError};
 
 use nalgebra::{Vector2, Vector3};
+use rustc_hash::FxHashMap;
 
 use crate::kinds::impeller::part::{Face, HUB, Part, Piece, RIM, Ruling};
 use crate::machine::axis::{Axis, Pose};
@@ -118,8 +119,13 @@ pub struct Walls {
     spans: Mutex<Spans>,
 }
 
-/// What is known of pieces of the faces, by their v.
-type Spans = BTreeMap<(usize, [u64; 2]), Arc<Span>>;
+/// What is known of pieces of the faces.
+#[derive(Debug, Default)]
+struct Spans {
+    /// Where each is, by the piece and its v.
+    at: FxHashMap<(usize, [u64; 2]), usize>,
+    all: Vec<Span>,
+}
 
 /// Which motion: blocks of the way and, of a single one, the part of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,17 +139,27 @@ struct Time {
 #[derive(Clone, Copy, Debug)]
 struct Cell {
     time: Time,
+    /// The tool at both ends of the time: where it is in the search.
+    ends: [usize; 2],
     turn: usize,
     piece: usize,
     v: [f64; 2],
+    /// What is known of the face between both v: where it is among the spans.
+    span: usize,
 }
 
-/// A cell that waits, with the lower bound of the distance from the axis.
+/// A position of the tool, with the axes turned to it: most cells take it from the one that they are a half of.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    stand: Stand,
+    turned: Turned,
+}
+
+/// A cell that waits, with the lower bound of the distance from the axis; its number among the cells is its age.
 #[derive(Clone, Copy, Debug)]
 struct Waiting {
     bound: f64,
-    order: usize,
-    cell: Cell,
+    cell: usize,
     in_time: bool,
 }
 
@@ -164,7 +180,7 @@ impl PartialOrd for Waiting {
 impl Ord for Waiting {
     // The least bound is the greatest, so that the heap gives it first; the older of equal ones.
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        other.bound.total_cmp(&self.bound).then(other.order.cmp(&self.order))
+        other.bound.total_cmp(&self.bound).then(other.cell.cmp(&self.cell))
     }
 }
 
@@ -222,7 +238,7 @@ impl Limit {
 }
 
 /// The rulings between two v of a piece.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 struct Span {
     rulings: [Ruling; 2],
     tops: [f64; 2],
@@ -247,7 +263,8 @@ struct Search<'a> {
     walls: &'a Walls,
     way: &'a [Stand],
     /// By how much runs of blocks leave the straight motion.
-    runs: BTreeMap<(usize, usize), f64>,
+    runs: FxHashMap<(usize, usize), f64>,
+    ends: Vec<End>,
     spans: Spans,
     /// The least distance from the axis that was seen, and where.
     seen: (f64, Option<Place>),
@@ -271,7 +288,8 @@ impl Walls {
         let mut search = Search {
             walls: self,
             way,
-            runs: BTreeMap::new(),
+            runs: FxHashMap::default(),
+            ends: Vec::new(),
             // Another search at the same time begins with none: what it finds is the same.
             spans: std::mem::take(&mut *self.spans.lock().unwrap_or_else(PoisonError::into_inner)),
             seen: (f64::INFINITY, None),
@@ -289,8 +307,7 @@ impl Search<'_> {
     /// Halves the worst cell until the end; the least bound that is left.
     fn run(&mut self, until: Until, budget: usize) -> f64 {
         let Some(last) = self.way.len().checked_sub(1) else { return f64::INFINITY };
-        let mut heap = BinaryHeap::new();
-        let mut order = 0;
+        let (mut heap, mut cells) = (BinaryHeap::new(), Vec::new());
         let radius = self.walls.radius;
         let enough = |seen: f64| match until {
             // Of a face that reaches nearly to the axis only that is worth knowing.
@@ -302,29 +319,58 @@ impl Search<'_> {
         // A way of one place is a block of no length.
         let whole = if last == 0 { Time { last: 0, ..whole } } else { whole };
         for turn in 0..self.walls.turns.len() {
+            let ends = [self.end(&whole, 0, turn), self.end(&whole, 1, turn)];
             for (piece, of) in self.walls.pieces.iter().enumerate() {
-                let cell = Cell { time: whole, turn, piece, v: of.v };
+                let cell = Cell { time: whole, ends, turn, piece, v: of.v, span: self.span(piece, of.v) };
                 if let Some((bound, in_time)) = self.evaluate(&cell) {
-                    order += 1;
-                    heap.push(Waiting { bound, order, cell, in_time });
+                    heap.push(Waiting { bound, cell: cells.len(), in_time });
+                    cells.push(cell);
                 }
             }
         }
-        while let Some(Waiting { bound, cell, in_time, .. }) = heap.pop() {
+        while let Some(Waiting { bound, cell, in_time }) = heap.pop() {
             let lost = matches!(until, Until::Decided(asked) if self.seen.0 - radius < asked);
             if bound >= enough(self.seen.0) || lost || self.work >= budget {
                 return bound;
             }
-            for cell in halves(&cell, in_time) {
+            for cell in self.halves(&cells[cell], in_time) {
                 if let Some((bound, in_time)) = self.evaluate(&cell)
                     && bound < self.seen.0
                 {
-                    order += 1;
-                    heap.push(Waiting { bound, order, cell, in_time });
+                    heap.push(Waiting { bound, cell: cells.len(), in_time });
+                    cells.push(cell);
                 }
             }
         }
         f64::INFINITY
+    }
+
+    /// The tool at one end of a time.
+    fn end(&mut self, time: &Time, side: usize, turn: usize) -> usize {
+        let Time { first, last, part } = *time;
+        let (from, to) = (&self.way[first], &self.way[last]);
+        let stand = if last == first + 1 { from.towards(to, part[side]) } else { [*from, *to][side] };
+        self.ends.push(End { stand, turned: Turned::to(stand.B, stand.C - self.walls.turns[turn]) });
+        self.ends.len() - 1
+    }
+
+    /// The two halves of a cell.
+    fn halves(&mut self, cell: &Cell, in_time: bool) -> [Cell; 2] {
+        let Cell { time: Time { first, last, part }, ends, turn, piece, v, .. } = *cell;
+        if !in_time || first == last {
+            let middle = (v[0] + v[1]) / 2.0;
+            return [[v[0], middle], [middle, v[1]]].map(|v| Cell { v, span: self.span(piece, v), ..*cell });
+        }
+        let times = if last > first + 1 {
+            let middle = first + (last - first) / 2;
+            [[first, middle], [middle, last]].map(|[first, last]| Time { first, last, part })
+        } else {
+            let middle = (part[0] + part[1]) / 2.0;
+            [[part[0], middle], [middle, part[1]]].map(|part| Time { first, last, part })
+        };
+        let middle = self.end(&times[0], 1, turn);
+        let [before, after] = times;
+        [(before, [ends[0], middle]), (after, [middle, ends[1]])].map(|(time, ends)| Cell { time, ends, ..*cell })
     }
 
     /// The most by which a run of blocks moves a point of the part otherwise than straight from its beginning to its end.
@@ -351,8 +397,8 @@ impl Search<'_> {
     }
 
     /// What is known of the rulings between two v of a piece, whatever the tool does.
-    fn span(&mut self, piece: usize, v: [f64; 2]) -> Arc<Span> {
-        let walls = self.walls;
+    fn span(&mut self, piece: usize, v: [f64; 2]) -> usize {
+        let (walls, Spans { at, all }) = (self.walls, &mut self.spans);
         let new = || {
             let of = &walls.pieces[piece];
             let rulings = v.map(|v| walls.part.ruling(of.face, v));
@@ -373,9 +419,10 @@ impl Search<'_> {
             let cut = Trim::of(walls, of, &rulings, (top + bottom) / 2.0);
             let outside = cut.as_ref().is_some_and(|cut| cut.greatest([top, bottom]) + moves[1] / 8.0 < 0.0);
             let trim = cut.and_then(|cut| cut.limit(moves[1], moves[2]));
-            Arc::new(Span { rulings, tops, top, bottom, beyond, moves, rho, floors, trim, outside })
+            all.push(Span { rulings, tops, top, bottom, beyond, moves, rho, floors, trim, outside });
+            all.len() - 1
         };
-        Arc::clone(self.spans.entry((piece, v.map(f64::to_bits))).or_insert_with(new))
+        *at.entry((piece, v.map(f64::to_bits))).or_insert_with(new)
     }
 
     /// The lower bound of a cell, and whether to halve it in time; `None` where nothing of it counts.
@@ -383,36 +430,37 @@ impl Search<'_> {
     /// Of a point of the part, seen from the tip, y' = ΔB·J(y + Q) + ΔC·U − Δp and
     /// y'' = ΔB²·J²(y + Q) + 2ΔBΔC·JU + ΔC²·U₂, Q being the tip seen from the pivot, J the quarter turn about the B axis,
     /// |U| = |U₂| the distance ρ from the part's axis.
+    ///
+    /// This is where most of the time of a check goes. What is needed four times is written four times: `map` of an array is
+    /// a call for each of its elements.
     fn evaluate(&mut self, cell: &Cell) -> Option<(f64, bool)> {
         self.work += 1;
-        let Cell { time: Time { first, last, part }, turn, piece, v } = *cell;
+        let Cell { time: Time { first, last, part }, piece, v, .. } = *cell;
         let walls = self.walls;
         let strays = self.strays(first, last);
-        let (from, to) = (&self.way[first], &self.way[last]);
-        let ends = if last == first + 1 { part.map(|part| from.towards(to, part)) } else { [*from, *to] };
-        let (by, turned) = (ends[1].at - ends[0].at, [ends[1].B - ends[0].B, ends[1].C - ends[0].C].map(f64::abs));
-        let [B, C] = turned;
+        let tools = [self.ends[cell.ends[0]], self.ends[cell.ends[1]]];
+        let ends = [tools[0].stand, tools[1].stand];
+        let by = ends[1].at - ends[0].at;
+        let (B, C) = ((ends[1].B - ends[0].B).abs(), (ends[1].C - ends[0].C).abs());
         if B >= 1.0 {
             return Some((0.0, true));
         }
-        let known = self.span(piece, v);
+        let known = self.spans.all[cell.span];
         if known.outside {
             return None;
         }
-        let Span { rulings, tops, top, bottom, beyond, rho, .. } = *known;
+        let Span { rulings, tops, top, bottom, beyond, rho, .. } = known;
         let [v_speed, v_bend, v_turn] = known.moves;
 
         let pivot = Vector3::new(0.0, 0.0, walls.machine.L);
-        let Q = ends.map(|end| end.at + pivot);
+        let Q = [ends[0].at + pivot, ends[1].at + pivot];
         // Feet and directions seen from the tip, by time and v.
-        let seen = [0, 1].map(|time: usize| {
-            let end = &ends[time];
-            let turned = Turned::to(end.B, end.C - walls.turns[turn]);
-            rulings.map(|ruling| Ruling {
-                foot: turned.direction(&(ruling.foot + pivot)) - Q[time],
-                N: turned.direction(&ruling.N),
-            })
-        });
+        let feet = [rulings[0].foot + pivot, rulings[1].foot + pivot];
+        let see = |time: usize, v: usize| {
+            let turned = &tools[time].turned;
+            Ruling { foot: turned.direction(&feet[v]) - Q[time], N: turned.direction(&rulings[v].N) }
+        };
+        let seen = [[see(0, 0), see(0, 1)], [see(1, 0), see(1, 1)]];
         let (mut far, mut highest, mut least) = (0.0_f64, f64::MIN, f64::INFINITY);
         let upright = seen[0][0].N.z > 0.0;
         let mut alike = true;
@@ -425,8 +473,8 @@ impl Search<'_> {
         }
         let far = far.sqrt();
         let step = ends[1].B - ends[0].B;
-        let slide = Q.map(|Q| (Vector3::new(-Q.z, 0.0, Q.x) * step - by).norm());
-        let slide = slide[0].max(slide[1]);
+        let slide = |Q: &Vector3<f64>| (Vector3::new(-Q.z, 0.0, Q.x) * step - by).norm();
+        let slide = slide(&Q[0]).max(slide(&Q[1]));
         let far = (far + v_speed / 2.0 + (slide + C * rho) / 2.0) / (1.0 - B / 2.0);
         let speed = slide + C * rho + B * far;
         let bend = |axis: usize| B * B * (Q[0][axis].abs().max(Q[1][axis].abs()) + far) + (2.0 * B + C) * C * rho;
@@ -440,7 +488,8 @@ impl Search<'_> {
         let (mut low, mut high) = (Limit::level(top), known.floors);
         let least = least - (v_turn + B + C) / 2.0;
         if least > STEEP && alike {
-            let limit = Limit::through(seen.map(|at| at.map(|ruling| ruling.foot.z / ruling.N.z)));
+            let end = |ruling: &Ruling| ruling.foot.z / ruling.N.z;
+            let limit = Limit::through([[end(&seen[0][0]), end(&seen[0][1])], [end(&seen[1][0]), end(&seen[1][1])]]);
             let [in_time, in_v] = limit.changes;
             let out = (rise_bend + 2.0 * (B + C) * in_time + v_bend + 2.0 * v_turn * in_v) / 8.0 + strays;
             if upright {
@@ -458,16 +507,15 @@ impl Search<'_> {
             low = limit;
         }
         // Both limits are straight between the corners: where they have crossed at all of them, they have in between.
-        if low.h.iter().flatten().zip(high.h.iter().flatten()).all(|(low, high)| low > high) {
+        let crossed = |time: usize, v: usize| low.h[time][v] > high.h[time][v];
+        if crossed(0, 0) && crossed(0, 1) && crossed(1, 0) && crossed(1, 1) {
             return None;
         }
-        let limits = |time: usize, v: usize| [low.h[time][v], high.h[time][v]];
-        let d: [[f64; 2]; 2] = [0, 1].map(|time: usize| {
-            [0, 1].map(|v: usize| {
-                let Ruling { foot, N } = seen[time][v];
-                from_axis(foot.xy(), N.xy(), limits(time, v)).0
-            })
-        });
+        let apart = |time: usize, v: usize| {
+            let Ruling { foot, N } = &seen[time][v];
+            from_axis(foot.xy(), N.xy(), [low.h[time][v], high.h[time][v]]).0
+        };
+        let d = [[apart(0, 0), apart(0, 1)], [apart(1, 0), apart(1, 1)]];
         for time in 0..2 {
             for at in 0..2 {
                 if d[time][at] < self.seen.0 {
@@ -483,10 +531,10 @@ impl Search<'_> {
             }
         }
 
-        let [in_time, in_v] = [0, 1].map(|along: usize| low.changes[along].max(high.changes[along]));
+        let (in_time, in_v) = (low.changes[0].max(high.changes[0]), low.changes[1].max(high.changes[1]));
         let (speed, v_speed) = (speed + in_time, v_speed + in_v);
         let (bend, v_bend) = (bend + 2.0 * (B + C) * in_time, v_bend + 2.0 * v_turn * in_v);
-        let nearest = d.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        let nearest = d[0][0].min(d[0][1]).min(d[1][0]).min(d[1][1]);
         let mut bound = (nearest - (speed + v_speed) / 2.0).max(0.0);
         let mut k = [0.0; 2];
         for _ in 0..3 {
@@ -545,23 +593,6 @@ fn inner(piece: &Piece) -> bool {
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
 fn along_way(first: usize, last: usize, part: f64) -> f64 {
     first as f64 + (last - first) as f64 * part
-}
-
-/// The two halves of a cell.
-fn halves(cell: &Cell, in_time: bool) -> [Cell; 2] {
-    let Cell { time: Time { first, last, part }, v, .. } = *cell;
-    if !in_time || first == last {
-        let middle = (v[0] + v[1]) / 2.0;
-        return [[v[0], middle], [middle, v[1]]].map(|v| Cell { v, ..*cell });
-    }
-    let times = if last > first + 1 {
-        let middle = first + (last - first) / 2;
-        [[first, middle], [middle, last]].map(|[first, last]| Time { first, last, part })
-    } else {
-        let middle = (part[0] + part[1]) / 2.0;
-        [[part[0], middle], [middle, part[1]]].map(|part| Time { first, last, part })
-    };
-    times.map(|time| Cell { time, ..*cell })
 }
 
 /// What the blank takes from the rulings of a cell: a + h·along must not be negative, at both of its v. Of the rim

@@ -20,6 +20,7 @@
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
+use rustc_hash::FxHashMap;
 
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::clear::tool::Tool;
@@ -64,6 +65,9 @@ pub fn deepest<T: Copy>(torus: Torus, a_p: f64, mill: Tool, sweeps: &[Sweep<T>],
     deeper(torus, a_p, mill, sweeps, close, f64::NEG_INFINITY)
 }
 
+/// The middle of the disc at a tool's end, and two directions across.
+type Disc = (Vector3<f64>, [Vector3<f64>; 2]);
+
 /// The same where only what is deeper than known so far is worth knowing: where nothing is, the answer is not deeper.
 fn deeper<T: Copy>(
     Torus { R, r }: Torus,
@@ -78,6 +82,9 @@ fn deeper<T: Copy>(
         sweeps.iter().flat_map(|sweep| sweep.stretches.iter().map(|stretch| (sweep.track, stretch))).collect();
     let paces: Vec<Pace> = stretches.iter().map(|(_, stretch)| stretch.pace(r_c)).collect();
     let cells = (0..stretches.len()).map(|sheet| Cell { sheet, s: [0.0, 1.0], t: [0.0, TAU] });
+    // By stretch and part of it; and sines and cosines of angles on the rim.
+    let mut ends: FxHashMap<(usize, u64), Disc> = FxHashMap::default();
+    let mut turned: FxHashMap<u64, (f64, f64)> = FxHashMap::default();
     let found = greatest_above(known, cells, close, FLOOR_BOXES, |cell| {
         let (_, stretch) = stretches[cell.sheet];
         let pace = paces[cell.sheet];
@@ -92,18 +99,21 @@ fn deeper<T: Copy>(
         let (along, around) = (s_1 - s_0, high - low);
         let ways = [speed * along / 2.0, a * around / 2.0];
         let (way, first) = (ways[0] + ways[1], ways[0] > ways[1]);
-        let end = |s: f64| {
-            let (tip, axis) = stretch.tool(s);
-            (tip + axis * r_c, stretch.across(s))
+        let mut end = |s: f64| {
+            *ends.entry((cell.sheet, s.to_bits())).or_insert_with(|| {
+                let (tip, axis, across) = stretch.frame(s);
+                (tip + axis * r_c, across)
+            })
         };
-        let (rho, z, depth) = rim(end((s_0 + s_1) / 2.0), sin_cos((low + high) / 2.0));
+        let mut turn = |angle: f64| *turned.entry(angle.to_bits()).or_insert_with(|| sin_cos(angle));
+        let (rho, z, depth) = rim(end((s_0 + s_1) / 2.0), turn((low + high) / 2.0));
         // Outside the blank there is nothing to cut.
         let outside = (z.max(rho - R) - way - stretch.slack).max(0.0);
         if outside > r_c {
             return Bounds { upper: f64::NEG_INFINITY, middle: f64::NEG_INFINITY, first };
         }
         let round = (r_c * r_c - outside * outside).sqrt();
-        let turned = cell.t.map(sin_cos);
+        let turned = cell.t.map(turn);
         let corners = cell.s.into_iter().map(end).flat_map(|end| turned.map(|turned| rim(end, turned).2));
         let corners = corners.fold(f64::NEG_INFINITY, f64::max);
         let least = rho - way;

@@ -117,13 +117,11 @@ impl Limits {
         // The gap is narrower than the arc on the parallel, so that the published limits are upper bounds.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held within the form's limits")]
         let most = N_max(torus, a_p, e, d_t).clamp(0.0, 1e6) as u32;
-        Self {
-            gap: gap(part, count, d_t),
-            least,
-            kept: beside.width >= least,
-            N_max: greatest(most, fits),
-            e_max: thickest(e_max(torus, a_p, count, d_t), spare),
-        }
+        let (gap, (N_max, e_max)) = rayon::join(
+            || gap(part, count, d_t),
+            || rayon::join(|| greatest(most, fits), || thickest(e_max(torus, a_p, count, d_t), spare)),
+        );
+        Self { gap, least, kept: beside.width >= least, N_max, e_max }
     }
 }
 

@@ -210,14 +210,26 @@ impl Wall {
 
     /// Where the lines of obverse and reverse at v end.
     fn bottoms(&self, v: f64) -> [f64; 2] {
-        [0, 1].map(|side: usize| {
-            let knots = &self.knots[side];
-            let after = knots.partition_point(|knot| knot[0] < v).clamp(1, knots.len().max(2) - 1);
-            match (knots.get(after - 1), knots.get(after)) {
-                (Some([v_0, h_0]), Some([v_1, h_1])) => h_0 + (h_1 - h_0) * ((v - v_0) / (v_1 - v_0)).clamp(0.0, 1.0),
-                _ => 0.0,
-            }
-        })
+        [0, 1].map(|side| self.bottom(v, side))
+    }
+
+    /// Where the line of obverse (0) or reverse (1) at v ends.
+    fn bottom(&self, v: f64, side: usize) -> f64 {
+        let knots = &self.knots[side];
+        let after = knots.partition_point(|knot| knot[0] < v).clamp(1, knots.len().max(2) - 1);
+        match (knots.get(after - 1), knots.get(after)) {
+            (Some([v_0, h_0]), Some([v_1, h_1])) => h_0 + (h_1 - h_0) * ((v - v_0) / (v_1 - v_0)).clamp(0.0, 1.0),
+            _ => 0.0,
+        }
+    }
+
+    /// The distance of an axis from the line at v that stands `aside` of that of the mean surface.
+    fn apart(&self, v: f64, aside: f64, axis: &Axis) -> f64 {
+        if aside == 0.0 {
+            return self.line(v).apart(aside, axis);
+        }
+        let (P, frame, top) = self.part.frame_and_top(v);
+        stretches(P + frame.b * aside, -frame.N, [top, self.bottom(v, usize::from(aside < 0.0)).max(top)], axis)
     }
 
     /// The least distance of an axis from a face, and the v where it is; sought about a guess first.
@@ -225,8 +237,7 @@ impl Wall {
     pub fn nearest(&self, face: Face, axis: &Axis, guess: Option<f64>) -> (f64, f64) {
         let aside = self.aside(face);
         let high = self.high(axis);
-        if let Some(found) =
-            guess.and_then(|guess| valley(guess, self.step() / 8.0, |v| self.line(v).apart(aside, &high)))
+        if let Some(found) = guess.and_then(|guess| valley(guess, self.step() / 8.0, |v| self.apart(v, aside, &high)))
             && (self.v[0]..=self.v[1]).contains(&found.1)
         {
             return found;
@@ -296,7 +307,7 @@ impl Scan<'_> {
     #[must_use]
     pub fn nearest(&self) -> (f64, f64) {
         let (wall, [begin, end]) = (self.wall, self.wall.v);
-        let at = |v: f64| wall.line(v).apart(self.aside, &self.axis);
+        let at = |v: f64| wall.apart(v, self.aside, &self.axis);
         let step = wall.step();
         // In a valley the least is no farther below a line than the line is from it.
         let reach = step * wall.part.circle.torus.R * 1.5;

@@ -149,6 +149,8 @@ struct Pose {
     /// Where the axis comes out of the turned surface.
     v: f64,
     psi: f64,
+    /// Sine and cosine of ψ.
+    turned: (f64, f64),
 }
 
 impl Pose {
@@ -168,12 +170,17 @@ impl Pose {
         let (point, out) = at(up);
         let v = atan2(point.z, out).rem_euclid(TAU);
         let met = ((out * out + point.z * point.z).sqrt() - r).abs() < 1e-6 * r;
-        met.then(|| Self { tip, axis, v, psi: atan2(point.y, point.x) })
+        met.then(|| {
+            let psi = atan2(point.y, point.x);
+            Self { tip, axis, v, psi, turned: sin_cos(psi) }
+        })
     }
 
-    /// Of the point x of a line: the square of its distance from the axis, how that changes with x, and the height above the tip.
-    fn apart(&self, line: &Line, x: f64) -> [f64; 3] {
-        let (sin, cos) = sin_cos(line.u - x);
+    /// Of the point of a line `beside` the pose's own angle, in x: the square of its distance from the axis, how that changes
+    /// with x, and the height above the tip.
+    fn apart(&self, line: &Line, beside: f64) -> [f64; 3] {
+        let ((sin_psi, cos_psi), (sin_x, cos_x)) = (self.turned, sin_cos(beside));
+        let (sin, cos) = (sin_psi * cos_x - cos_psi * sin_x, cos_psi * cos_x + sin_psi * sin_x);
         let from = Vector3::new(line.rho * cos, line.rho * sin, line.z) - self.tip;
         let up = from.dot(&self.axis);
         let across = from - self.axis * up;
@@ -285,34 +292,35 @@ impl<'a> Band<'a> {
         Some(if (one - other) * end < 0.0 { one } else { other })
     }
 
-    /// The x at which a pose is beside a line, if it cuts it there, and the square of the distance. The middle of the tool is
-    /// nearest to the line at its own angle about the axis of the part.
-    fn beside(&self, pose: &Pose, line: &Line, off: f64) -> Option<(f64, f64)> {
-        let middle = remainder(line.u - pose.psi);
-        let [square, _, up] = pose.apart(line, middle);
+    /// The square of the distance of a pose from a line, if it cuts it at its own angle about the axis of the part: there the
+    /// middle of the tool is nearest to the line.
+    fn beside(&self, pose: &Pose, line: &Line, off: f64) -> Option<f64> {
+        let [square, _, up] = pose.apart(line, 0.0);
         let radius = self.a - off;
-        (square <= radius * radius && up >= off).then_some((middle, square))
+        (square <= radius * radius && up >= off).then_some(square)
     }
 
     /// The end of what a pose cuts on one line: where the distance from its axis is the radius, or the line falls away to the
     /// tool's end.
     fn on_line(&self, pose: &Pose, line: &Line, less: f64, end: f64) -> Option<f64> {
-        let (middle, least) = self.beside(pose, line, less)?;
+        let least = self.beside(pose, line, less)?;
         let radius = self.a - less;
         let off = |x: f64| {
             let [square, slope, up] = pose.apart(line, x);
             (square - radius * radius, slope, up - less)
         };
-        let far = (1.5 * radius / line.rho).min(FRAC_PI_2);
-        let mut x = middle + end * far;
-        let beyond = off(x).0;
+        // In x, from the angle of the pose on.
+        let far = end * (1.5 * radius / line.rho).min(FRAC_PI_2);
+        let (beyond, _, mut up) = off(far);
+        let mut x = far;
         if beyond > 0.0 {
-            let (mut inside, mut outside) = (middle, x);
+            let (mut inside, mut outside) = (0.0, x);
             // As if the square of the distance grew with the square of the way.
             let missing = radius * radius - least;
-            x = middle + end * far * (missing / (beyond + missing)).sqrt();
+            x = far * (missing / (beyond + missing)).sqrt();
             for _ in 0..60 {
-                let (above, slope, _) = off(x);
+                let (above, slope, height) = off(x);
+                up = height;
                 if above > 0.0 {
                     outside = x
                 } else {
@@ -331,15 +339,15 @@ impl<'a> Band<'a> {
             }
         }
         // Where the line falls away below the tool's end, it ends there.
-        if off(x).2 < 0.0 {
-            let (mut over, mut below) = (middle, x);
+        if up < 0.0 {
+            let (mut over, mut below) = (0.0, x);
             for _ in 0..30 {
                 let between = over + (below - over) / 2.0;
                 if off(between).2 >= 0.0 { over = between } else { below = between }
             }
             x = over;
         }
-        ((x - middle) * end >= 0.0).then_some(x)
+        (x * end >= 0.0).then(|| remainder(line.u - pose.psi) + x)
     }
 }
 

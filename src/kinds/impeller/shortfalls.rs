@@ -24,10 +24,11 @@ pub(super) fn shortfalls(design: &Design, tracks: &Tracks) -> Vec<Finding> {
     let height = undercut::height(design.a_p, design.d_t);
     let sweeps: Vec<Sweep> =
         Track::ALL.into_iter().filter_map(|track| Sweep::new(design, tracks, track, height)).collect();
-    [left_standing(design, &part, &sweeps), too_deep(design, &sweeps), into_faces(design, &part, &sweeps)]
-        .into_iter()
-        .flatten()
-        .collect()
+    let (left, (deep, faces)) = rayon::join(
+        || left_standing(design, &part, &sweeps),
+        || rayon::join(|| too_deep(design, &sweeps), || into_faces(design, &part, &sweeps)),
+    );
+    [left, deep, faces].into_iter().flatten().collect()
 }
 
 /// A length that is not more, in mm: rounded up.

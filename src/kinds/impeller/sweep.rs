@@ -18,7 +18,7 @@ use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::programs::Tracks;
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::{Rotary, Turned};
 
 /// Most slack of blocks taken as one, mm.
 const SLACK: f64 = 0.0005;
@@ -82,11 +82,13 @@ impl Stretch {
         tool(self.machine, &between(&self.from, &self.to, part))
     }
 
-    /// Two directions across the axis at a part of the stretch, square to each other.
+    /// The same, and two directions across the axis, square to each other.
     #[must_use]
-    pub fn across(&self, part: f64) -> [Vector3<f64>; 2] {
-        let [.., B, C] = between(&self.from, &self.to, part);
-        [Vector3::x(), Vector3::y()].map(|direction| Rotary::direction_to_part(&direction, B, C))
+    pub fn frame(&self, part: f64) -> (Vector3<f64>, Vector3<f64>, [Vector3<f64>; 2]) {
+        let [x, y, z, B, C] = between(&self.from, &self.to, part);
+        let turned = Turned::to(B, C);
+        let [tip, axis] = self.machine.tool_turned(&Vector3::new(x, y, z), &turned);
+        (tip, axis, [Vector3::x(), Vector3::y()].map(|direction| turned.direction_to_part(&direction)))
     }
 
     /// The point index at a part of the stretch.
@@ -101,9 +103,9 @@ impl Stretch {
         let by: Stand = std::array::from_fn(|axis| self.to[axis] - self.from[axis]);
         let [dx, dy, dz, dB, dC] = by;
         let mut pace = Pace { speed: 0.0, acceleration: 0.0, turn: dB.abs() + dC.abs() };
+        let tools = [tool(self.machine, &self.from), tool(self.machine, &self.to)];
         for above in [0.0, height] {
-            let out = [&self.from, &self.to].map(|at| {
-                let (tip, axis) = tool(self.machine, at);
+            let out = tools.map(|(tip, axis)| {
                 let point = tip + axis * above;
                 (point.x * point.x + point.y * point.y).sqrt()
             });

@@ -16,7 +16,10 @@
 //! Millimetres and radians.
 
 use crate::geometry::torus::Torus;
-use crate::kinds::impeller::part::{Face, Part, Piece};
+use nalgebra::Vector3;
+use rustc_hash::FxHashMap;
+
+use crate::kinds::impeller::part::{Change, Face, Part, Piece, Ruling};
 use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
 use crate::limits::UNDERCUT_BOXES;
@@ -64,15 +67,17 @@ pub fn undercut(part: &Part, sweep: &Sweep, d_t: f64) -> Option<Undercut> {
         s: [0.0, 1.0],
         t: pieces[sheet % pieces.len()].v,
     });
+    // The same strips of the face stand beside many stretches, and the tool at the same places beside many strips.
+    let mut strips: FxHashMap<(usize, [u64; 2]), Strip> = FxHashMap::default();
+    let mut tools: FxHashMap<(usize, u64), (Vector3<f64>, Vector3<f64>)> = FxHashMap::default();
     let found = greatest(cells, CLOSE, UNDERCUT_BOXES, |cell| {
-        let at = cell.sheet / pieces.len();
-        let beside = Beside {
-            part,
-            stretch: &sweep.stretches[at],
-            pace: &paces[at],
-            piece: &pieces[cell.sheet % pieces.len()],
-            a: d_t / 2.0,
-        };
+        let (at, piece) = (cell.sheet / pieces.len(), cell.sheet % pieces.len());
+        let strip =
+            strips.entry((piece, cell.t.map(f64::to_bits))).or_insert_with(|| Strip::new(part, &pieces[piece], cell.t));
+        let [s_0, s_1] = cell.s;
+        let tool = |s: f64| *tools.entry((at, s.to_bits())).or_insert_with(|| sweep.stretches[at].tool(s));
+        let tools = [s_0, s_1, f64::midpoint(s_0, s_1)].map(tool);
+        let beside = Beside { part, stretch: &sweep.stretches[at], tools, pace: &paces[at], strip, a: d_t / 2.0 };
         beside.bounds(cell)
     })?;
     let stretch = &sweep.stretches[found.at.sheet / pieces.len()];
@@ -80,28 +85,52 @@ pub fn undercut(part: &Part, sweep: &Sweep, d_t: f64) -> Option<Undercut> {
     Some(Undercut { most: found.upper.max(0.0), found: found.lower.max(0.0), x: stretch.index((low + high) / 2.0) })
 }
 
-/// A stretch of the tool's way beside a piece of a face.
+/// A strip of a face between two v.
+struct Strip {
+    /// The rulings at both v and in the middle.
+    rulings: [Ruling; 3],
+    /// None begins higher.
+    top: f64,
+    /// None ends deeper.
+    deep: f64,
+    /// Where that in the middle ends.
+    end: f64,
+    change: Change,
+}
+
+impl Strip {
+    fn new(part: &Part, piece: &Piece, [v_0, v_1]: [f64; 2]) -> Self {
+        let v = f64::midpoint(v_0, v_1);
+        // h_0 does not grow with v.
+        let top = part.top(v_1);
+        let change = part.change([v_0, v_1], piece.bottom.max(-top));
+        let rulings = [v_0, v_1, v].map(|v| part.ruling(piece.face, v));
+        let [at_0, at_1, ruling] = rulings;
+        let [h_1, h_2] = part.floors(piece, [v_0, v_1], &[at_0, at_1], &change);
+        let end = part.floor(&ruling, part.top(v));
+        Self { rulings, top, deep: h_1.max(h_2), end, change }
+    }
+}
+
+/// A stretch of the tool's way beside a strip of a face.
 struct Beside<'a> {
     part: &'a Part,
     stretch: &'a Stretch,
+    /// Tip and axis at both ends of a part of it, and in the middle.
+    tools: [(Vector3<f64>, Vector3<f64>); 3],
     pace: &'a Pace,
-    piece: &'a Piece,
+    strip: &'a Strip,
     a: f64,
 }
 
 impl Beside<'_> {
     fn bounds(&self, cell: &Cell) -> Bounds {
         let (a, pace) = (self.a, self.pace);
-        let ([s_0, s_1], [v_0, v_1]) = (cell.s, cell.t);
-        let (s, v) = ((s_0 + s_1) / 2.0, (v_0 + v_1) / 2.0);
-        let (along, over) = (s_1 - s_0, v_1 - v_0);
-        // h_0 does not grow with v.
-        let top = self.part.top(v_1);
-        let change = self.part.change(cell.t, self.piece.bottom.max(-top));
-        let rulings = [v_0, v_1, v].map(|v| self.part.ruling(self.piece.face, v));
-        let [at_0, at_1, ruling] = rulings;
-        let [h_1, h_2] = self.part.floors(self.piece, cell.t, &[at_0, at_1], &change);
-        let h_1 = h_1.max(h_2);
+        let Strip { rulings, top, deep: h_1, end, change } = self.strip;
+        let (top, h_1) = (*top, *h_1);
+        let [s_0, s_1] = cell.s;
+        let (along, over) = (s_1 - s_0, cell.t[1] - cell.t[0]);
+        let ruling = &rulings[2];
         // What the tool's end and a point of the face beside it move against each other.
         let ways = [(pace.speed + pace.turn * 2.0 * a) * along / 2.0, change.speed * over / 2.0];
         let way = ways[0] + ways[1];
@@ -112,7 +141,7 @@ impl Beside<'_> {
             return Bounds { upper: f64::NEG_INFINITY, middle: f64::NEG_INFINITY, first };
         }
         // Down to which depth points may be above the tool's end, and the distance from the axis down to there.
-        let tools = [s_0, s_1, s].map(|s| self.stretch.tool(s));
+        let tools = self.tools;
         let (tip, axis) = tools[2];
         let up = (ruling.foot - tip).dot(&axis);
         let fall = ruling.N.dot(&axis);
@@ -142,7 +171,7 @@ impl Beside<'_> {
         } else {
             f64::NEG_INFINITY
         };
-        let exact = deepest(0.0).min(self.part.floor(&ruling, self.part.top(v)));
+        let exact = deepest(0.0).min(*end);
         let middle = if exact >= top {
             let (distance, point) = distance(2, 2, exact);
             if self.part.trimmed(&point) { a - distance } else { f64::NEG_INFINITY }

@@ -42,6 +42,13 @@ const POINTS: usize = 1_000_000;
 /// How many edges or lines one step of work skips; only few are close enough to be checked.
 const PASSED: usize = 16;
 
+/// Segments that follow one another, with the rectangle about them: a place far from it is compared with none of them.
+struct Run {
+    segments: Vec<[[f64; 2]; 2]>,
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
 /// The maximum deviations of a part from a profile, with their places on the profile `[z, r]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deviation {
@@ -147,6 +154,7 @@ pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result
         .filter(|[from, to]| from[1] > 0.0 || to[1] > 0.0)
         .collect();
     edges.first().ok_or(Unmeasured::Gone)?;
+    let (surface, lines) = (runs(edges.iter().copied()), runs(points.windows(2).map(|pair| [pair[0], pair[1]])));
     let mut left = most_work;
     let mut spend = |passed: usize| {
         let steps = u64::try_from(1 + passed / PASSED).unwrap_or(u64::MAX);
@@ -154,11 +162,24 @@ pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result
         Ok(())
     };
     let mut found = Deviation::default();
+    // The place before is mostly near to this one: where that was nearest, little is left to compare.
+    let mut close = 0;
     let mut look = |at: [f64; 2]| {
-        let off = edges.iter().fold(f64::INFINITY, |off, &[from, to]| {
-            if apart(at, from, to) < off { off.min(beside(at, from, to)) } else { off }
-        });
-        let slot = if inside(&edges, at) { &mut found.over } else { &mut found.under };
+        let nearest =
+            |off: f64, run: &Run| {
+                (run.segments.iter()).fold(off, |off, &[from, to]| {
+                    if apart(at, from, to) < off { off.min(beside(at, from, to)) } else { off }
+                })
+            };
+        let mut off = nearest(f64::INFINITY, &surface[close]);
+        for (number, run) in surface.iter().enumerate() {
+            if apart(at, run.low, run.high) < off {
+                let nearer = nearest(off, run);
+                close = if nearer < off { number } else { close };
+                off = nearer;
+            }
+        }
+        let slot = if inside(&surface, at) { &mut found.over } else { &mut found.under };
         if off.is_finite() && off > 1e-9 && slot.is_none_or(|(most, _)| off > most) {
             *slot = Some((off, at));
         }
@@ -173,9 +194,10 @@ pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result
             at += 1.0;
         }
     }
+    let mut close = 0;
     for &[corner, _] in &edges {
         spend(points.len())?;
-        if let Some(place) = nearest(&points, corner) {
+        if let Some(place) = nearest(&lines, corner, &mut close) {
             spend(edges.len())?;
             look(place);
         }
@@ -183,19 +205,50 @@ pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result
     Ok(found)
 }
 
-/// The place of a line of points that is nearest to a corner, the first of several.
-fn nearest(points: &[[f64; 2]], corner: [f64; 2]) -> Option<[f64; 2]> {
-    let mut best: Option<([f64; 2], f64)> = None;
-    for pair in points.windows(2) {
-        let [from, to] = [pair[0], pair[1]];
-        let least = best.map_or(f64::INFINITY, |(_, least)| least);
-        if apart(corner, from, to) < least {
-            let place = along(from, to, share(corner, from, to));
-            let off = distance(place, corner);
-            best = if off < least { Some((place, off)) } else { best };
+/// The place of a profile's lines that is nearest to a corner, the first of several. `close` is the run of lines where that
+/// of another corner was, and then where this one is.
+fn nearest(lines: &[Run], corner: [f64; 2], close: &mut usize) -> Option<[f64; 2]> {
+    let mut best: Option<([f64; 2], f64, usize)> = None;
+    // The run of the corner before comes first: it is mostly near.
+    for number in std::iter::once(*close).chain(0..lines.len()) {
+        let Some(run) = lines.get(number) else { continue };
+        // Of two places that are as near the first counts.
+        let nearer = |off: f64, best: Option<([f64; 2], f64, usize)>| {
+            best.is_none_or(|(_, least, found)| off < least || off == least && number < found)
+        };
+        if !nearer(apart(corner, run.low, run.high), best) {
+            continue;
+        }
+        for &[from, to] in &run.segments {
+            if nearer(apart(corner, from, to), best) {
+                let place = along(from, to, share(corner, from, to));
+                let off = distance(place, corner);
+                best = if nearer(off, best) { Some((place, off, number)) } else { best };
+            }
         }
     }
-    best.map(|(place, _)| place)
+    let (place, _, found) = best?;
+    *close = found;
+    Some(place)
+}
+
+/// Segments in runs of [`PASSED`].
+fn runs(segments: impl Iterator<Item = [[f64; 2]; 2]>) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for [from, to] in segments {
+        let (low, high) = ([from[0].min(to[0]), from[1].min(to[1])], [from[0].max(to[0]), from[1].max(to[1])]);
+        match runs.last_mut().filter(|run| run.segments.len() < PASSED) {
+            Some(run) => {
+                for axis in 0..2 {
+                    run.low[axis] = run.low[axis].min(low[axis]);
+                    run.high[axis] = run.high[axis].max(high[axis]);
+                }
+                run.segments.push([from, to]);
+            }
+            None => runs.push(Run { segments: vec![[from, to]], low, high }),
+        }
+    }
+    runs
 }
 
 /// A lower bound of the distance of a point from a segment: from its rectangle, along one of the axes.
@@ -219,8 +272,9 @@ fn share(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     if square > 0.0 { (((point[0] - from[0]) * dz + (point[1] - from[1]) * dr) / square).clamp(0.0, 1.0) } else { 0.0 }
 }
 
-fn inside(edges: &[[[f64; 2]; 2]], [z, r]: [f64; 2]) -> bool {
-    let above = edges.iter().filter(|[from, to]| {
+fn inside(surface: &[Run], [z, r]: [f64; 2]) -> bool {
+    let beside = surface.iter().filter(|run| run.low[0] <= z && z <= run.high[0]);
+    let above = beside.flat_map(|run| &run.segments).filter(|[from, to]| {
         (from[0] > z) != (to[0] > z) && r < from[1] + (to[1] - from[1]) * (z - from[0]) / (to[0] - from[0])
     });
     above.count() % 2 == 1

@@ -279,9 +279,10 @@ fn any_finishing_block_shifted_by_a_twentieth_into_the_metal_is_caught() {
             _ => {
                 let faces = splitters.clearance(&stands, Until::Within(0.0005), WORK).lower;
                 let sweep = Sweep::through(0_usize, design.machine, &at, nose.reach());
+                let ways = nose.ways(&sweep.stretches);
                 let noses = turns(pitch / 2.0)
                     .into_iter()
-                    .filter_map(|turn| nose.clearance(&sweep.stretches, turn, [0.1, 0.0005]))
+                    .filter_map(|turn| nose.clearance((&sweep.stretches, &ways), turn, [0.1, 0.0005]))
                     .map(|bounds| bounds.lower);
                 -noses.fold(faces, f64::min)
             }

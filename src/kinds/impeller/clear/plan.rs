@@ -14,7 +14,10 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::kinds::impeller::clear::body::{Obstacles, turned};
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+
+use crate::kinds::impeller::clear::body::{Body, Obstacles, turned};
 use crate::kinds::impeller::clear::contact::{Beside, Contacts, slope};
 use crate::kinds::impeller::clear::contour::{self, Contour};
 use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Spindle, Which};
@@ -47,6 +50,8 @@ const SLOT_FEED: f64 = 0.5;
 pub const BESIDE: f64 = 0.4;
 /// The part of its width by which a tool steps from lane to lane at most.
 const LAPPED: f64 = 0.9;
+/// Pairs of lanes that are looked at side by side.
+const AHEAD: usize = 16;
 /// How often a splitter's beginning is moved on at most, and by how much, radians of v.
 const STARTS: u8 = 40;
 const START: f64 = 0.01;
@@ -87,15 +92,15 @@ impl Plan {
     pub fn new(job: &Job, cut: &Cut) -> Result<Self, DoesNotFit> {
         let part = &job.part;
         let pitch = TAU / f64::from(job.N);
-        let [rough, finish] = [Which::Rough, Which::Finish].map(|which| contacts(job, cut, which));
-        let ((rough, rough_from), (finish, finish_from)) = (rough?, finish?);
+        let found = rayon::join(|| contacts(job, cut, Which::Rough), || contacts(job, cut, Which::Finish));
+        let ((rough, rough_from), (finish, finish_from)) = (found.0?, found.1?);
         // What the finishing tool roughs where the roughing tool has no room.
         let wanted = cut.splitters || rough_from > 0.0;
-        let rest = if wanted { contacts_of(job, cut.finish, part.a_p - cut.s, cut.s) } else { None };
+        let rest = || if wanted { contacts_of(job, cut.finish, part.a_p - cut.s, cut.s) } else { None };
+        let (rest, ways) = rayon::join(rest, || ways(job, cut));
         let rest_from = rest.as_ref().and_then(Contacts::fits_from).unwrap_or(rough_from);
         // It finishes nothing that is not roughed.
         let finish_from = finish_from.max(rough_from.min(rest_from));
-        let ways = ways(job, cut);
         let v_s = match (&rest, cut.splitter_from) {
             (None, _) => None,
             (Some(_), _) if !cut.splitters => None,
@@ -540,8 +545,34 @@ impl Draft<'_> {
         from_rim
     }
 
-    /// A lane at the part λ of the way from obverse to reverse.
-    fn lane(&mut self, contacts: &Contacts, lambda: f64, s: f64, wanted: &Wanted) -> bool {
+    /// From where to where a lane at the part λ of the way from obverse to reverse keeps clear of the splitter.
+    fn clear_of_splitter(
+        &self,
+        contacts: &Contacts,
+        lambda: f64,
+        lanes: &Lanes,
+        splitter: Option<&Body>,
+    ) -> Vec<[f64; 2]> {
+        let (lane, m) = (contacts.lane, self.cut.run_out(lanes.tool));
+        let whole = [(-m).max(lanes.from), 1.0 + m];
+        let Some(splitter) = splitter else { return vec![whole] };
+        let room = lane.tool.a() + lanes.s;
+        let reach = room + self.job.part.overhang();
+        let inside: Vec<f64> = [0.0, 0.5, 1.0].into_iter().filter(|q| (whole[0]..whole[1]).contains(q)).collect();
+        let ends: Vec<f64> = [whole[0]].into_iter().chain(inside).chain([whole[1]]).collect();
+        // A half round on a twisted blade stands out of the faces by (e/2)(hτ)²/2: less than half of e/2.
+        let torus = self.job.part.circle.torus;
+        let nose = self.job.part.e / 4.0 / (torus.r / torus.R * (torus.R - torus.r));
+        parts(&ends, |q| {
+            let psi = contacts.psi(lambda, q);
+            let [reverse, obverse] = contacts.beside_splitter(q);
+            // Clear of a splitter as long as the blade, nose and all, or of the one that is there.
+            psi >= reverse + nose || psi <= obverse - nose || splitter.keeps(&lane.axis(q, psi, reach), room)
+        })
+    }
+
+    /// Runs what is kept of a lane at the part λ of the way from obverse to reverse.
+    fn lane(&mut self, contacts: &Contacts, lambda: f64, kept: &[[f64; 2]], wanted: &Wanted) -> bool {
         let lane = contacts.lane;
         let (m, a) = (self.cut.run_out(wanted.tool), lane.tool.a());
         let flat = lane.tool.flat_radius();
@@ -549,44 +580,31 @@ impl Draft<'_> {
         breaks.dedup();
         let machine = self.job.machine;
         let way = |q: f64| lane.stand(machine, q, contacts.psi(lambda, q));
-        let room = a + s;
-        let whole = [(-m).max(wanted.from), 1.0 + m];
-        let kept = match self.v_s {
-            None => vec![whole],
-            Some(_) => {
-                let obstacles = Obstacles::new(&self.job.part, self.pitch, room, self.v_s);
-                let reach = room + self.job.part.overhang();
-                let inside: Vec<f64> =
-                    [0.0, 0.5, 1.0].into_iter().filter(|q| (whole[0]..whole[1]).contains(q)).collect();
-                let ends: Vec<f64> = [whole[0]].into_iter().chain(inside).chain([whole[1]]).collect();
-                // A half round on a twisted blade stands out of the faces by (e/2)(hτ)²/2: less than half of e/2.
-                let torus = self.job.part.circle.torus;
-                let nose = self.job.part.e / 4.0 / (torus.r / torus.R * (torus.R - torus.r));
-                parts(&ends, |q| {
-                    let psi = contacts.psi(lambda, q);
-                    let [reverse, obverse] = contacts.beside_splitter(q);
-                    // Clear of a splitter as long as the blade, nose and all, or of the one that is there.
-                    psi >= reverse + nose
-                        || psi <= obverse - nose
-                        || obstacles.keeps_splitter(&lane.axis(q, psi, reach), room)
-                })
-            }
-        };
         let height = self.height(wanted.tool, lane.r_f - lane.torus.r);
         let way = Way { stand: way, breaks, inside: [wanted.from.max(0.0), 1.0], height, to_v: v_at };
-        self.run(wanted, &way, &kept, By::Splitter)
+        self.run(wanted, &way, kept, By::Splitter)
     }
 
     /// All lanes of a channel, from the middle outwards, with s left on the walls; `from` a station on. Roughing goes into
     /// the full first.
     fn lanes(&mut self, contacts: &Contacts, lanes: &Lanes, cutting: impl Fn(u32) -> Cutting) {
         let Lanes { tool, K, s, roughing, from } = *lanes;
+        let part = &self.job.part;
+        let splitter = self.v_s.map(|v_s| Body::new(part, v_s, -self.pitch / 2.0, contacts.lane.tool.a() + s));
         let side = |j: u32| if 2 * j < K { Face::Obverse } else { Face::Reverse };
+        let part_of = |j: u32| f64::from(j) / f64::from(K);
         let mut first = roughing;
         let mut open = [roughing; 2];
-        for off in (K % 2..=K).step_by(2) {
-            let pair = [(K - off) / 2, K.midpoint(off)];
-            let mut pair: Vec<u32> = if pair[0] == pair[1] { vec![pair[0]] } else { pair.to_vec() };
+        let mut kept: FxHashMap<u32, Vec<[f64; 2]>> = FxHashMap::default();
+        for (number, off) in (K % 2..=K).step_by(2).enumerate() {
+            let pairs = |off: u32| if off == 0 { vec![K / 2] } else { vec![(K - off) / 2, K.midpoint(off)] };
+            // Some pairs are looked at side by side before they are run; not all of them, as the plan may be full before.
+            if number % AHEAD == 0 {
+                let next: Vec<u32> = (off..=K).step_by(2).take(AHEAD).flat_map(pairs).collect();
+                let look = |&j: &u32| (j, self.clear_of_splitter(contacts, part_of(j), lanes, splitter.as_ref()));
+                kept = next.par_iter().map(look).collect();
+            }
+            let mut pair = pairs(off);
             // Where the tool is decides which one of a pair comes first.
             if pair.len() == 2 && (self.climbing(side(pair[0])) == Direction::Inwards) != self.at_rim {
                 pair.reverse();
@@ -614,7 +632,8 @@ impl Draft<'_> {
                     rim_slot: open[half],
                     from,
                 };
-                if self.lane(contacts, f64::from(j) / f64::from(K), s, &wanted) {
+                let kept = kept.get(&j).map_or(&[][..], Vec::as_slice);
+                if self.lane(contacts, part_of(j), kept, &wanted) {
                     open[half] = false;
                 }
                 first = false;
@@ -808,7 +827,7 @@ impl Draft<'_> {
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
         let poses = Poses::along(machine, passes);
         let across = (LOOKS_A_LANE * lanes).clamp(ACROSS[0], ACROSS[1]);
-        let floor = floor_rest(part, [self.pitch, beside], self.v_s, tool, (&poses, v_at(self.finish_from)), across);
+        let floor = || floor_rest(part, [self.pitch, beside], self.v_s, tool, (&poses, v_at(self.finish_from)), across);
         let mut lines = face_lines(part, Face::Obverse, 0.0, HUB - 1.0);
         lines.extend(face_lines(part, Face::Reverse, -self.pitch, HUB - 1.0));
         if let Some(v_s) = self.v_s {
@@ -816,11 +835,14 @@ impl Draft<'_> {
             lines.extend(Face::ALL.into_iter().flat_map(|face| face_lines(part, face, turn, v_s)));
             lines.extend(nose_lines(part, v_s, turn));
         }
-        let mut root = root(part, &lines, &poses, tool, over);
         // Between their poses the blocks of the flank passes leave the way by up to the tolerance.
         let known = faces.iter().map(|face| face.rest).fold(0.0, f64::max) + self.cut.tolerance;
-        root.above = left_above(part, &lines, &poses, tool, [root.height, known + cusp(tool)]).unwrap_or(known);
-        (floor, root)
+        let corner = || {
+            let mut root = root(part, &lines, &poses, tool, over);
+            root.above = left_above(part, &lines, &poses, tool, [root.height, known + cusp(tool)]).unwrap_or(known);
+            root
+        };
+        rayon::join(floor, corner)
     }
 
     fn tool(&self, which: Which, lane: &OwnNormal, lanes: u32, levels: u32, m: f64) -> ToolTold {

@@ -154,14 +154,13 @@ impl<'a> ClearCutting<'a> {
         let mut least: Option<(Bounds, At)> = None;
         for way in &self.ways {
             let sweep = Sweep::through(0_usize, self.design.machine, &way.positions, nose.reach());
+            let along = (sweep.stretches.as_slice(), &*nose.ways(&sweep.stretches));
             for turn in self.turns(half) {
                 let seen = least.map_or(f64::INFINITY, |(bounds, _)| bounds.upper);
                 let enough = seen.max(self.asked.cut.s / 2.0);
-                let found = nose.clearance(&sweep.stretches, turn, [enough, CLOSE]);
+                let found = nose.clearance(along, turn, [enough, CLOSE]);
                 let bounds = match found {
-                    Some(bounds) if self.straddles(bounds) => {
-                        nose.clearance(&sweep.stretches, turn, [enough, CLOSE / 10.0])
-                    }
+                    Some(bounds) if self.straddles(bounds) => nose.clearance(along, turn, [enough, CLOSE / 10.0]),
                     found => found,
                 };
                 if let Some(bounds) = bounds {
@@ -270,8 +269,27 @@ impl Judge for ClearCutting<'_> {
                 least.unwrap_or(one)
             })
         };
-        let faces = self.least(&self.walls(0.0, f64::MIN));
-        if let Some((bounds, at)) = nearest([faces, self.inside(0.0, f64::MIN), None]) {
+        let half = PI / f64::from(self.design.N);
+        let mill = self.asked.cut.tool(self.which);
+        // Each is a search by itself.
+        let to_blades = || {
+            let (faces, inside) = rayon::join(|| self.least(&self.walls(0.0, f64::MIN)), || self.inside(0.0, f64::MIN));
+            nearest([faces, inside, None])
+        };
+        let to_splitters = || {
+            let v_s = self.splitter?;
+            let faces = || rayon::join(|| self.least(&self.walls(half, v_s)), || self.inside(half, v_s));
+            let ((faces, inside), noses) = rayon::join(faces, || self.noses(v_s));
+            nearest([faces, inside, noses])
+        };
+        let to_floor = || {
+            let through =
+                |(number, way): (usize, &Way)| Sweep::through(number, self.design.machine, &way.positions, mill.r_c);
+            let sweeps: Vec<Sweep<usize>> = self.ways.iter().enumerate().map(through).collect();
+            within(self.design.torus, self.design.a_p, mill, &sweeps, limit)
+        };
+        let ((blades, splitters), floor) = rayon::join(|| rayon::join(to_blades, to_splitters), to_floor);
+        if let Some((bounds, at)) = blades {
             let name = t("Holgura a las caras de todos los álabes", "Clearance to the faces of all blades");
             let asked = Question::new("faces", name, program)
                 .showing(bounded(bounds.lower, bounds.upper), shown.clone())
@@ -287,36 +305,24 @@ impl Judge for ClearCutting<'_> {
                 }
             }));
         }
-        if let Some(v_s) = self.splitter {
-            let half = PI / f64::from(self.design.N);
-            let faces = self.least(&self.walls(half, v_s));
-            let found = nearest([faces, self.inside(half, v_s), self.noses(v_s)]);
-            if let Some((bounds, at)) = found {
-                let name = t("Holgura a los álabes intermedios", "Clearance to the splitters");
-                let asked = Question::new("splitters", name, program)
-                    .showing(bounded(bounds.lower, bounds.upper), shown)
-                    .at(Some(at))
-                    .seen(self.ways.len())
-                    .measuring(bounds.lower);
-                checks.push(asked.holds(bounds.lower >= -limit, |place| {
-                    let (line, program) = (at.line, program.title.clone());
-                    if bounds.upper < -limit {
-                        ClearCutsSplitter { depth: size(-bounds.upper), limit: size(limit), line, program }.at(place)
-                    } else {
-                        ClearMayCut { limit: size(limit), line, program }.at(place)
-                    }
-                }));
-            }
+        if let Some((bounds, at)) = splitters {
+            let name = t("Holgura a los álabes intermedios", "Clearance to the splitters");
+            let asked = Question::new("splitters", name, program)
+                .showing(bounded(bounds.lower, bounds.upper), shown)
+                .at(Some(at))
+                .seen(self.ways.len())
+                .measuring(bounds.lower);
+            checks.push(asked.holds(bounds.lower >= -limit, |place| {
+                let (line, program) = (at.line, program.title.clone());
+                if bounds.upper < -limit {
+                    ClearCutsSplitter { depth: size(-bounds.upper), limit: size(limit), line, program }.at(place)
+                } else {
+                    ClearMayCut { limit: size(limit), line, program }.at(place)
+                }
+            }));
         }
-        let mill = self.asked.cut.tool(self.which);
-        let sweeps: Vec<Sweep<usize>> = self
-            .ways
-            .iter()
-            .enumerate()
-            .map(|(number, way)| Sweep::through(number, self.design.machine, &way.positions, mill.r_c))
-            .collect();
         let at = self.ways.first().and_then(|way| way.at.first()).copied();
-        if let Some(found) = within(self.design.torus, self.design.a_p, mill, &sweeps, limit) {
+        if let Some(found) = floor {
             // A stretch counts its positions from the one after the first.
             let at = self.ways.get(found.track).map(|way| way.place(motion((found.x + 1.0).max(0.0)))).or(at);
             let name = t("Fondo: lo más hondo por debajo", "Floor: the deepest below it");

@@ -139,7 +139,9 @@ impl Neighbours {
         };
         let [blades, splitters] =
             if track.of_splitter() { [&self.other[0], &self.like[1]] } else { [&self.like[0], &self.other[1]] };
-        Clearances { blades: to(blades), splitters: if self.splitters { to(splitters) } else { None } }
+        let to_splitters = || if self.splitters { to(splitters) } else { None };
+        let (blades, splitters) = rayon::join(|| to(blades), to_splitters);
+        Clearances { blades, splitters }
     }
 }
 

@@ -18,11 +18,11 @@
 
 use nalgebra::Vector3;
 
+use crate::kinds::impeller::clear::body::turn;
 use crate::kinds::impeller::clearance::{Bounds, Place};
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::part::{Face, Part};
 use crate::kinds::impeller::sweep::Stretch;
-use crate::number::trig::sin_cos;
 
 /// How often a stretch is halved at most.
 const HALVINGS: u8 = 24;
@@ -64,42 +64,56 @@ impl Nose {
         2.0 * (self.depths[1] - self.depths[0]) + self.half + self.a
     }
 
-    /// The clearance along some stretches, it being turned about the axis of the part: not looked at closer where it is
-    /// `enough`, else to `close`. `None` where it is never beside the tool.
+    /// How far the tool goes on each of some stretches, up to where it may meet it.
     #[must_use]
-    pub fn clearance(&self, stretches: &[Stretch], turn: f64, [enough, close]: [f64; 2]) -> Option<Bounds> {
+    pub fn ways(&self, stretches: &[Stretch]) -> Vec<f64> {
+        let way = |stretch: &Stretch| {
+            let pace = stretch.pace(self.reach());
+            pace.speed + pace.turn * self.reach()
+        };
+        stretches.iter().map(way).collect()
+    }
+
+    /// The clearance along some stretches, with [`ways`](Self::ways) along them, it being turned about the axis of the part:
+    /// not looked at closer where it is `enough`, else to `close`. `None` where it is never beside the tool.
+    #[must_use]
+    pub fn clearance(
+        &self,
+        (stretches, ways): (&[Stretch], &[f64]),
+        turned: f64,
+        [enough, close]: [f64; 2],
+    ) -> Option<Bounds> {
         let mut seen = (f64::INFINITY, None);
         let mut least = f64::INFINITY;
         let mut work = 0;
-        let mut left: Vec<(&Stretch, [f64; 2], u8)> =
-            stretches.iter().map(|stretch| (stretch, [0.0, 1.0], HALVINGS)).collect();
-        while let Some((stretch, [from, to], halvings)) = left.pop() {
+        let about = turn(-turned);
+        let mut left: Vec<(&Stretch, f64, [f64; 2], u8)> =
+            stretches.iter().zip(ways).map(|(stretch, &way)| (stretch, way, [0.0, 1.0], HALVINGS)).collect();
+        while let Some((stretch, way, [from, to], halvings)) = left.pop() {
             work += 1;
-            let (middle, pace) = (f64::midpoint(from, to), stretch.pace(self.reach()));
-            let out = (pace.speed + pace.turn * self.reach()) * (to - from) / 2.0 + stretch.slack;
-            let found = self.apart(stretch, middle, turn, 0.0);
+            let middle = f64::midpoint(from, to);
+            let out = way * (to - from) / 2.0 + stretch.slack;
+            let (tip, axis) = stretch.tool(middle);
+            let (tip, axis) = (about(&tip), about(&axis));
+            let found = self.apart(&tip, &axis, 0.0);
             if found < seen.0 {
                 seen = (found, Some(Place { along: (stretch.index(middle) + 1.0).max(0.0), v: self.v_s }));
             }
-            let bound = self.apart(stretch, middle, turn, out) - out - ARITHMETIC;
+            let bound = self.apart(&tip, &axis, out) - out - ARITHMETIC;
             if bound >= enough || bound >= seen.0 - close || halvings == 0 {
                 least = least.min(bound);
             } else {
-                left.push((stretch, [from, middle], halvings - 1));
-                left.push((stretch, [middle, to], halvings - 1));
+                left.push((stretch, way, [from, middle], halvings - 1));
+                left.push((stretch, way, [middle, to], halvings - 1));
             }
         }
         (least < f64::INFINITY).then_some(Bounds { lower: least.min(seen.0), upper: seen.0, place: seen.1, work })
     }
 
-    /// How far the tool is from it at a part of a stretch, limits moved out; infinite where it is on the other side.
-    fn apart(&self, stretch: &Stretch, part: f64, turn: f64, out: f64) -> f64 {
-        let (sin, cos) = sin_cos(-turn);
-        let about = |x: Vector3<f64>| Vector3::new(x.x * cos - x.y * sin, x.x * sin + x.y * cos, x.z);
-        let (tip, axis) = stretch.tool(part);
-        let (tip, axis) = (about(tip), about(axis));
+    /// How far a tool is from it, limits moved out; infinite where it is on the other side.
+    fn apart(&self, tip: &Vector3<f64>, axis: &Vector3<f64>, out: f64) -> f64 {
         let from = self.P - tip;
-        let (along, up) = (self.N.dot(&axis), from.dot(&axis));
+        let (along, up) = (self.N.dot(axis), from.dot(axis));
         let lean = (1.0 - along * along).max(0.0).sqrt();
         let end = out + self.half * lean;
         let [mut top, mut bottom] = self.depths;
@@ -112,7 +126,7 @@ impl Nose {
             return f64::INFINITY;
         }
         let (first, second) = (from - axis * up, self.N - axis * along);
-        let (ahead, slope) = (-self.t.dot(&from), self.t.dot(&axis));
+        let (ahead, slope) = (-self.t.dot(&from), self.t.dot(axis));
         // On the side of −t: ahead + height·slope ≤ out, the height being that of the axis nearest to the ruling, up −
         // h·along, or that at which it goes through the plane across it, (N·from − h)/along.
         let through = if along.abs() > LEVEL { (self.N.dot(&from) / along, 1.0 / along) } else { (up, along) };
