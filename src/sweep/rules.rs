@@ -174,8 +174,8 @@ rules! {
         why "Dos divisiones de un plan no encajan.", "Two divisions of one plan do not fit together.";
         example Example::Made { key: "sweep-other-chunks", how: t("sweep --chunk 0/3 en una carpeta con el trozo 0/2", "sweep --chunk 0/3 into a folder with chunk 0/2") };
     "D0203" ChunksMissing Stop { list: String, missing: u64, chunks: u64 }
-        es "faltan {missing} de {chunks} trozos: {list}"
-        en "{missing} of {chunks} chunks are missing: {list}"
+        es "trozos que faltan: {missing} de {chunks} ({list})"
+        en "missing chunks: {missing} of {chunks} ({list})"
         remedy "calcule los que faltan: rodete sweep los completa en esta máquina, --submit slurm los envía", "work out those that are missing: rodete sweep completes them on this machine, --submit slurm submits them";
         why "El resumen tiene todas las filas del plan o no se escribe.", "The summary holds every row of the plan, or is not written.";
         example Example::Made { key: "sweep-missing", how: t("sweep --merge después de sweep --chunk 0/2", "sweep --merge after sweep --chunk 0/2") };

@@ -5,35 +5,50 @@ use rust_xlsxwriter::{
     Worksheet,
 };
 
-use super::cell::write_text;
+use super::cell::{row_height, write_text};
 use super::error::WriteError;
+use super::page::Page;
 use super::style::Styles;
 use super::sweep_book::{BEST, CHART_ROWS, DONE, HEADINGS, SIZE, SweepBook};
 use crate::sweep::objective::Objective;
 use crate::text::{Text, t};
 
 static SENSITIVITY: Text = t("SENSIBILIDAD", "SENSITIVITY");
+const INPUT: Text = t("entrada", "input");
 
-/// The columns before those of the objectives.
-const BEFORE: ColNum = 7;
-/// Columns of an objective around the design of the workbook.
-const AROUND: ColNum = 3;
-/// Columns of an objective's indices.
-const OF_INDICES: ColNum = 4;
+/// The width of the first column and of the others, in digits.
+const WIDTHS: [f64; 2] = [18.0, 13.0];
+/// So many rows go on an upright page at the least size at which the sheet is printed.
+const ON_PAGE: RowNum = 48;
 
 impl SweepBook<'_> {
-    /// The sheet, with a chart of the changes for each objective, and one of the indices where there are any.
+    /// The sheet: what each input may do around the design of the workbook; below it, for each objective, what each input does
+    /// to it; and charts of that.
     pub(super) fn write_effects(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
         static TITLE: Text = t("Qué hace cada entrada", "What each input does");
+        static INPUTS: [Text; 7] = [
+            INPUT,
+            t("valor", "value"),
+            t("unidad", "unit"),
+            t("puede bajar", "may go down"),
+            t("puede subir", "may go up"),
+            t("desde", "from"),
+            t("hasta", "to"),
+        ];
         let told = self.results.explained();
         let told = told.each_ref().map(|one| self.text(one)).join(" ");
-        self.head(sheet, styles, &SENSITIVITY, &TITLE, &told)?;
-        for (column, (heading, unit)) in (0..).zip(self.headings()) {
-            write_text(sheet, HEADINGS - 1, column, &unit, &styles.number_unit)?;
-            write_text(sheet, HEADINGS, column, &heading, &styles.header)?;
-            sheet.set_column_width(column, 15.0)?;
+        self.head(sheet, styles, &SENSITIVITY, &TITLE, "")?;
+        for (column, heading) in (0..).zip(&INPUTS) {
+            write_text(sheet, HEADINGS, column, self.text(heading), &styles.header)?;
         }
-        sheet.set_row_height(HEADINGS, 30)?;
+        let last = ColNum::try_from(INPUTS.len().max(1 + self.what().len())).unwrap_or(1) - 1;
+        sheet.set_column_width(0, WIDTHS[0])?;
+        sheet.set_column_range_width(1, last, WIDTHS[1])?;
+        // What is told stands over the tables, in as many lines as it takes.
+        sheet.merge_range(2, 0, 2, last, "", &styles.note)?;
+        write_text(sheet, 2, 0, &told, &styles.note)?;
+        let across = WIDTHS[0] + WIDTHS[1] * f64::from(last);
+        sheet.set_row_height(2, row_height(&[(&told, across)]))?;
         let (room, part) = (Format::new().set_num_format("0.####"), Format::new().set_num_format("0.0 %"));
         let open = room.clone().set_num_format("\"≥ \"0.####");
         for (row, effect) in (HEADINGS + 1..).zip(self.results.effects) {
@@ -44,72 +59,64 @@ impl SweepBook<'_> {
                 cells.push((column, Some(*by), if ends { &open } else { &room }));
             }
             cells.extend((5..).zip(effect.ends.iter().flatten()).map(|(column, end)| (column, Some(*end), &room)));
-            for (at, (slope, [low, high])) in (0..).zip(effect.slopes.iter().zip(&effect.changes)) {
-                let column = BEFORE + at * AROUND;
-                cells.extend([(column, *slope), (column + 1, *low), (column + 2, *high)].map(|(c, v)| (c, v, &room)));
+            write_numbers(sheet, row, cells)?;
+        }
+        for (at, Objective { measure, .. }) in self.results.plan.objectives.iter().enumerate() {
+            let (head, unit) = (self.block(at), measure.unit.label());
+            let name = if unit.is_empty() { measure.key.to_owned() } else { format!("{} [{unit}]", measure.key) };
+            write_text(sheet, head, 0, &name, &styles.header)?;
+            for (column, heading) in (1..).zip(self.what()) {
+                write_text(sheet, head, column, self.text(&heading), &styles.header)?;
             }
-            let behind = self.behind();
-            if self.results.triples.is_some() {
-                for (at, index) in (0..).zip(&effect.indices) {
-                    let Some(index) = index else { continue };
-                    let values = [index.first, index.off[0], index.total, index.off[1]];
+            for (row, effect) in (head + 1..).zip(self.results.effects) {
+                write_text(sheet, row, 0, &effect.symbol, &styles.symbol)?;
+                let [low, high] = effect.changes.get(at).copied().unwrap_or_default();
+                let slope = effect.slopes.get(at).copied().flatten();
+                let mut cells: Vec<(ColNum, Option<f64>, &Format)> =
+                    vec![(1, slope, &room), (2, low, &room), (3, high, &room)];
+                if self.results.triples.is_some() {
+                    let index = effect.indices.get(at).copied().flatten();
+                    let values = index.map(|index| [index.first, index.off[0], index.total, index.off[1]]);
                     cells.extend(
-                        (behind + at * OF_INDICES..).zip(values).map(|(column, value)| (column, Some(value), &part)),
+                        (4..).zip(values.into_iter().flatten()).map(|(column, value)| (column, Some(value), &part)),
                     );
+                } else {
+                    cells.push((4, effect.shares.get(at).copied().flatten(), &part));
                 }
-            } else {
-                cells.extend((behind..).zip(&effect.shares).map(|(column, share)| (column, *share, &part)));
-            }
-            for (column, value, format) in cells {
-                if let Some(value) = value {
-                    sheet.write_number_with_format(row, column, value, format)?;
-                }
+                write_numbers(sheet, row, cells)?;
             }
         }
-        self.draw_effects(sheet)?;
+        let charts = self.draw_effects(sheet)?;
         sheet.set_freeze_panes(HEADINGS + 1, 1)?;
-        self.page().set_up(sheet, self.language)?;
+        let end = self.block(self.results.plan.objectives.len()) + charts * CHART_ROWS;
+        sheet.set_print_area(0, 0, end.saturating_sub(1), last)?;
+        Page { landscape: false, ..self.page() }.set_up_fitted(sheet, self.language);
         Ok(())
     }
 
-    /// The first column behind those around the design of the workbook.
-    fn behind(&self) -> ColNum {
-        BEFORE + AROUND * ColNum::try_from(self.results.plan.objectives.len()).unwrap_or_default()
+    /// The rows of a table.
+    fn inputs(&self) -> RowNum {
+        RowNum::try_from(self.results.effects.len()).unwrap_or_default()
     }
 
-    /// The headings with their units.
-    fn headings(&self) -> Vec<(String, String)> {
-        static INPUTS: [Text; BEFORE as usize] = [
-            t("entrada", "input"),
-            t("valor", "value"),
-            t("unidad", "unit"),
-            t("puede bajar", "may go down"),
-            t("puede subir", "may go up"),
-            t("desde", "from"),
-            t("hasta", "to"),
-        ];
-        static AROUND: [Text; 3] = [t("por unidad", "per unit"), t("en desde", "at from"), t("en hasta", "at to")];
-        static INDICES: [Text; 4] = [t("sola", "alone"), t("±", "±"), t("total", "total"), t("±", "±")];
-        let mut headings: Vec<(String, String)> =
-            INPUTS.iter().map(|one| (self.text(one).to_owned(), String::new())).collect();
-        for Objective { measure, .. } in &self.results.plan.objectives {
-            let unit = measure.unit.label();
-            headings.extend(AROUND.iter().map(|one| (format!("{} {}", measure.key, self.text(one)), unit.to_owned())));
-        }
-        for Objective { measure, .. } in &self.results.plan.objectives {
-            if self.results.triples.is_some() {
-                headings
-                    .extend(INDICES.iter().map(|one| (format!("{} {}", measure.key, self.text(one)), String::new())));
-            } else {
-                let share = t("parte de", "share of");
-                headings.push((format!("{} {}", self.text(&share), measure.key), String::new()));
-            }
+    /// The row of the headings of an objective's table; behind the last one, that of the first chart.
+    fn block(&self, at: usize) -> RowNum {
+        HEADINGS + (self.inputs() + 2) * (1 + RowNum::try_from(at).unwrap_or_default())
+    }
+
+    /// What is told of what an input does to an objective.
+    fn what(&self) -> Vec<Text> {
+        let mut headings = vec![t("por unidad", "per unit"), t("en desde", "at from"), t("en hasta", "at to")];
+        if self.results.triples.is_some() {
+            headings.extend([t("sola", "alone"), t("±", "±"), t("total", "total"), t("±", "±")]);
+        } else {
+            headings.push(t("parte", "share"));
         }
         headings
     }
 
-    /// The charts below the table: changes, and indices.
-    fn draw_effects(&self, sheet: &mut Worksheet) -> Result<(), WriteError> {
+    /// The charts below the tables: changes, and indices. How many there are.
+    fn draw_effects(&self, sheet: &mut Worksheet) -> Result<RowNum, WriteError> {
         static CHANGE: Text = t(
             "al llevar cada entrada a un extremo del plan, las demás como en el libro",
             "as each input goes to an end of the plan, the others as in the workbook",
@@ -118,34 +125,40 @@ impl SweepBook<'_> {
             t("qué parte de su varianza explica cada entrada", "which part of its variance each input explains");
         static ENDS: [Text; 2] = [t("desde", "from"), t("hasta", "to")];
         static BOTH: [Text; 2] = [t("sola", "alone"), t("total", "total")];
-        let mut row = HEADINGS + 3 + RowNum::try_from(self.results.effects.len()).unwrap_or_default();
-        for (at, Objective { measure, .. }) in (0..).zip(&self.results.plan.objectives) {
+        let mut charts = Vec::new();
+        for (at, Objective { measure, .. }) in self.results.plan.objectives.iter().enumerate() {
             let unit = measure.unit.label();
             let axis =
                 if unit.is_empty() { format!("Δ {}", measure.key) } else { format!("Δ {} [{unit}]", measure.key) };
-            let column = BEFORE + at * AROUND;
+            let first = self.block(at) + 1;
             let moves = self.results.effects.iter().any(|one| one.changes.iter().flatten().any(Option::is_some));
             if moves {
                 let title = format!("{axis}: {}", self.text(&CHANGE));
-                let series = [(&ENDS[0], column + 1), (&ENDS[1], column + 2)];
-                sheet.insert_chart(row, 0, &self.bars(&title, &axis, series, 100))?;
-                row += CHART_ROWS;
+                charts.push(self.bars(first, &title, &axis, [(&ENDS[0], 2), (&ENDS[1], 3)], 100));
             }
             if self.results.effects.iter().any(|one| one.indices.iter().any(Option::is_some)) {
                 let title = format!("{}: {}", measure.key, self.text(&SHARE));
-                let column = self.behind() + at * OF_INDICES;
-                let series = [(&BOTH[0], column), (&BOTH[1], column + 2)];
-                sheet.insert_chart(row, 0, &self.bars(&title, "", series, 0))?;
-                row += CHART_ROWS;
+                charts.push(self.bars(first, &title, "", [(&BOTH[0], 4), (&BOTH[1], 6)], 0));
             }
         }
-        Ok(())
+        let count = RowNum::try_from(charts.len()).unwrap_or_default();
+        let (mut row, mut page, mut breaks) = (self.block(self.results.plan.objectives.len()), 0, Vec::new());
+        for chart in charts {
+            // None is cut by the end of a page.
+            if row + CHART_ROWS > page + ON_PAGE {
+                page = row;
+                breaks.push(row);
+            }
+            sheet.insert_chart(row, 0, &chart)?;
+            row += CHART_ROWS;
+        }
+        sheet.set_page_breaks(&breaks)?;
+        Ok(count)
     }
 
-    /// Two bars for each input, the first input on top.
-    fn bars(&self, title: &str, axis: &str, series: [(&Text, ColNum); 2], overlap: i8) -> Chart {
-        let name = self.text(&SENSITIVITY);
-        let (first, last) = (HEADINGS + 1, HEADINGS + RowNum::try_from(self.results.effects.len()).unwrap_or_default());
+    /// Two bars for each input, the first input on top, from the row of the first.
+    fn bars(&self, first: RowNum, title: &str, axis: &str, series: [(&Text, ColNum); 2], overlap: i8) -> Chart {
+        let (name, last) = (self.text(&SENSITIVITY), (first + self.inputs()).saturating_sub(1));
         let mut chart = Chart::new(ChartType::Bar);
         for ((legend, column), ink) in series.into_iter().zip([DONE, BEST]) {
             chart
@@ -170,4 +183,18 @@ impl SweepBook<'_> {
         chart.set_alt_text(title);
         chart
     }
+}
+
+/// Writes the numbers of a row that there are.
+fn write_numbers(
+    sheet: &mut Worksheet,
+    row: RowNum,
+    cells: Vec<(ColNum, Option<f64>, &Format)>,
+) -> Result<(), WriteError> {
+    for (column, value, format) in cells {
+        if let Some(value) = value {
+            sheet.write_number_with_format(row, column, value, format)?;
+        }
+    }
+    Ok(())
 }

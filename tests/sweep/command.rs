@@ -93,7 +93,7 @@ fn what_is_missing_is_listed_and_has_an_exit_code_of_its_own() {
     let merge = sweep(at, "-o s --merge");
     let told = String::from_utf8(merge.stderr).unwrap();
     assert_eq!(merge.status.code(), Some(9), "{told}");
-    assert!(told.contains("7 of 12 chunks are missing: 1,4-6,8-10"), "{told}");
+    assert!(told.contains("missing chunks: 7 of 12 (1,4-6,8-10)"), "{told}");
     assert!(!at.join("s/summary.parquet").exists());
 }
 
