@@ -12,6 +12,7 @@ pub mod body;
 pub mod contact;
 pub mod contour;
 pub mod cut;
+pub mod draft;
 pub mod fields;
 pub mod fit;
 pub mod flank;
