@@ -14,7 +14,6 @@ use crate::sweep::objective::Objective;
 use crate::text::{Text, t};
 
 static SENSITIVITY: Text = t("SENSIBILIDAD", "SENSITIVITY");
-const INPUT: Text = t("entrada", "input");
 
 /// The width of the first column and of the others, in digits.
 const WIDTHS: [f64; 2] = [18.0, 13.0];
@@ -27,7 +26,7 @@ impl SweepBook<'_> {
     pub(super) fn write_effects(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
         static TITLE: Text = t("Qué hace cada entrada", "What each input does");
         static INPUTS: [Text; 7] = [
-            INPUT,
+            t("entrada", "input"),
             t("valor", "value"),
             t("unidad", "unit"),
             t("puede bajar", "may go down"),

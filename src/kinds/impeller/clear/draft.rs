@@ -6,7 +6,6 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use rayon::prelude::*;
-use rustc_hash::FxHashMap;
 
 use crate::kinds::impeller::clear::body::{Body, Obstacles, turned};
 use crate::kinds::impeller::clear::contact::{Contacts, slope};
@@ -335,48 +334,46 @@ impl Draft<'_> {
         let part_of = |j: u32| f64::from(j) / f64::from(K);
         let mut first = roughing;
         let mut open = [roughing; 2];
-        let mut kept: FxHashMap<u32, Vec<[f64; 2]>> = FxHashMap::default();
-        for (number, off) in (K % 2..=K).step_by(2).enumerate() {
-            let pairs = |off: u32| if off == 0 { vec![K / 2] } else { vec![(K - off) / 2, K.midpoint(off)] };
-            // Some pairs are looked at side by side before they are run; not all of them, as the plan may be full before.
-            if number % AHEAD == 0 {
-                let next: Vec<u32> = (off..=K).step_by(2).take(AHEAD).flat_map(pairs).collect();
-                let look = |&j: &u32| (j, self.clear_of_splitter(contacts, part_of(j), lanes, splitter.as_ref()));
-                kept = next.par_iter().map(look).collect();
-            }
-            let mut pair = pairs(off);
-            // Where the tool is decides which one of a pair comes first.
-            if pair.len() == 2 && (self.climbing(side(pair[0])) == Direction::Inwards) != self.at_rim {
-                pair.reverse();
-            }
-            for j in pair {
-                if self.full() {
-                    return;
+        let pair = |off: u32| if off == 0 { vec![K / 2] } else { vec![(K - off) / 2, K.midpoint(off)] };
+        let pairs: Vec<u32> = (K % 2..=K).step_by(2).collect();
+        for next in pairs.chunks(AHEAD) {
+            // Looked at side by side before they are run; not all of them at once, as the plan may be full before.
+            let look = |j: u32| (j, self.clear_of_splitter(contacts, part_of(j), lanes, splitter.as_ref()));
+            let looked: Vec<Vec<(u32, Vec<[f64; 2]>)>> =
+                next.par_iter().map(|&off| pair(off).into_iter().map(look).collect()).collect();
+            for mut pair in looked {
+                // Where the tool is decides which one of a pair comes first.
+                if pair.len() == 2 && (self.climbing(side(pair[0].0)) == Direction::Inwards) != self.at_rim {
+                    pair.reverse();
                 }
-                let direction = if 2 * j == K {
-                    if self.at_rim { Direction::Inwards } else { Direction::Outwards }
-                } else {
-                    self.climbing(side(j))
-                };
-                let mode = if first || 2 * j == K { Mode::Slot } else { self.mode(side(j), direction) };
-                let half = usize::from(side(j) == Face::Reverse);
-                let wanted = Wanted {
-                    cutting: cutting(j),
-                    tool,
-                    direction,
-                    mode,
-                    feed: if first { SLOT_FEED } else { 1.0 },
-                    points: Vec::new(),
-                    dead_end: false,
-                    on_lane: true,
-                    rim_slot: open[half],
-                    from,
-                };
-                let kept = kept.get(&j).map_or(&[][..], Vec::as_slice);
-                if self.lane(contacts, part_of(j), kept, &wanted) {
-                    open[half] = false;
+                for (j, kept) in pair {
+                    if self.full() {
+                        return;
+                    }
+                    let direction = if 2 * j == K {
+                        if self.at_rim { Direction::Inwards } else { Direction::Outwards }
+                    } else {
+                        self.climbing(side(j))
+                    };
+                    let mode = if first || 2 * j == K { Mode::Slot } else { self.mode(side(j), direction) };
+                    let half = usize::from(side(j) == Face::Reverse);
+                    let wanted = Wanted {
+                        cutting: cutting(j),
+                        tool,
+                        direction,
+                        mode,
+                        feed: if first { SLOT_FEED } else { 1.0 },
+                        points: Vec::new(),
+                        dead_end: false,
+                        on_lane: true,
+                        rim_slot: open[half],
+                        from,
+                    };
+                    if self.lane(contacts, part_of(j), &kept, &wanted) {
+                        open[half] = false;
+                    }
+                    first = false;
                 }
-                first = false;
             }
         }
     }
