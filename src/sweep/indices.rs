@@ -11,7 +11,7 @@ use crate::sweep::plan::{Method, Plan};
 use crate::sweep::table::Table;
 
 /// The fewest triples from which an index is told.
-const LEAST: f64 = 16.0;
+pub const LEAST: f64 = 16.0;
 /// The half width of the interval in which an estimate lies in 19 of 20 cases, in standard errors.
 const SURE: f64 = 1.96;
 

@@ -1,6 +1,7 @@
 //! What came of a sweep, as its workbook and its report show it.
 
 use crate::kind::Kind;
+use crate::sweep::indices::LEAST;
 use crate::sweep::plan::Plan;
 use crate::sweep::ranking::Counts;
 use crate::sweep::sensitivity::Effect;
@@ -80,6 +81,12 @@ impl Results<'_> {
         Table { columns: self.top.columns.iter().filter(|one| kept(&one.name)).cloned().collect() }
     }
 
+    /// True where an index of Sobol is told of an input.
+    #[must_use]
+    pub fn indexed(&self) -> bool {
+        self.effects.iter().flat_map(|one| &one.indices).any(Option::is_some)
+    }
+
     /// What the effects of the inputs are, around the design of the workbook and over the plan.
     #[must_use]
     pub fn explained(&self) -> [Text; 2] {
@@ -91,6 +98,14 @@ impl Results<'_> {
             None => t(
                 "Partes: qué parte de la varianza sigue a esta entrada sola, en los diseños válidos.",
                 "Shares: the part of the variance that follows this input alone, over the feasible designs.",
+            ),
+            Some((of, all)) if !self.indexed() => Text::new(
+                format!(
+                    "Índices de Sobol: ninguno. Piden {LEAST} grupos cuyos diseños son válidos, y hay {of} de {all}; y objetivos que varían."
+                ),
+                format!(
+                    "Sobol's indices: none. They take {LEAST} groups whose designs are feasible, and there are {of} of {all}; and objectives that vary."
+                ),
             ),
             Some((of, all)) => Text::new(
                 format!(

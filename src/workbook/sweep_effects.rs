@@ -106,10 +106,10 @@ impl SweepBook<'_> {
     /// What is told of what an input does to an objective.
     fn what(&self) -> Vec<Text> {
         let mut headings = vec![t("por unidad", "per unit"), t("en desde", "at from"), t("en hasta", "at to")];
-        if self.results.triples.is_some() {
-            headings.extend([t("sola", "alone"), t("±", "±"), t("total", "total"), t("±", "±")]);
-        } else {
+        if self.results.triples.is_none() {
             headings.push(t("parte", "share"));
+        } else if self.results.indexed() {
+            headings.extend([t("sola", "alone"), t("±", "±"), t("total", "total"), t("±", "±")]);
         }
         headings
     }
@@ -135,7 +135,7 @@ impl SweepBook<'_> {
                 let title = format!("{axis}: {}", self.text(&CHANGE));
                 charts.push(self.bars(first, &title, &axis, [(&ENDS[0], 2), (&ENDS[1], 3)], 100));
             }
-            if self.results.effects.iter().any(|one| one.indices.iter().any(Option::is_some)) {
+            if self.results.effects.iter().any(|one| one.indices.get(at).copied().flatten().is_some()) {
                 let title = format!("{}: {}", measure.key, self.text(&SHARE));
                 charts.push(self.bars(first, &title, "", [(&BOTH[0], 4), (&BOTH[1], 6)], 0));
             }

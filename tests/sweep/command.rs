@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use rodete::kinds::impeller::cases::CASES;
+use rodete::text::Language;
 
 use crate::common::workbook::{Parts, quick, thick, with_variants, with_variants_of};
 
@@ -200,6 +201,25 @@ fn all_designs_are_printed_at_a_size_that_can_be_read() {
     let areas = book.split_once("Print_Area\" localSheetId=\"1\">").unwrap().1.split_once('<').unwrap().0;
     let rows: Vec<&str> = areas.split(['$', ',', ':']).filter(|part| part.parse::<u32>().is_ok()).collect();
     assert_eq!(rows, ["1", "50", "963", "1007"], "{areas}");
+}
+
+/// Eight groups are too few for an index: no column is headed that stays empty, and the sheet says why.
+#[test]
+fn indices_are_told_where_there_are_enough_groups_and_else_that_there_are_none() {
+    let folder = folder("limits");
+    let at = folder.path();
+    for (samples, told) in [("8", false), ("32", true)] {
+        let settings =
+            [("method", "saltelli"), ("samples", samples), ("level", "limits"), ("objectives", "length min")];
+        let inputs = [["R", "25", "30", "", "", ""], ["r", "14", "16", "", "", ""]];
+        fs::write(at.join("a.xlsx"), with_variants_of(&quick().values(Language::En), &settings, &inputs, &[])).unwrap();
+        done(at, "-o s --fresh");
+        let parts = Parts::of(&fs::read(at.join("s/a-sweep.xlsx")).unwrap());
+        let text = parts.text("xl/sharedStrings.xml");
+        assert_eq!(text.contains(">alone<"), told, "{samples}");
+        let none = "Sobol's indices: none. They take 16 groups whose designs are feasible, and there are 8 of 8";
+        assert_eq!(text.contains(none) || text.contains(&none.replace('\'', "&apos;")), !told, "{samples}: {text}");
+    }
 }
 
 #[test]

@@ -64,24 +64,26 @@ impl Setter<'_> {
         let unit = measure.unit.label();
         let around =
             [t("por unidad", "per unit"), t("en desde", "at from"), t("en hasta", "at to")].map(|name| (name, unit));
-        let over: Vec<(Text, &str)> = if self.results.triples.is_some() {
-            [t("sola", "alone"), t("±", "±"), t("total", "total"), t("±", "±")].map(|name| (name, "%")).into()
-        } else {
-            vec![(t("parte", "share"), "%")]
+        let (triples, indexed) = (self.results.triples.is_some(), self.results.indexed());
+        let over: Vec<(Text, &str)> = match (triples, indexed) {
+            (false, _) => vec![(t("parte", "share"), "%")],
+            (true, false) => Vec::new(),
+            (true, true) => {
+                [t("sola", "alone"), t("±", "±"), t("total", "total"), t("±", "±")].map(|name| (name, "%")).into()
+            }
         };
         let columns =
             around.into_iter().chain(over).map(|(name, unit)| self.heading(&named(name), unit, true)).collect();
-        let triples = self.results.triples.is_some();
         let row = |one: &Effect| {
             let short = |value: Option<f64>| value.map(|value| number::trimmed(value, 4)).unwrap_or_default();
             let part = |value: f64| number::fixed(100.0 * value, 1);
             let [low, high] = one.changes.get(at).copied().unwrap_or_default();
             let mut row = vec![short(one.slopes.get(at).copied().flatten()), short(low), short(high)];
-            if triples {
+            if indexed {
                 let index = one.indices.get(at).copied().flatten();
                 let parts = index.map(|one| [one.first, one.off[0], one.total, one.off[1]].map(part));
                 row.extend(parts.unwrap_or_default());
-            } else {
+            } else if !triples {
                 row.push(one.shares.get(at).copied().flatten().map(part).unwrap_or_default());
             }
             row
