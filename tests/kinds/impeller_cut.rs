@@ -427,7 +427,7 @@ fn nose(design: &Design, v_s: f64, out: f64) -> Vec<Point> {
     points
 }
 
-const SHIPPED: Design = Design { R: 25.0, r: 15.0, N: 4, e: 2.0, a_p: 2.0 };
+pub const SHIPPED: Design = Design { R: 25.0, r: 15.0, N: 4, e: 2.0, a_p: 2.0 };
 const DEEP: Design = Design { R: 25.0, r: 17.0, N: 2, e: 1.0, a_p: 4.0 };
 const LARGE: Design = Design { R: 50.0, r: 30.0, N: 5, e: 2.0, a_p: 3.0 };
 
@@ -440,7 +440,7 @@ const MOST: f64 = 0.011;
 const LOST: f64 = 0.001;
 
 /// Nothing is cut that should stay, and nothing is left but what is told.
-fn judge(design: &Design, cut: &Cut, grid: [u32; 2], floor: [u32; 2]) -> (Plan, Found) {
+pub fn judge(design: &Design, cut: &Cut, grid: [u32; 2], floor: [u32; 2]) -> (Plan, Found) {
     let plan = plan(design, cut);
     let (found, told) = (simulate(design, &plan, cut, grid, floor), &plan.told);
     assert!(found.undercut <= MOST && found.too_deep <= MOST && found.tops < 1e-9, "{design:?} {found:?}");

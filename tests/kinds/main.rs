@@ -9,6 +9,7 @@ mod impeller_bodies;
 mod impeller_clear;
 mod impeller_cut;
 mod impeller_designs;
+mod impeller_lean;
 mod impeller_shortfalls;
 mod laws;
 mod pipe_designs;

@@ -13,7 +13,7 @@ use crate::kinds::impeller::clear::contour::{self, Contour};
 use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
 use crate::kinds::impeller::clear::fit::FADES;
 use crate::kinds::impeller::clear::flank::FlankWay;
-use crate::kinds::impeller::clear::floor_rest::{FloorRest, floor_rest};
+use crate::kinds::impeller::clear::floor_rest::{FloorLook, FloorRest};
 use crate::kinds::impeller::clear::holder::{clearance, stick_out};
 use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
 use crate::kinds::impeller::clear::link::{End, link, up};
@@ -21,7 +21,7 @@ use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
 use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
 use crate::kinds::impeller::clear::poses::{Poses, cusp};
-use crate::kinds::impeller::clear::root::{Root, face_lines, left_above, nose_lines, root};
+use crate::kinds::impeller::clear::root::{DOWN, Root, face_lines, left_above, nose_lines, root};
 use crate::kinds::impeller::clear::round::Round;
 use crate::kinds::impeller::clear::scallop::Ridge;
 use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, ToolTold};
@@ -143,42 +143,42 @@ struct Way<F> {
 }
 
 /// A pass to be placed.
-struct Wanted {
-    cutting: Cutting,
-    tool: Which,
-    direction: Direction,
-    mode: Mode,
-    feed: f64,
-    points: Vec<Stand>,
+pub(super) struct Wanted {
+    pub(super) cutting: Cutting,
+    pub(super) tool: Which,
+    pub(super) direction: Direction,
+    pub(super) mode: Mode,
+    pub(super) feed: f64,
+    pub(super) points: Vec<Stand>,
     /// It ends inside the part and goes back out along itself.
-    dead_end: bool,
+    pub(super) dead_end: bool,
     /// It begins and ends with run-outs of lanes.
-    on_lane: bool,
+    pub(super) on_lane: bool,
     /// A piece that comes from the rim alone goes into the full.
-    rim_slot: bool,
+    pub(super) rim_slot: bool,
     /// Nothing of it is run before this station.
-    from: f64,
+    pub(super) from: f64,
 }
 
 impl Draft<'_> {
     /// True where no program may have so many blocks: the rest is not planned, the plan is refused.
-    fn full(&self) -> bool {
+    pub(super) fn full(&self) -> bool {
         self.blocks as u64 * u64::from(self.job.N) > 2 * CLEAR_BLOCKS
     }
 
     /// How many points a pass may have before that is so.
-    fn most(&self) -> usize {
+    pub(super) fn most(&self) -> usize {
         let most = 2 * CLEAR_BLOCKS / u64::from(self.job.N.max(1)) + 2;
         usize::try_from(most).unwrap_or(usize::MAX).saturating_sub(self.blocks).max(2)
     }
 
     /// How high above its tip an own-normal tool that goes so deep cuts.
-    fn height(&self, tool: Which, depth: f64) -> f64 {
+    pub(super) fn height(&self, tool: Which, depth: f64) -> f64 {
         let part = &self.job.part;
         depth + over_tops(part.circle.torus.r, self.cut.tool(tool).a() + part.overhang())
     }
 
-    fn tolerance(&self, tool: Which, height: f64) -> Tolerance {
+    pub(super) fn tolerance(&self, tool: Which, height: f64) -> Tolerance {
         Tolerance {
             machine: self.job.machine,
             epsilon: self.cut.tolerance,
@@ -197,11 +197,11 @@ impl Draft<'_> {
         }
     }
 
-    fn mode(&self, face: Face, direction: Direction) -> Mode {
+    pub(super) fn mode(&self, face: Face, direction: Direction) -> Mode {
         if direction == self.climbing(face) { Mode::Climb } else { Mode::Conventional }
     }
 
-    fn add(&mut self, wanted: Wanted) {
+    pub(super) fn add(&mut self, wanted: Wanted) {
         let Wanted { cutting, tool, direction, mode, feed, points, dead_end, on_lane, .. } = wanted;
         let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return };
         let begin = End { at: first, run_out: on_lane };
@@ -481,7 +481,7 @@ impl Draft<'_> {
             if self.full() {
                 return;
             }
-            let round = Round::new(&self.job.part, self.cut.finish, [obverse, reverse], v_s);
+            let round = Round::new(&self.job.part, self.cut, [obverse, reverse], v_s);
             let (cutting, tool) = (Cutting::SplitterFlanks { level }, Which::Finish);
             if !round.is_clear(self.pitch, turn) {
                 self.dropped.push(Dropped { cutting, tool, v: [v_s, RIM], by: By::Blade });
@@ -551,20 +551,21 @@ impl Draft<'_> {
         self.run(&wanted, &way, kept, by);
     }
 
-    /// What the finishing tool leaves of the floor, in the corners, and above them.
-    pub(super) fn rests(&self, lanes: u32, faces: [FaceError; 2]) -> (FloorRest, Root) {
-        let (part, machine, tool) = (&self.job.part, self.job.machine, self.cut.finish);
+    /// What the finishing tool leaves of the floor, in the corners, and above them, when it has leant where that leaves less.
+    pub(super) fn rests(&mut self, contacts: &Contacts, lanes: u32, faces: [FaceError; 2]) -> (FloorRest, Root) {
+        let (part, tool) = (&self.job.part, self.cut.finish);
         let (beside, over) = (BESIDE + tool.r_c, self.cut.scallop + self.cut.tolerance);
         // Nothing is known of a plan that is refused.
         if self.full() {
             let (most, v) = (part.a_p, HUB);
             let root = Root { over, height: most, v, width: most, width_v: v, above: most };
-            return (FloorRest { beside, most, v }, root);
+            return (FloorRest { beside, most, v, psi: 0.0 }, root);
         }
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
-        let poses = Poses::along(machine, passes);
+        let poses = Poses::along(self.job.machine, passes);
         let across = (LOOKS_A_LANE * lanes).clamp(ACROSS[0], ACROSS[1]);
-        let floor = || floor_rest(part, [self.pitch, beside], self.v_s, tool, (&poses, v_at(self.finish_from)), across);
+        let cut = || (poses.clone(), v_at(self.finish_from));
+        let floor = || FloorLook::new(part, [self.pitch, beside], self.v_s, tool, cut(), across);
         let mut lines = face_lines(part, Face::Obverse, 0.0, HUB - 1.0);
         lines.extend(face_lines(part, Face::Reverse, -self.pitch, HUB - 1.0));
         if let Some(v_s) = self.v_s {
@@ -576,10 +577,13 @@ impl Draft<'_> {
         let known = faces.iter().map(|face| face.rest).fold(0.0, f64::max) + self.cut.tolerance;
         let corner = || {
             let mut root = root(part, &lines, &poses, tool, over);
+            // Just above it nearly as much is left: the corner counts up to the next step.
+            root.height = ((root.height / DOWN).ceil() * DOWN).min(part.a_p);
             root.above = left_above(part, &lines, &poses, tool, [root.height, known + cusp(tool)]).unwrap_or(known);
             root
         };
-        rayon::join(floor, corner)
+        let (look, root) = rayon::join(floor, corner);
+        (self.lean(contacts, look), root)
     }
 
     pub(super) fn tool(&self, which: Which, lane: &OwnNormal, lanes: u32, levels: u32, m: f64) -> ToolTold {

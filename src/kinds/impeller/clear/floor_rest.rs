@@ -14,9 +14,10 @@ use std::cell::Cell;
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
+use rayon::prelude::*;
 
 use crate::kinds::impeller::clear::body::{Body, turn};
-use crate::kinds::impeller::clear::poses::{Pose, Poses};
+use crate::kinds::impeller::clear::poses::{Pose, Poses, Seen};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
@@ -48,6 +49,8 @@ pub struct FloorRest {
     pub most: f64,
     /// v where it is.
     pub v: f64,
+    /// ψ where it is.
+    pub psi: f64,
 }
 
 /// The floor of a channel, and the feet of what stands on it.
@@ -175,20 +178,33 @@ struct Sample {
     wall: f64,
 }
 
-/// What is looked at: the floor, and the poses that cut it.
-struct Look<'a> {
+/// The places of a station that are looked at, and how far apart they are, in ψ.
+#[derive(Clone, Debug)]
+struct Row {
+    step: f64,
+    seen: Vec<Sample>,
+}
+
+impl Row {
+    /// The places at which no less is left than beside them.
+    fn tops(&self) -> impl Iterator<Item = (Sample, f64)> {
+        let rest = |at: Option<usize>| at.and_then(|at| self.seen.get(at)).map_or(0.0, |one| one.rest);
+        let is_top = move |at: usize| rest(Some(at)) >= rest(at.checked_sub(1)).max(rest(Some(at + 1)));
+        self.seen.iter().enumerate().filter(move |(at, _)| is_top(*at)).map(|(_, &top)| (top, self.step))
+    }
+}
+
+/// What stands on the floor, and how far from it the floor is looked at.
+struct Ground {
     floor: Floor,
     beside: f64,
     R: f64,
     /// r and r_f.
     depths: [f64; 2],
     tool: Tool,
-    poses: &'a Poses,
-    /// The pose that held the deepest place of the last line, which it usually does for the next.
-    last: Cell<Option<usize>>,
 }
 
-impl Look<'_> {
+impl Ground {
     /// K and the direction away from it, of the floor point at v and ψ.
     fn line(&self, v: f64, psi: f64) -> (Vector3<f64>, Vector3<f64>) {
         let ((sin_v, cos_v), (sin, cos)) = (sin_cos(v), sin_cos(psi));
@@ -200,25 +216,71 @@ impl Look<'_> {
         self.floor.is_free(&(c + out * self.depths[1]), self.beside)
     }
 
-    /// What is left at a place.
-    fn rest(&self, v: f64, psi: f64) -> f64 {
+    /// What some poses leave at a place. The one that held the deepest place of the last line usually does for the next.
+    fn left(&self, poses: &Poses, last: &Cell<Option<usize>>, v: f64, psi: f64) -> f64 {
         let ((c, out), [r, r_f]) = (self.line(v, psi), self.depths);
-        // Of tools whose axis passes farther from the middle of the line than this, none holds a place of it.
-        let middle = c + out * f64::midpoint(r, r_f);
-        let wide = self.tool.a() + (r_f - r) / 2.0;
         let held = |pose: &Pose| reach(self.tool, pose, &c, &out, self.depths);
-        let deepest = Cell::new(self.last.get().and_then(|last| self.poses.get(last)).map_or(r, held));
-        // Nor does one hold a deeper place whose end is above that known.
-        let far =
-            self.poses.of(|bunch| bunch.seen(&middle).beside > wide || bunch.seen(&(c + out * deepest.get())).up < 0.0);
+        let deepest = Cell::new(last.get().and_then(|last| poses.get(last)).map_or(r, held));
+        // Only what is deeper is looked for: from the middle of it no tool that holds some of it has its axis farther away than
+        // this, nor its end higher up.
+        let far = poses.of(|bunch| {
+            let deepest = deepest.get();
+            let (middle, half) = (c + out * f64::midpoint(deepest, r_f), (r_f - deepest) / 2.0 + ARITHMETIC);
+            let Seen { beside, up } = bunch.seen(&middle);
+            beside > self.tool.a() + half || up < -half
+        });
         for (number, pose) in far {
             let found = held(pose);
             if found > deepest.get() {
                 deepest.set(found);
-                self.last.set(Some(number));
+                last.set(Some(number));
             }
         }
         r_f - deepest.get()
+    }
+}
+
+/// Looks at places one after the other.
+struct Eye<'a> {
+    ground: &'a Ground,
+    cutters: &'a [Poses],
+    /// The pose of each cutter that held the deepest place of the last line.
+    last: Vec<Cell<Option<usize>>>,
+}
+
+impl<'a> Eye<'a> {
+    fn new(ground: &'a Ground, cutters: &'a [Poses]) -> Self {
+        Self { ground, cutters, last: vec![Cell::new(None); cutters.len()] }
+    }
+
+    /// What is left at a place.
+    fn rest(&self, v: f64, psi: f64) -> f64 {
+        let [r, r_f] = self.ground.depths;
+        let left = self.cutters.iter().zip(&self.last).map(|(poses, last)| self.ground.left(poses, last, v, psi));
+        left.fold(r_f - r, f64::min)
+    }
+
+    /// The places across the floor at v.
+    fn row(&self, v: f64, across: u32) -> Row {
+        let [high, low] = [0, 1].map(|side: usize| psi_at(&self.ground.floor.sides[side], v));
+        let step = (high - low) / f64::from(across);
+        let mut seen: Vec<Sample> = Vec::new();
+        let mut before: Option<(f64, bool)> = None;
+        for at in 0..=across {
+            let psi = low + step * f64::from(at);
+            let here = self.ground.is_free(v, psi);
+            // What stays in the corner of a wall falls off steeply: the place at just that distance from it is looked at.
+            if let Some((last, there)) = before
+                && there != here
+            {
+                seen.push(self.edge(v, if there { [last, psi] } else { [psi, last] }));
+            }
+            if here {
+                seen.push(self.at(v, psi, 0.0));
+            }
+            before = Some((psi, here));
+        }
+        Row { step, seen }
     }
 
     fn at(&self, v: f64, psi: f64, wall: f64) -> Sample {
@@ -230,7 +292,7 @@ impl Look<'_> {
         let wall = (shut - open).signum();
         for _ in 0..EDGES {
             let middle = f64::midpoint(shut, open);
-            if self.is_free(v, middle) { open = middle } else { shut = middle }
+            if self.ground.is_free(v, middle) { open = middle } else { shut = middle }
         }
         self.at(v, open, wall)
     }
@@ -243,10 +305,11 @@ impl Look<'_> {
                 let v = (top.v + up * by_v).clamp(within[0], within[1]);
                 let one = if top.wall == 0.0 {
                     let psi = top.psi + aside * by_psi;
-                    self.is_free(v, psi).then(|| self.at(v, psi, 0.0))
+                    self.ground.is_free(v, psi).then(|| self.at(v, psi, 0.0))
                 } else {
                     let sides = [-1.0, 1.0].map(|side| top.psi + side * top.wall * by_psi * WIDER);
-                    (up != 0.0 && self.is_free(v, sides[0]) && !self.is_free(v, sides[1])).then(|| self.edge(v, sides))
+                    (up != 0.0 && self.ground.is_free(v, sides[0]) && !self.ground.is_free(v, sides[1]))
+                        .then(|| self.edge(v, sides))
                 };
                 best = one.filter(|one| one.rest > best.rest).unwrap_or(best);
             }
@@ -260,56 +323,71 @@ impl Look<'_> {
     }
 }
 
-/// The rest that the poses of a tool leave, farther from the walls than `beside`, from v on; in a channel of the pitch, with
-/// a splitter from v_s on, looked at in so many places across, and about the greatest of them more closely.
-#[must_use]
-pub fn floor_rest(
-    part: &Part,
-    [pitch, beside]: [f64; 2],
-    v_s: Option<f64>,
-    tool: Tool,
-    (poses, from): (&Poses, f64),
-    across: u32,
-) -> FloorRest {
-    let torus = part.circle.torus;
-    let floor = Floor::new(part, pitch, tool.a(), v_s);
-    let depths = [torus.r, torus.r + part.a_p];
-    let look = Look { floor, beside, R: torus.R, depths, tool, poses, last: Cell::new(None) };
-    let apart = (RIM - from) / f64::from(ALONG);
-    let mut tops: Vec<(Sample, f64)> = Vec::new();
-    for station in 0..ALONG {
-        let v = from + apart * (f64::from(station) + 0.5);
-        let [high, low] = [0, 1].map(|side: usize| psi_at(&look.floor.sides[side], v));
-        let step = (high - low) / f64::from(across);
-        let mut seen: Vec<Sample> = Vec::new();
-        let mut before: Option<(f64, bool)> = None;
-        for at in 0..=across {
-            let psi = low + step * f64::from(at);
-            let here = look.is_free(v, psi);
-            // What stays in the corner of a wall falls off steeply: the place at just that distance from it is looked at.
-            if let Some((last, there)) = before
-                && there != here
-            {
-                seen.push(look.edge(v, if there { [last, psi] } else { [psi, last] }));
-            }
-            if here {
-                seen.push(look.at(v, psi, 0.0));
-            }
-            before = Some((psi, here));
-        }
-        let rest = |at: Option<usize>| at.and_then(|at| seen.get(at)).map_or(0.0, |one| one.rest);
-        let is_top = |at: usize| rest(Some(at)) >= rest(at.checked_sub(1)).max(rest(Some(at + 1)));
-        tops.extend((0..seen.len()).filter(|&at| is_top(at)).filter_map(|at| seen.get(at)).map(|&top| (top, step)));
+/// The floor of a channel as the passes of a tool leave it.
+pub struct FloorLook {
+    ground: Ground,
+    cutters: Vec<Poses>,
+    /// v from which on it is looked at, and how far apart the stations are.
+    from: f64,
+    apart: f64,
+    rows: Vec<Row>,
+}
+
+impl FloorLook {
+    /// Looks at what the poses of a tool leave, farther from the walls than `beside`, from v on; in a channel of the pitch,
+    /// with a splitter from v_s on, in so many places across.
+    #[must_use]
+    pub fn new(
+        part: &Part,
+        [pitch, beside]: [f64; 2],
+        v_s: Option<f64>,
+        tool: Tool,
+        (poses, from): (Poses, f64),
+        across: u32,
+    ) -> Self {
+        let torus = part.circle.torus;
+        let floor = Floor::new(part, pitch, tool.a(), v_s);
+        let ground = Ground { floor, beside, R: torus.R, depths: [torus.r, torus.r + part.a_p], tool };
+        let (cutters, apart) = (vec![poses], (RIM - from) / f64::from(ALONG));
+        let v_at = |station: u8| from + apart * (f64::from(station) + 0.5);
+        let row = |station: u8| Eye::new(&ground, &cutters).row(v_at(station), across);
+        let rows = (0..ALONG).into_par_iter().map(row).collect();
+        Self { ground, cutters, from, apart, rows }
     }
-    tops.sort_by(|one, other| other.0.rest.total_cmp(&one.0.rest));
-    let climbed =
-        tops.iter().take(TOPS).map(|(top, step)| look.climbed(*top, [apart, *step].map(|by| by / 2.0), [from, RIM]));
-    let most = climbed.reduce(|one, other| if other.rest > one.rest { other } else { one });
-    most.filter(|most| most.rest > 0.0).map_or(FloorRest { beside, most: 0.0, v: from }, |most| FloorRest {
-        beside,
-        most: most.rest,
-        v: most.v,
-    })
+
+    /// What some more poses leave at a place.
+    #[must_use]
+    pub fn left_by(&self, poses: &Poses, place: &FloorRest) -> f64 {
+        self.ground.left(poses, &Cell::new(None), place.v, place.psi)
+    }
+
+    /// Looks at the same places when some more poses have cut.
+    pub fn cut_by(&mut self, poses: Poses) {
+        let last = Cell::new(None);
+        for one in self.rows.iter_mut().flat_map(|row| &mut row.seen) {
+            one.rest = one.rest.min(self.ground.left(&poses, &last, one.v, one.psi));
+        }
+        self.cutters.push(poses);
+    }
+
+    /// The most that is left: about the greatest of the places it is looked for more closely.
+    #[must_use]
+    pub fn most(&self) -> FloorRest {
+        let mut tops: Vec<_> = self.rows.iter().flat_map(Row::tops).collect();
+        tops.sort_by(|one, other| other.0.rest.total_cmp(&one.0.rest));
+        tops.truncate(TOPS);
+        let climbed = |&(top, step): &(Sample, f64)| {
+            let by = [self.apart, step].map(|by| by / 2.0);
+            Eye::new(&self.ground, &self.cutters).climbed(top, by, [self.from, RIM])
+        };
+        let climbed: Vec<Sample> = tops.par_iter().map(climbed).collect();
+        let most = climbed.into_iter().reduce(|one, other| if other.rest > one.rest { other } else { one });
+        let beside = self.ground.beside;
+        most.filter(|most| most.rest > 0.0).map_or(
+            FloorRest { beside, most: 0.0, v: self.from, psi: 0.0 },
+            |Sample { rest, v, psi, .. }| FloorRest { beside, most: rest, v, psi },
+        )
+    }
 }
 
 #[cfg(test)]
@@ -349,7 +427,7 @@ mod tests {
     #[test]
     fn without_a_pass_the_whole_depth_is_left() {
         let part = Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, 2.0);
-        let rest = floor_rest(&part, [PI / 2.0, 0.4], None, Tool::flat(3.0), (&Poses::default(), HUB), 20);
-        assert_eq!(rest.most, 2.0);
+        let look = FloorLook::new(&part, [PI / 2.0, 0.4], None, Tool::flat(3.0), (Poses::default(), HUB), 20);
+        assert_eq!(look.most().most, 2.0);
     }
 }

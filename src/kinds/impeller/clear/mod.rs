@@ -3,8 +3,9 @@
 //! The published programs run the tool w beside the mean line, along its N: they cut into the faces, go below the floor and
 //! leave ribs. Here the floor is cut by lanes whose tool stands along its own normal and is never too deep ([`lane`],
 //! [`contact`], [`scallop`]), the flanks by an axis fitted to the face ([`fit`], [`flank`]), the whole channel by roughing
-//! levels, floor lanes, flanks and the contour of a splitter and the way round it ([`contour`], [`round`]), in one [`plan`]. Where the points lie follows
-//! from a tolerance ([`placement`]). What is left all the same is told ([`told`]); where a tool does not pass there is no
+//! levels, floor lanes, flanks and the contour of a splitter and the way round it ([`contour`], [`round`]), in one [`plan`];
+//! where lanes leave too much before a nose, the tool leans (`lean`). Where the points lie follows from a tolerance
+//! ([`placement`]). What is left all the same is told ([`told`]); where a tool does not pass there is no
 //! plan ([`cut::DoesNotFit`]).
 
 pub mod asked;
@@ -19,6 +20,7 @@ pub mod flank;
 pub mod floor_rest;
 pub mod holder;
 pub mod lane;
+mod lean;
 pub mod link;
 pub mod pass;
 pub mod pieces;

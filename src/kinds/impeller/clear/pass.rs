@@ -36,6 +36,11 @@ pub enum Cutting {
         /// Which lane, from 0 at the obverse.
         lane: u32,
     },
+    /// An outermost lane of the floor once more, the tool leaning off its wall.
+    Leaning {
+        /// The face at which the lane is.
+        face: Face,
+    },
     /// A flank of a blade: the obverse of this channel's blade, or the reverse of the next one.
     Flank {
         /// Which.

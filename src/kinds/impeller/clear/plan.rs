@@ -116,7 +116,7 @@ impl Plan {
 
         let steps = f64::from(floor_lanes);
         let faces = [face_error(&ways[0]), face_error(&ways[1])];
-        let (floor, root) = draft.rests(floor_lanes, faces);
+        let (floor, root) = draft.rests(&finish, floor_lanes, faces);
         let told = Told {
             gap: gap(part, job.N, cut.finish.d).width,
             rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels, 0.0),
@@ -239,7 +239,7 @@ fn splitter_start(job: &Job, cut: &Cut, rest: &Contacts, ways: &[Vec<FlankWay>; 
     let pitch = TAU / f64::from(job.N);
     (0..STARTS).map(|start| first + START * f64::from(start)).filter(|&v_s| v_s < RIM).find(|&v_s| {
         contour::room(&job.part, rest, cut.s, v_s) >= 0.0
-            && Round::new(&job.part, cut.finish, [obverse, reverse], v_s).is_clear(pitch, -pitch / 2.0)
+            && Round::new(&job.part, cut, [obverse, reverse], v_s).is_clear(pitch, -pitch / 2.0)
     })
 }
 

@@ -19,7 +19,7 @@ use crate::kinds::impeller::nearest::Axis;
 use crate::machine::rotary::Rotary;
 
 /// How far apart the poses of a block are at most, mm at the tip: on a flank 3 mm wide that leaves cusps of 0.003 mm.
-const APART: f64 = 0.2;
+const APART: f64 = 0.1;
 /// What the tool leaves between two poses that are so far apart, beside its side, mm.
 #[must_use]
 pub fn cusp(tool: Tool) -> f64 {
@@ -28,6 +28,8 @@ pub fn cusp(tool: Tool) -> f64 {
 
 /// Poses of one block at most.
 const MOST: f64 = 400.0;
+/// So many poses on both sides of one are looked at before all.
+const NEAR: usize = 24;
 /// A bunch of no more poses than this is not parted again.
 const FEW: usize = 6;
 
@@ -182,9 +184,16 @@ impl Poses {
         })
     }
 
-    /// A pose at which a point is no farther from a tool than `over`.
+    /// A pose at which a point is no farther from a tool than `over`: the nearest of those beside one that is known to be near,
+    /// else any.
     #[must_use]
-    pub fn holding(&self, tool: Tool, point: &Vector3<f64>, over: f64) -> Option<usize> {
+    pub fn holding(&self, tool: Tool, point: &Vector3<f64>, over: f64, near: usize) -> Option<usize> {
+        let beside = near.saturating_sub(NEAR)..(near + NEAR).min(self.poses.len());
+        let known = |at: usize| Some((self.poses.get(at)?.apart(tool, point), at));
+        let nearest = beside.filter_map(known).min_by(|one, other| one.0.total_cmp(&other.0));
+        if let Some((_, at)) = nearest.filter(|(apart, _)| *apart <= over) {
+            return Some(at);
+        }
         let far = |bunch: &Bunch| {
             let Seen { beside, up } = bunch.seen(point);
             apart(tool, [beside, up]) > over
@@ -233,7 +242,7 @@ mod tests {
             let point = Vector3::new(out * cos, out * sin, f64::from(k % 11) * 0.1 - 0.3);
             for tool in tools {
                 let one = all.iter().any(|pose| pose.apart(tool, &point) <= 0.02);
-                let found = poses.holding(tool, &point, 0.02);
+                let found = poses.holding(tool, &point, 0.02, usize::from(k));
                 assert_eq!(found.is_some(), one, "{k} {tool:?}");
                 assert!(found.is_none_or(|at| all[at].apart(tool, &point) <= 0.02));
                 let nearest = all.iter().map(|pose| pose.apart(tool, &point)).fold(1.0, f64::min);
@@ -242,6 +251,6 @@ mod tests {
             }
         }
         assert!((300..1500).contains(&held), "{held}");
-        assert_eq!(Poses::default().holding(tools[0], &Vector3::zeros(), 99.0), None);
+        assert_eq!(Poses::default().holding(tools[0], &Vector3::zeros(), 99.0, 7), None);
     }
 }

@@ -35,6 +35,7 @@ impl Cutting {
             (Self::RestContour { .. }, _) => "rest-contour",
             (Self::Floor { .. }, false) => "floor",
             (Self::Floor { .. }, true) => "floor-slot",
+            (Self::Leaning { .. }, _) => "floor-leaning",
             (Self::Flank { face: Face::Obverse, .. }, _) => "obverse",
             (Self::Flank { face: Face::Reverse, .. }, _) => "reverse",
             (Self::Contour, _) => "contour",

@@ -11,7 +11,7 @@
 //! Both passes leave only what both miss. That law is no bound: at the hub end of the obverse more may be left. So the rest
 //! is looked for: down each line of a face, from the tops, as far as no more than a limit is left to the nearest pose of
 //! the finishing tool; and on the floor towards each foot likewise. The poses are some of those that the tool takes, and
-//! each line is left a step above the last place that holds, so that what is told of a line is no less than what is left on
+//! each line is left at the last place that holds, so that what is told of a line is no less than what is left on
 //! it. Between the lines it is not looked at.
 //!
 //! Above the corner's height the faces are looked at too: where the end of a flank's tool stands high, what is left beside it
@@ -41,9 +41,12 @@ const NOSE_LINES: u16 = 24;
 /// Lines of each straight end of a face, and how far inside of its edge the last one is, radians of v.
 const END_LINES: u16 = 16;
 const EDGE: f64 = 1e-6;
-/// Steps down a line, and along the floor, mm.
-const DOWN: f64 = 0.01;
+/// Steps down a line, mm.
+pub const DOWN: f64 = 0.01;
+/// Steps along the floor, mm.
 const ALONG: f64 = 0.02;
+/// Halvings of the last step down a line.
+const HALVINGS: u8 = 4;
 /// Stations from which a tool's rest is known before there is a plan.
 const STATIONS: u16 = 240;
 /// The largest tool is sought in whole hundredths, from the smallest on.
@@ -129,22 +132,32 @@ pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -
             let point = turn(point);
             let inside = |pose: &Pose| Some(over - pose.apart(tool, &point)).filter(|&inside| inside >= 0.0);
             poses.get(last).and_then(inside).or_else(|| {
-                last = poses.holding(tool, &point, over)?;
+                last = poses.holding(tool, &point, over, last)?;
                 poses.get(last).and_then(inside)
             })
         };
         let bottom = part.floor(&line.ruling, line.top);
-        let mut height = None;
+        let (mut height, mut last_held) = (None, None);
         let mut h = line.top;
         while h < bottom {
             let point = line.ruling.at(h);
             let depth = part.depth(&point);
             let mut step = DOWN;
-            if depth >= 0.0 && part.trimmed(&point) {
+            // What is no higher than the highest known is not looked at.
+            let high = (part.a_p - depth + DOWN).min(part.a_p);
+            if depth >= 0.0 && high > root.height && part.trimmed(&point) {
                 let Some(inside) = held(&point) else {
-                    height = Some((part.a_p - depth + DOWN).min(part.a_p));
+                    height = Some(last_held.map_or(high, |held_at: f64| {
+                        let (mut low, mut high) = (held_at, h);
+                        for _ in 0..HALVINGS {
+                            let middle = f64::midpoint(low, high);
+                            if held(&line.ruling.at(middle)).is_some() { low = middle } else { high = middle }
+                        }
+                        part.a_p - part.depth(&line.ruling.at(low))
+                    }));
                     break;
                 };
+                last_held = Some(h);
                 // What is nearer to the point than that is held by the same pose.
                 step = step.max(inside);
             }
@@ -165,10 +178,12 @@ pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -
         // Farther out than `BESIDE` it is the floor's rest; where the corner's goes on beyond, it counts as the corner's.
         let mut width = BESIDE + tool.r_c;
         if clear(width) {
-            while width > 0.0 && clear(width) {
+            // Nor is what is no wider than the widest known.
+            let known = (root.width - ALONG).max(0.0);
+            while width > known && clear(width) {
                 width -= ALONG;
             }
-            width = if width > 0.0 { width + ALONG } else { 0.0 };
+            width = if width > known { width + ALONG } else { 0.0 };
         } else {
             while width < BESIDE + tool.a() && !clear(width) {
                 width += ALONG;
@@ -200,7 +215,7 @@ pub fn left_above(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, [corne
                 let apart = |pose: &Pose| pose.apart(tool, &point);
                 let mut here = poses.get(last).map_or(f64::INFINITY, apart);
                 if here > most {
-                    if let Some(held) = poses.holding(tool, &point, most) {
+                    if let Some(held) = poses.holding(tool, &point, most, last) {
                         last = held;
                         here = poses.get(last).map_or(f64::INFINITY, apart);
                     } else {

@@ -3,9 +3,14 @@
 //! # Derivation
 //! The nose is half a cylinder about the ruling at v_s. A tool whose axis is parallel to that ruling, along N(v_s), cuts it
 //! exactly, where the own-normal tool of the contour leans towards it by its distance over r. So the pass comes in on the
-//! fitted axis of the obverse to v_s, turns its axis onto N(v_s) on the spot, goes round the nose at the distance D from its
-//! ruling, in the direction −cos f·t + sin f·b, D such that the axis is a from the splitter, and leaves along the reverse
-//! likewise. Between two axes beside a nearly plane face, both clear of it, all are clear.
+//! fitted axis of the obverse to v_s, turns its axis on the spot, goes round the nose at the distance D from its ruling, in
+//! the direction −cos f·t + sin f·b, D such that the axis is a from the splitter, and leaves along the reverse likewise.
+//!
+//! Parallel to N(v_s) the end would stand high where it is beside the nose along the tube: √(r_f² − (e/2 + d)²) below K, the
+//! tool being between e/2 and e/2 + d from the ruling. So the axis leans off the nose: by the angle δ about the top of the nose
+//! it passes K nearer by r·δ, the end goes that much deeper and stands more level. At the foot of the nose that leaves a_p·δ.
+//!
+//! Between two axes beside a nearly plane face, both clear of it, all are clear.
 //!
 //! The half round stands out of the twisted faces by (e/2)(hτ)²/2. Near v_s the axes beside the faces are moved off along b by
 //! what that takes.
@@ -19,6 +24,7 @@ use nalgebra::Vector3;
 
 use crate::kinds::impeller::clear::body::{Body, Obstacles, turned};
 use crate::kinds::impeller::clear::contact::closing;
+use crate::kinds::impeller::clear::cut::Cut;
 use crate::kinds::impeller::clear::fit::FADES;
 use crate::kinds::impeller::clear::flank::{FlankWay, as_metal, passing, stand};
 use crate::kinds::impeller::clear::table::Table;
@@ -29,6 +35,8 @@ use crate::kinds::impeller::part::{Part, RIM};
 use crate::machine::rotary::Rotary;
 use crate::number::trig::sin_cos;
 
+/// The part of the ridge c_s that a flat end may leave at the foot of the nose, to leave less in the corner.
+const FOOT: f64 = 0.5;
 /// How close the distance from the nose's ruling is kept, mm.
 const TABLE: f64 = 1e-5;
 /// Nearer to the splitter than its own radius by this a tool is left where it is, mm: the fit takes as much.
@@ -46,6 +54,8 @@ pub struct Round<'a> {
     /// Along its obverse and along its reverse.
     ways: [&'a FlankWay; 2],
     v_s: f64,
+    /// δ, by which the axis leans off the nose.
+    lean: f64,
     /// D over f.
     distance: Table<1>,
     /// By how much the axes beside the faces are moved off, over v, and up to which v.
@@ -53,11 +63,13 @@ pub struct Round<'a> {
 }
 
 impl<'a> Round<'a> {
-    /// The way of a tool along two flanks, cut equally deep, of the splitter that begins at v_s.
+    /// The way of the finishing tool along two flanks, cut equally deep, of the splitter that begins at v_s.
     #[must_use]
-    pub fn new(part: &'a Part, tool: Tool, ways: [&'a FlankWay; 2], v_s: f64) -> Self {
+    pub fn new(part: &'a Part, cut: &Cut, ways: [&'a FlankWay; 2], v_s: f64) -> Self {
         let none = || Table::new(&[0.0, 0.0], [1.0], |_| [0.0]);
-        let mut round = Self { part, tool, ways, v_s, distance: none(), off: [(none(), v_s), (none(), v_s)] };
+        let tool = cut.finish;
+        let lean = FOOT * cut.scallop / part.a_p * tool.flat_radius() / tool.a();
+        let mut round = Self { part, tool, ways, v_s, lean, distance: none(), off: [(none(), v_s), (none(), v_s)] };
         let body = Body::new(part, v_s, 0.0, tool.a());
         round.distance = Table::new(&[-FRAC_PI_2, 0.0, FRAC_PI_2], [TABLE], |f| [round.clear_of(&body, f)]);
         round.off = [0, 1].map(|side| {
@@ -130,15 +142,16 @@ impl<'a> Round<'a> {
         as_metal(axis, self.part.circle.torus, reach, self.part.circle.u(self.v_s))
     }
 
-    /// The axis along N(v_s), D from the nose's ruling.
+    /// The axis that leans off the nose, D from its ruling.
     fn beside(&self, f: f64, D: f64) -> Axis {
         let (P, frame) = self.part.frame(self.v_s);
         let (sin, cos) = sin_cos(f);
-        let foot = P + (frame.b * sin - frame.t * cos) * D;
-        self.deep(foot, frame.N, self.part.circle.u(self.v_s))
+        let out = frame.b * sin - frame.t * cos;
+        let along = frame.N - out * self.lean;
+        self.deep(P + out * D, along / along.norm(), self.part.circle.u(self.v_s))
     }
 
-    /// The axis at x, of blade 0: along the obverse up to 1, onto N(v_s) up to 2, round the nose up to 3, off N(v_s) up to
+    /// The axis at x, of blade 0: along the obverse up to 1, turning up to 2, round the nose up to 3, turning back up to
     /// 4, along the reverse up to 5.
     fn axis(&self, x: f64) -> Axis {
         let nose = |f: f64| self.beside(f, self.distance.at(f)[0]);

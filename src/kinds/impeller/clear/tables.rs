@@ -43,6 +43,10 @@ impl Cutting {
                 None,
             ),
             Self::Floor { lane } => numbered("fondo", "floor", None, Some(lane)),
+            Self::Leaning { face } => {
+                let [es, en] = side(face);
+                numbered(&format!("fondo, fresa inclinada, {es}"), &format!("floor, leaning tool, {en}"), None, None)
+            }
             Self::Flank { face, level } => {
                 let [es, en] = side(face);
                 numbered(&format!("cara, {es}"), &format!("face, {en}"), Some(level), None)

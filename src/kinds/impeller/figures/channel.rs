@@ -198,7 +198,7 @@ fn finishing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
 
 const fn finished(cutting: Cutting) -> Option<(Ink, Text)> {
     Some(match cutting {
-        Cutting::Floor { .. } => (Ink::Profile, t("fondo", "floor")),
+        Cutting::Floor { .. } | Cutting::Leaning { .. } => (Ink::Profile, t("fondo", "floor")),
         Cutting::Flank { face: Face::Obverse, .. } => (Ink::Obverse, t("cara, anverso", "face, obverse")),
         Cutting::Flank { face: Face::Reverse, .. } => (Ink::Reverse, t("cara, reverso", "face, reverse")),
         Cutting::Contour | Cutting::SplitterFlanks { .. } => (Ink::Splitter, t("álabe intermedio", "splitter")),

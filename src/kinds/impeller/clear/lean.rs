@@ -1,0 +1,168 @@
+//! An outermost lane of the floor run once more with the tool leaning off its wall.
+//!
+//! # Derivation
+//! The flat end of an upright tool touches the hollow floor with its two points farthest along the tube alone, at the stations
+//! v ± θ. Before the nose of a splitter the blade shuts the one and the splitter the other, and a ridge stays. Along the
+//! parallel the floor bends away: a point of the edge abreast of the axis stands a²/2·(1/r_t − cos v/ρ_t) above it, to second
+//! order, as far as K bends off and the tip stands short of the tube. A tool that leans across the tube by more than that over a
+//! touches with that point, at its own station. The tip is as deep as the disc stays in the ball of the tube's radius about
+//! the point of K nearest to the axis, so that no point of it is below the floor; and a tool that leans off a wall it touches with
+//! the edge of its end stays clear of it.
+//!
+//! # Units
+//! Millimetres and radians.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use nalgebra::Vector3;
+
+use crate::kinds::impeller::clear::body::Obstacles;
+use crate::kinds::impeller::clear::contact::Contacts;
+use crate::kinds::impeller::clear::cut::Which;
+use crate::kinds::impeller::clear::draft::{Draft, Wanted};
+use crate::kinds::impeller::clear::flank::{passing, stand};
+use crate::kinds::impeller::clear::floor_rest::{FloorLook, FloorRest};
+use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
+use crate::kinds::impeller::clear::pass::{Cutting, Direction};
+use crate::kinds::impeller::clear::pieces::parts;
+use crate::kinds::impeller::clear::poses::Poses;
+use crate::kinds::impeller::clearance::Stand;
+use crate::kinds::impeller::nearest::Axis;
+use crate::kinds::impeller::part::{Face, HUB};
+use crate::machine::rotary::Rotary;
+use crate::number::trig::sin_cos;
+
+/// How much more than it takes the tool leans.
+const MORE: f64 = 1.6;
+/// How far past a place of the floor a leaning tool is run, in parts of the way, and to which station at most: farther on the
+/// axis comes upright, and a lean would turn C.
+const PAST: f64 = 0.05;
+const LEANS_TO: f64 = 0.8;
+/// By how much a leaning tool may be nearer to a face that it touches, mm: what the search of contacts leaves, and more.
+const TOUCHED: f64 = 5e-4;
+
+/// By how much the tool leans at a station.
+fn angle(lane: &OwnNormal, q: f64) -> f64 {
+    let (r_t, cos_v) = (lane.below(q), sin_cos(v_at(q)).1);
+    let rho = lane.torus.R + r_t * cos_v;
+    MORE * lane.tool.flat_radius() / 2.0 * (1.0 / r_t - cos_v / rho).max(0.0)
+}
+
+/// The axis of the tool at a station and an angle about the part, leaning off the wall of a face; as high as an upright one.
+fn axis(lane: &OwnNormal, face: Face, q: f64, psi: f64, reach: f64) -> Axis {
+    let upright = lane.axis(q, psi, reach);
+    let ((sin, cos), (sin_psi, cos_psi)) = (sin_cos(angle(lane, q)), sin_cos(psi));
+    // The obverse stands on the side of growing ψ.
+    let off = Vector3::new(-sin_psi, cos_psi, 0.0) * -face.side();
+    let (foot, along) = (upright.foot + upright.along * upright.range[0], upright.along * cos + off * sin);
+    let pass = passing(&foot, &along, lane.torus.R, psi);
+    let low = pass.at - lane.tool.below(lane.r_f, pass.m).unwrap_or(lane.r_f);
+    Axis { foot, along, range: [low, low + upright.range[1] - upright.range[0]] }
+}
+
+/// Where the machine's axes stand for it.
+fn stand_at(lane: &OwnNormal, machine: Rotary, face: Face, q: f64, psi: f64) -> Stand {
+    let axis = axis(lane, face, q, psi, lane.tool.a());
+    stand(machine, &axis, &axis.along, psi - TAU, 0.0)
+}
+
+impl Draft<'_> {
+    /// Where more is left on the floor than ridges and tolerance are, runs an outermost lane again, the tool leaning off its
+    /// wall, from the hub to a little past that place and back, if that takes it away; what is left then.
+    pub(super) fn lean(&mut self, contacts: &Contacts, mut look: FloorLook) -> FloorRest {
+        let wanted = self.cut.scallop + self.cut.tolerance;
+        let mut floor = look.most();
+        let mut faces = Face::ALL.to_vec();
+        while floor.most > wanted && contacts.lane.tool.flat_radius() > 0.0 && self.finish_from <= 0.0 && !self.full() {
+            let to = (floor.v - HUB + contacts.lane.spread()) / FRAC_PI_2 + PAST;
+            let ways = faces.iter().filter_map(|&face| {
+                let points = self.leaning(contacts, face, to)?;
+                let poses = Poses::along(self.job.machine, std::iter::once(points.as_slice()));
+                (look.left_by(&poses, &floor) <= wanted).then_some((face, points, poses))
+            });
+            let Some((face, points, poses)) = { ways }.next() else { break };
+            self.add(Wanted {
+                cutting: Cutting::Leaning { face },
+                tool: Which::Finish,
+                direction: Direction::Outwards,
+                mode: self.mode(face, Direction::Outwards),
+                feed: 1.0,
+                points,
+                dead_end: true,
+                on_lane: false,
+                rim_slot: false,
+                from: f64::NEG_INFINITY,
+            });
+            self.done();
+            look.cut_by(poses);
+            floor = look.most();
+            faces.retain(|&one| one != face);
+        }
+        floor
+    }
+
+    /// The points of the outermost lane at a face with a leaning tool, from the hub to a station; `None` where it does not keep
+    /// clear all the way.
+    fn leaning(&self, contacts: &Contacts, face: Face, to: f64) -> Option<Vec<Stand>> {
+        let (lane, machine, a) = (contacts.lane, self.job.machine, contacts.lane.tool.a());
+        let lambda = if face == Face::Obverse { 0.0 } else { 1.0 };
+        let obstacles = Obstacles::new(&self.job.part, self.pitch, a, self.v_s);
+        let (m, reach, asked) = (self.cut.run_out(Which::Finish), a + self.job.part.overhang(), a - TOUCHED);
+        let keeps = |q: f64| {
+            let axis = axis(&lane, face, q, contacts.psi(lambda, q), reach);
+            obstacles.keeps_obverse(&axis, asked)
+                && obstacles.keeps_reverse(&axis, asked)
+                && obstacles.keeps_splitter(&axis, asked)
+        };
+        // Out of the hub the tool has left the part.
+        if to > LEANS_TO || parts(&[-a, 0.0, to], keeps) != [[-a, to]] {
+            return None;
+        }
+        let mut pieces = vec![-m, -a, -lane.tool.flat_radius(), 0.0, to];
+        pieces.dedup();
+        let way = |q: f64| stand_at(&lane, machine, face, q, contacts.psi(lambda, q));
+        let tolerance = self.tolerance(Which::Finish, self.height(Which::Finish, lane.r_f - lane.torus.r));
+        let placed = tolerance.place(&way, &pieces, self.most());
+        Some(placed.into_iter().map(|(_, stand)| stand).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::torus::Torus;
+    use crate::kinds::impeller::clear::tool::Tool;
+    use crate::number::trig::hypot;
+
+    #[test]
+    fn no_point_of_a_leaning_end_is_below_the_floor_and_the_one_abreast_reaches_it() {
+        for (R, r, a_p) in [(25.0, 15.0, 2.0), (25.0, 17.0, 4.0), (50.0, 30.0, 3.0), (60.0, 12.0, 5.0)] {
+            for (tool, face) in
+                [Tool::flat(3.0), Tool::flat(6.0)].into_iter().flat_map(|tool| Face::ALL.map(|face| (tool, face)))
+            {
+                let lane = OwnNormal::new(Torus { R, r }, tool, r + a_p).unwrap();
+                for q in [-0.5, 0.0, 0.1, 0.3, 0.5, 0.8] {
+                    let psi = 1.3;
+                    let (axis, upright) = (axis(&lane, face, q, psi, 3.0), lane.axis(q, psi, 3.0));
+                    let tip = axis.foot + axis.along * axis.range[0];
+                    let forward = (upright.along.cross(&axis.along)).try_normalize(1e-12).unwrap();
+                    let abreast = axis.along.cross(&forward);
+                    let depth = |turn: f64| {
+                        let (sin, cos) = sin_cos(turn);
+                        let point = tip + (abreast * cos + forward * sin) * tool.a();
+                        hypot(hypot(point.x, point.y) - R, point.z) - r - a_p
+                    };
+                    let around: Vec<f64> = (0..720).map(|step| depth(TAU * f64::from(step) / 720.0)).collect();
+                    let deepest = around.iter().copied().fold(f64::MIN, f64::max);
+                    assert!(deepest <= 1e-9, "{R} {r} {tool:?} {face:?} {q} {deepest}");
+                    // Off the wall: the end is low on its other side, and there it is nearer to the floor than where it was.
+                    let upright_tip = upright.foot + upright.along * upright.range[0];
+                    let was = upright_tip + abreast * tool.a();
+                    let was = hypot(hypot(was.x, was.y) - R, was.z) - r - a_p;
+                    let low = depth(0.0).max(depth(TAU / 2.0));
+                    assert!(low > was / 2.0 - 1e-9, "{R} {r} {tool:?} {face:?} {q} {low} {was}");
+                }
+            }
+        }
+    }
+}
