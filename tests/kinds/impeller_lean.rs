@@ -1,6 +1,7 @@
 //! Before a splitter's nose no upright tool reaches the floor: the simulator of the cut judges the pass of a leaning one.
 
 use rodete::kinds::impeller::clear::cut::{Cut, Which};
+use rodete::kinds::impeller::clear::holder::{Stage, clearance};
 use rodete::kinds::impeller::clear::pass::Cutting;
 use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::part::Face;
@@ -39,5 +40,22 @@ fn a_tool_leans_nowhere_where_upright_lanes_leave_no_more_than_their_ridges() {
         let cut = Cut { splitters, scallop: 0.1, ..cut() };
         let (plan, _) = judge(&SHIPPED, &cut, [6, 3], [6, 30]);
         assert_eq!(leans(&plan), [], "{splitters}");
+    }
+}
+
+#[test]
+fn a_tool_leans_only_as_far_as_its_holder_stays_clear() {
+    let plan = |from: f64| {
+        let stages = [None, Some(Stage { radius: 20.0, from })];
+        Plan::new(&SHIPPED.job(), &Cut { stages, ..cut() }).unwrap()
+    };
+    // A holder that is clear of the blank on the faces alone, and one that is clear of it where the tool leans, too.
+    let (near, far) = (plan(19.8), plan(21.0));
+    assert_eq!((leans(&near), leans(&far)), (vec![], vec![Face::Obverse]));
+    for (plan, from) in [(near, 19.8), (far, 21.0)] {
+        let finish = &plan.told.finish;
+        let r_t = SHIPPED.r + finish.t;
+        let m = finish.stick_out - r_t - cut().d_s;
+        assert!(clearance(Stage { radius: 20.0, from }, SHIPPED.r, r_t, m) >= 0.0, "{from} {m}");
     }
 }

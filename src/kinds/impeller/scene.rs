@@ -66,7 +66,7 @@ fn tools(design: &Design) -> Vec<ShownTool> {
         let cutter = asked.map_or(Tool::flat(mill.d), |asked| asked.cut.tool(which));
         let name = Text::new(format!("fresa d{}", shown(mill.d, 3)), format!("end mill d{}", shown(mill.d, 3)));
         // How long a tool is, and where its holder begins, is not known unless the workbook says so.
-        let stage = asked.and_then(|asked| asked.stage(which));
+        let stage = asked.and_then(|asked| asked.cut.stage(which));
         let top = design.tool_reach();
         let shape = match stage {
             None => Shape::Revolved(outline(cutter, top)),

@@ -4,7 +4,7 @@
 //! Millimetres.
 
 use crate::gcode::word::Word;
-use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
+use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle};
 use crate::kinds::impeller::clear::fields::{self, Method};
 use crate::kinds::impeller::clear::holder::Stage;
 use crate::kinds::impeller::clear::tool::Tool;
@@ -41,10 +41,6 @@ pub struct Asked {
     pub finish: Mill,
     /// d_f, T_f and D_f as they stand in the form.
     pub given: (Option<f64>, Option<u32>, Option<u32>),
-    /// The stick-outs of both tools.
-    pub stick_out: [Option<f64>; 2],
-    /// d_h.
-    pub holder: Option<f64>,
     /// h_r, the height of rest that is allowed in the corners; `None` where it is not asked about.
     pub root: Option<f64>,
 }
@@ -75,6 +71,13 @@ impl Asked {
         let tolerance = plain.tol.unwrap_or(TOLERANCE);
         let (r_c, r_cf) = (fields.get(&fields::CORNER), fields.get(&fields::CORNER_F));
         let counterclockwise = plain.start_codes.contains(&Word::whole('M', 4));
+        let stick_out = fields.get(&fields::STICK_OUT);
+        // One tool for both sticks out alike.
+        let alike = stick_out.filter(|_| given.0.is_none());
+        // A holder is of any width where its diameter is not given, and not known where its tool's stick-out is not.
+        let radius = fields.get(&fields::HOLDER).map_or(f64::INFINITY, |d_h| d_h / 2.0);
+        let stages = [stick_out, fields.get(&fields::STICK_OUT_F).or(alike)];
+        let stages = stages.map(|from| from.map(|from| Stage { radius, from }));
         let cut = Cut {
             rough: Tool { d: plain.d_t, r_c },
             finish: Tool { d: finish.d, r_c: if given.0.is_some() { r_cf.unwrap_or(0.0) } else { r_c } },
@@ -89,24 +92,10 @@ impl Asked {
             partly: fields.get(&fields::PARTLY),
             splitters: plain.splitters,
             splitter_from: None,
-            stages: Vec::new(),
+            stages,
         };
-        let stick_out = fields.get(&fields::STICK_OUT);
-        // One tool for both sticks out alike.
-        let alike = stick_out.filter(|_| given.0.is_none());
-        let stick_out = [stick_out, fields.get(&fields::STICK_OUT_F).or(alike)];
         let root = fields.get(&fields::ROOT);
-        Some(Self { cut, tolerance, finish, given, stick_out, holder: fields.get(&fields::HOLDER), root })
-    }
-
-    /// The holder behind a tool; of any width where its diameter is not given, `None` where its stick-out is not.
-    #[must_use]
-    pub fn stage(&self, which: Which) -> Option<Stage> {
-        let from = match which {
-            Which::Rough => self.stick_out[0],
-            Which::Finish => self.stick_out[1],
-        }?;
-        Some(Stage { radius: self.holder.map_or(f64::INFINITY, |d_h| d_h / 2.0), from })
+        Some(Self { cut, tolerance, finish, given, root })
     }
 }
 

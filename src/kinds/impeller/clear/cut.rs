@@ -67,8 +67,8 @@ pub struct Cut {
     /// v_s where the splitters are to begin; at the earliest where the finishing tool
     /// has room where it is not given.
     pub splitter_from: Option<f64>,
-    /// The stages of shank and holder.
-    pub stages: Vec<Stage>,
+    /// The holders behind the roughing and the finishing tool, where they are known.
+    pub stages: [Option<Stage>; 2],
 }
 
 impl Cut {
@@ -89,7 +89,7 @@ impl Cut {
             partly: false,
             splitters: false,
             splitter_from: None,
-            stages: Vec::new(),
+            stages: [None; 2],
         }
     }
 
@@ -99,6 +99,15 @@ impl Cut {
         match which {
             Which::Rough => self.rough,
             Which::Finish => self.finish,
+        }
+    }
+
+    /// The holder behind a tool.
+    #[must_use]
+    pub const fn stage(&self, which: Which) -> Option<Stage> {
+        match which {
+            Which::Rough => self.stages[0],
+            Which::Finish => self.stages[1],
         }
     }
 

@@ -14,14 +14,14 @@ use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
 use crate::kinds::impeller::clear::fit::FADES;
 use crate::kinds::impeller::clear::flank::FlankWay;
 use crate::kinds::impeller::clear::floor_rest::{FloorLook, FloorRest};
-use crate::kinds::impeller::clear::holder::{clearance, stick_out};
+use crate::kinds::impeller::clear::holder::stick_out;
 use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
 use crate::kinds::impeller::clear::link::{End, link, up};
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
 use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
 use crate::kinds::impeller::clear::poses::{Poses, cusp};
-use crate::kinds::impeller::clear::root::{DOWN, Root, face_lines, left_above, nose_lines, root};
+use crate::kinds::impeller::clear::root::{Root, face_lines, left_above, nose_lines, root};
 use crate::kinds::impeller::clear::round::Round;
 use crate::kinds::impeller::clear::scallop::Ridge;
 use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, ToolTold};
@@ -114,6 +114,8 @@ pub(super) struct Draft<'a> {
     pub(super) at_rim: bool,
     pub(super) dropped: Vec<Dropped>,
     pub(super) feed_error: [f64; 2],
+    /// How far from K an axis that leans passes at most, mm.
+    pub(super) leant: f64,
 }
 
 /// Lanes that are run one after the other.
@@ -577,8 +579,6 @@ impl Draft<'_> {
         let known = faces.iter().map(|face| face.rest).fold(0.0, f64::max) + self.cut.tolerance;
         let corner = || {
             let mut root = root(part, &lines, &poses, tool, over);
-            // Just above it nearly as much is left: the corner counts up to the next step.
-            root.height = ((root.height / DOWN).ceil() * DOWN).min(part.a_p);
             root.above = left_above(part, &lines, &poses, tool, [root.height, known + cusp(tool)]).unwrap_or(known);
             root
         };
@@ -588,12 +588,10 @@ impl Draft<'_> {
 
     pub(super) fn tool(&self, which: Which, lane: &OwnNormal, lanes: u32, levels: u32, m: f64) -> ToolTold {
         let (r, r_t) = (lane.torus.r, lane.below(0.0));
-        let holder = self.cut.stages.iter().map(|&stage| clearance(stage, r, r_t, m)).min_by(f64::total_cmp);
         ToolTold {
             t: r_t - r,
             lanes,
             levels,
-            holder,
             stick_out: stick_out(r_t, m, self.cut.d_s),
             feed_error: self.feed_error[usize::from(which == Which::Finish)],
         }

@@ -6,9 +6,9 @@
 //!
 //! > min(r − R_k, r − √((r_t − l_k)² + R_k²)) where l_k < r_t, and by l_k − r_t, whatever its radius, where l_k ≥ r_t.
 //!
-//! On a flank c is the nearest point of K, which the axis passes at m: all is m less. So a stick-out of r_t and the
-//! clearance that is wanted is always enough; less of it only while R_k is less than r. Clamps, chuck and table are not
-//! in the blank.
+//! On a flank, and where the tool leans on the floor, c is the nearest point of K, which the axis passes at m: all is m
+//! less. So a stick-out of r_t + m and the clearance that is wanted is always enough; less of it only while R_k is less
+//! than r. Clamps, chuck and table are not in the blank.
 //!
 //! # Units
 //! Millimetres.

@@ -22,6 +22,7 @@ use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::clear::draft::{Draft, Wanted};
 use crate::kinds::impeller::clear::flank::{passing, stand};
 use crate::kinds::impeller::clear::floor_rest::{FloorLook, FloorRest};
+use crate::kinds::impeller::clear::holder::clearance;
 use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
 use crate::kinds::impeller::clear::pass::{Cutting, Direction};
 use crate::kinds::impeller::clear::pieces::parts;
@@ -48,6 +49,11 @@ fn angle(lane: &OwnNormal, q: f64) -> f64 {
     MORE * lane.tool.flat_radius() / 2.0 * (1.0 / r_t - cos_v / rho).max(0.0)
 }
 
+/// How far from K the leaning axis passes at most: it goes through the tip, r_t from K, at an angle that is greatest at the hub.
+fn off(lane: &OwnNormal) -> f64 {
+    lane.below(0.0) * sin_cos(angle(lane, 0.0)).0
+}
+
 /// The axis of the tool at a station and an angle about the part, leaning off the wall of a face; as high as an upright one.
 fn axis(lane: &OwnNormal, face: Face, q: f64, psi: f64, reach: f64) -> Axis {
     let upright = lane.axis(q, psi, reach);
@@ -68,13 +74,19 @@ fn stand_at(lane: &OwnNormal, machine: Rotary, face: Face, q: f64, psi: f64) -> 
 
 impl Draft<'_> {
     /// Where more is left on the floor than ridges and tolerance are, runs an outermost lane again, the tool leaning off its
-    /// wall, from the hub to a little past that place and back, if that takes it away; what is left then.
+    /// wall, from the hub to a little past that place and back, if that takes it away and the holder stays clear; what is
+    /// left then.
     pub(super) fn lean(&mut self, contacts: &Contacts, mut look: FloorLook) -> FloorRest {
         let wanted = self.cut.scallop + self.cut.tolerance;
         let mut floor = look.most();
+        let (lane, off) = (contacts.lane, off(&contacts.lane));
+        let holder_clear = |stage| clearance(stage, lane.torus.r, lane.below(0.0), off) >= 0.0;
+        let may = lane.tool.flat_radius() > 0.0
+            && self.finish_from <= 0.0
+            && self.cut.stage(Which::Finish).is_none_or(holder_clear);
         let mut faces = Face::ALL.to_vec();
-        while floor.most > wanted && contacts.lane.tool.flat_radius() > 0.0 && self.finish_from <= 0.0 && !self.full() {
-            let to = (floor.v - HUB + contacts.lane.spread()) / FRAC_PI_2 + PAST;
+        while may && floor.most > wanted && !self.full() {
+            let to = (floor.v - HUB + lane.spread()) / FRAC_PI_2 + PAST;
             let ways = faces.iter().filter_map(|&face| {
                 let points = self.leaning(contacts, face, to)?;
                 let poses = Poses::along(self.job.machine, std::iter::once(points.as_slice()));
@@ -94,6 +106,7 @@ impl Draft<'_> {
                 from: f64::NEG_INFINITY,
             });
             self.done();
+            self.leant = off;
             look.cut_by(poses);
             floor = look.most();
             faces.retain(|&one| one != face);
@@ -144,6 +157,16 @@ mod tests {
                 for q in [-0.5, 0.0, 0.1, 0.3, 0.5, 0.8] {
                     let psi = 1.3;
                     let (axis, upright) = (axis(&lane, face, q, psi, 3.0), lane.axis(q, psi, 3.0));
+                    let pass = passing(&axis.foot, &axis.along, R, psi);
+                    assert!(pass.m <= off(&lane) + 1e-9, "{R} {r} {tool:?} {face:?} {q} {}", pass.m);
+                    // Beyond that place it is no nearer to the blank than r less what it passes at.
+                    for step in 0..60 {
+                        let point = axis.foot + axis.along * (pass.at + f64::from(step));
+                        assert!(
+                            point.z >= -pass.m - 1e-9 && hypot(point.x, point.y) >= R - pass.m - 1e-9,
+                            "{R} {q} {point}"
+                        );
+                    }
                     let tip = axis.foot + axis.along * axis.range[0];
                     let forward = (upright.along.cross(&axis.along)).try_normalize(1e-12).unwrap();
                     let abreast = axis.along.cross(&forward);

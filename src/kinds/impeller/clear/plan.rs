@@ -93,6 +93,7 @@ impl Plan {
             at_rim: false,
             dropped: Vec::new(),
             feed_error: [0.0; 2],
+            leant: 0.0,
         };
         let (rough_lanes, levels) = draft.rough(&rough, Which::Rough, begin(rough_from));
         draft.done();
@@ -120,7 +121,7 @@ impl Plan {
         let told = Told {
             gap: gap(part, job.N, cut.finish.d).width,
             rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels, 0.0),
-            finish: draft.tool(Which::Finish, &finish.lane, floor_lanes + 1, 1, widest(&ways)),
+            finish: draft.tool(Which::Finish, &finish.lane, floor_lanes + 1, 1, widest(&ways).max(draft.leant)),
             scallop: finish.greatest(|q| ridge(&finish, q).height(finish.room(q).max(0.0) / steps)),
             floor,
             root,

@@ -120,7 +120,7 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
     for (which, key) in STICK_OUTS {
         let cells: &[&'static str] = if asked.given.0.is_some() { &[key, "d_h"] } else { &["l_t", "l_f", "d_h"] };
         findings.extend(too_long(tool_name(which), plan.all_blocks(which) as u64));
-        let Some(stage) = asked.stage(which) else { continue };
+        let Some(stage) = asked.cut.stage(which) else { continue };
         let tool = of(plan, which);
         let r_t = tool.t + design.torus.r;
         let found = clearance(stage, design.torus.r, r_t, tool.stick_out - r_t - design.d_s);
@@ -168,7 +168,7 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
         tools.clone().filter(|(one, _)| !two || *one == which).map(|(one, _)| value(of(plan, one))).fold(0.0, f64::max)
     };
     for (which, key) in told_of {
-        if asked.stage(which).is_none() {
+        if asked.cut.stage(which).is_none() {
             let enough = enough(greatest(which, |tool| tool.stick_out));
             findings.push(StickOutThatIsEnough { tool: tool_name(which), enough }.at(at(&[key])));
         }

@@ -14,8 +14,9 @@
 //! each line is left at the last place that holds, so that what is told of a line is no less than what is left on
 //! it. Between the lines it is not looked at.
 //!
-//! Above the corner's height the faces are looked at too: where the end of a flank's tool stands high, what is left beside it
-//! may be less than counts as the corner's and more than the fit leaves.
+//! Above the corner's height the faces are looked at too. Just above it nearly as much is left as counts as the corner's;
+//! and where the end of a flank's tool stands high, what is left beside it may be less than counts as the corner's and
+//! more than the fit leaves.
 //!
 //! # Units
 //! Millimetres and radians.
@@ -42,7 +43,7 @@ const NOSE_LINES: u16 = 24;
 const END_LINES: u16 = 16;
 const EDGE: f64 = 1e-6;
 /// Steps down a line, mm.
-pub const DOWN: f64 = 0.01;
+const DOWN: f64 = 0.01;
 /// Steps along the floor, mm.
 const ALONG: f64 = 0.02;
 /// Halvings of the last step down a line.

@@ -55,8 +55,6 @@ pub struct ToolTold {
     pub lanes: u32,
     /// In how many levels.
     pub levels: u32,
-    /// The least clearance of shank and holder from the blank; `None` without stages.
-    pub holder: Option<f64>,
     /// The stick-out that is enough for any holder, with d_s.
     pub stick_out: f64,
     /// The largest part by which the tip's feed changes within a block.
