@@ -56,6 +56,14 @@ fn a_finishing_tool_thinner_than_the_blade_does_not_cut_into_it() {
 }
 
 #[test]
+fn what_cannot_be_proved_is_refused_before_long() {
+    // At this deep hub no bound of a roughing pass closes: with all of its work for each of them the check took many minutes.
+    let outcome = design([23.83, 16.0, 2.0, 3.93, 4.49, 4.91, 1.94, 0.016], "no");
+    let of = |code: &str| outcome.findings.iter().any(|finding| finding.code() == code);
+    assert!(of("V0128") && of("V0126"), "{:?}", outcome.findings);
+}
+
+#[test]
 fn floor_lanes_overlap_however_thin_the_finishing_tool_is() {
     // By the law of the ridges alone the lanes would be farther apart than the tool is wide, with strips of the floor between.
     for (d_f, c_s) in [(1.0, 0.025), (1.5, 0.1)] {

@@ -38,6 +38,8 @@ use crate::text::{Text, t};
 
 /// What is left to ε: the block's error is looked at in eight places, and the nose is not the faces' own.
 const OVER: f64 = 0.001;
+/// Cells that are evaluated at most for a way when another one has taken all of its work; a usual one takes some hundreds.
+const LESS: usize = WORK / 40;
 /// A whole turn, thousandths of a degree.
 const WHOLE: i32 = 360_000;
 /// How close the bounds are brought to each other, mm.
@@ -94,17 +96,19 @@ impl<'a> ClearCutting<'a> {
     /// The least clearance of all ways to some walls, and where.
     fn least(&self, walls: &Walls) -> Option<(Bounds, At)> {
         let mut least: Option<(Bounds, At)> = None;
+        let mut work = WORK;
         // The last passes come nearest: of all before them it is then enough to know that they are not nearer still.
         for way in self.ways.iter().rev() {
+            let mut clearance = |until| searched(walls, &way.stands, until, &mut work);
             let seen = least.map_or(f64::INFINITY, |(bounds, _)| bounds.upper);
             // What is clear by more than was seen need not be known closer.
             let enough = seen.max(self.asked.cut.s / 2.0);
-            let mut bounds = walls.clearance(&way.stands, Until::Decided(enough), WORK);
+            let mut bounds = clearance(Until::Decided(enough));
             if bounds.lower < enough {
-                bounds = walls.clearance(&way.stands, Until::Within(CLOSE), WORK);
+                bounds = clearance(Until::Within(CLOSE));
             }
             if self.straddles(bounds) {
-                bounds = walls.clearance(&way.stands, Until::Within(CLOSE / 10.0), WORK);
+                bounds = clearance(Until::Within(CLOSE / 10.0));
             }
             let place = match bounds.place {
                 Some(place) => motion(place.along),
@@ -133,9 +137,9 @@ impl<'a> ClearCutting<'a> {
         let middle = Part::with(design.torus, 0.0, design.a_p);
         let walls = Walls::new(middle, design.machine, 0.0, self.turns(offset), from);
         let radius = design.mill(self.which).d / 2.0;
-        let mut least = None;
+        let (mut least, mut work) = (None, WORK);
         for way in &self.ways {
-            let bounds = walls.clearance(&way.stands, Until::Decided(half), WORK);
+            let bounds = searched(&walls, &way.stands, Until::Decided(half), &mut work);
             // A tool beside a face that it may enter by the limit keeps its axis farther off.
             if bounds.lower >= half {
                 continue;
@@ -181,6 +185,16 @@ impl<'a> ClearCutting<'a> {
         let radius = self.design.mill(self.which).d / 2.0;
         Walls::new(Part::new(self.design), self.design.machine, radius, self.turns(offset), from)
     }
+}
+
+/// The clearance along a way, with so much work at most. Where that is not enough, little comes of the other ways: they get
+/// less of it, so that what cannot be proved does not take minutes.
+fn searched(walls: &Walls, way: &[Stand], until: Until, work: &mut usize) -> Bounds {
+    let bounds = walls.clearance(way, until, *work);
+    if bounds.work >= *work {
+        *work = LESS;
+    }
+    bounds
 }
 
 impl Way {
