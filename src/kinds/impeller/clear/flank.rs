@@ -44,6 +44,19 @@ pub struct Passing {
     pub lean: f64,
 }
 
+impl Passing {
+    /// The abscissa of a tool's tip, as deep as the floor of radius r_f lets it.
+    #[must_use]
+    pub fn tip(&self, tool: &Tool, r_f: f64) -> f64 {
+        self.at - tool.below(r_f, self.m.min(widest(tool, r_f))).unwrap_or(r_f)
+    }
+}
+
+/// The greatest m for which a tip is deep enough to cut.
+fn widest(tool: &Tool, r_f: f64) -> f64 {
+    WIDEST * (r_f - tool.r_c) - tool.flat_radius()
+}
+
 /// The line through a point along a unit vector beside the circle of radius R in the centre plane, nearest near ψ.
 #[must_use]
 pub fn passing(through: &Vector3<f64>, along: &Vector3<f64>, R: f64, mut psi: f64) -> Passing {
@@ -173,19 +186,13 @@ impl FlankWay {
     /// True where the tool's end fits into the tube at v.
     #[must_use]
     pub fn fits(&self, v: f64) -> bool {
-        self.passing_at(v).m <= self.widest()
-    }
-
-    /// The farthest from K that the axis may pass.
-    fn widest(&self) -> f64 {
-        WIDEST * (self.r_f - self.tool.r_c) - self.tool.flat_radius()
+        self.passing_at(v).m <= widest(&self.tool, self.r_f)
     }
 
     /// The abscissa of the tip.
     #[must_use]
     pub fn tip(&self, v: f64, fit: &Fit) -> f64 {
-        let Passing { m, at, .. } = self.passing(v, fit);
-        at - self.tool.below(self.r_f, m.min(self.widest())).unwrap_or(self.r_f)
+        self.passing(v, fit).tip(&self.tool, self.r_f)
     }
 
     /// v on both sides from which the tool is clear of the blank by d_s. Out there its tilt away from the face has faded.

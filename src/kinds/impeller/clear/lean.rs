@@ -61,8 +61,7 @@ fn axis(lane: &OwnNormal, face: Face, q: f64, psi: f64, reach: f64) -> Axis {
     // The obverse stands on the side of growing ψ.
     let off = Vector3::new(-sin_psi, cos_psi, 0.0) * -face.side();
     let (foot, along) = (upright.foot + upright.along * upright.range[0], upright.along * cos + off * sin);
-    let pass = passing(&foot, &along, lane.torus.R, psi);
-    let low = pass.at - lane.tool.below(lane.r_f, pass.m).unwrap_or(lane.r_f);
+    let low = passing(&foot, &along, lane.torus.R, psi).tip(&lane.tool, lane.r_f);
     Axis { foot, along, range: [low, low + upright.range[1] - upright.range[0]] }
 }
 

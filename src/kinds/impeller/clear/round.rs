@@ -105,9 +105,8 @@ impl<'a> Round<'a> {
 
     /// An axis through a point, with its tip as deep as the floor lets it, K being nearest near ψ.
     fn deep(&self, foot: Vector3<f64>, along: Vector3<f64>, near: f64) -> Axis {
-        let pass = passing(&foot, &along, self.part.circle.torus.R, near);
         let r_f = self.ways[0].r_f();
-        let tip = pass.at - self.tool.below(r_f, pass.m).unwrap_or(r_f);
+        let tip = passing(&foot, &along, self.part.circle.torus.R, near).tip(&self.tool, r_f);
         Axis { foot, along, range: [tip, r_f.max(tip)] }
     }
 
