@@ -5,6 +5,7 @@ pub mod bound;
 pub mod grid;
 pub mod interval;
 pub mod jet;
+pub mod queue;
 pub mod root;
 pub mod trig;
 

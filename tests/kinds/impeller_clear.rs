@@ -149,11 +149,11 @@ fn a_tool_that_does_not_fit_at_the_hub_cuts_as_far_as_it_fits_where_the_form_adm
     let wide = [("d_t", Value::Real(8.0)), ("partly", Value::Choice("yes"))];
     let two = outcome(&wide);
     assert_eq!(End::of(&two.findings, false), End::Whole, "{:?}", two.findings);
-    assert!(told(&two, "farther in the finishing tool roughs").is_some() && told(&two, "is left uncut").is_none());
+    assert!(told(&two, "farther in the finishing tool roughs").is_some() && told(&two, "no tool reaches").is_none());
     let one = outcome(&[wide[0].clone(), wide[1].clone(), ("d_f", Value::Real(7.5))]);
     assert_eq!(End::of(&one.findings, false), End::Whole, "{:?}", one.findings);
-    let what = told(&one, "is left uncut").unwrap();
-    let share: f64 = what.split("; ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    let what = told(&one, "no tool reaches").unwrap();
+    let share: f64 = what.split("no tool reaches ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
     assert!((1.0..30.0).contains(&share), "{what}");
 }
 

@@ -1,10 +1,11 @@
 //! Before a splitter's nose no upright tool reaches the floor: the simulator of the cut judges the pass of a leaning one.
 
 use rodete::kinds::impeller::clear::cut::{Cut, Which};
-use rodete::kinds::impeller::clear::holder::{Stage, clearance};
+use rodete::kinds::impeller::clear::holder::{Blank, Stage};
 use rodete::kinds::impeller::clear::pass::Cutting;
 use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::part::Face;
+use rodete::kinds::impeller::solids::Stock;
 
 use crate::impeller_cut::{SHIPPED, judge, simulate};
 
@@ -44,18 +45,23 @@ fn a_tool_leans_nowhere_where_upright_lanes_leave_no_more_than_their_ridges() {
 }
 
 #[test]
-fn a_tool_leans_only_as_far_as_its_holder_stays_clear() {
-    let plan = |from: f64| {
-        let stages = [None, Some(Stage { radius: 20.0, from })];
-        Plan::new(&SHIPPED.job(), &Cut { stages, ..cut() }).unwrap()
+fn a_tool_leans_only_where_its_holder_stays_clear() {
+    let job = SHIPPED.job();
+    let plan = |stage| Plan::new(&job, &Cut { stages: [None, stage], ..cut() }).unwrap();
+    let stock = Stock { torus: job.part.circle.torus, length: cut().blank };
+    let blank = Blank { stock, L: job.machine.L };
+    let leaning = |plan: &Plan| {
+        let of = plan.passes.iter().filter(|pass| matches!(pass.cutting, Cutting::Leaning { .. }));
+        of.map(|pass| pass.points.clone()).collect::<Vec<_>>()
     };
-    // A holder that is clear of the blank on the faces alone, and one that is clear of it where the tool leans, too.
-    let (near, far) = (plan(19.8), plan(21.0));
-    assert_eq!((leans(&near), leans(&far)), (vec![], vec![Face::Obverse]));
-    for (plan, from) in [(near, 19.8), (far, 21.0)] {
-        let finish = &plan.told.finish;
-        let r_t = SHIPPED.r + finish.t;
-        let m = finish.stick_out - r_t - cut().d_s;
-        assert!(clearance(Stage { radius: 20.0, from }, SHIPPED.r, r_t, m) >= 0.0, "{from} {m}");
+    let passes = leaning(&plan(None));
+    let highest = blank.highest(passes.iter().map(Vec::as_slice));
+    assert!(highest > 15.0, "{highest}");
+    // Of any radius, just not above the highest place of the blank over the tip, and just above it.
+    for (from, leans) in [(highest - 0.01, 0), (highest + 0.01, 1)] {
+        let stage = Stage { radius: f64::INFINITY, from };
+        let passes = leaning(&plan(Some(stage)));
+        assert_eq!(passes.len(), leans, "{from}");
+        assert!(blank.clearance(stage, passes.iter().map(Vec::as_slice)) >= 0.0, "{from}");
     }
 }

@@ -30,9 +30,11 @@ use std::sync::{Mutex, PoisonError};
 use nalgebra::{Vector2, Vector3};
 use rustc_hash::FxHashMap;
 
+use crate::kinds::impeller::limit::Limit;
 use crate::kinds::impeller::part::{Face, HUB, Part, Piece, RIM, Ruling};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::{Rotary, Turned};
+use crate::number::queue::Waiting;
 use crate::number::trig::hypot;
 
 /// How close the bounds are brought to each other, mm.
@@ -155,35 +157,6 @@ struct End {
     turned: Turned,
 }
 
-/// A cell that waits, with the lower bound of the distance from the axis; its number among the cells is its age.
-#[derive(Clone, Copy, Debug)]
-struct Waiting {
-    bound: f64,
-    cell: usize,
-    in_time: bool,
-}
-
-impl PartialEq for Waiting {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Waiting {}
-
-impl PartialOrd for Waiting {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Waiting {
-    // The least bound is the greatest, so that the heap gives it first; the older of equal ones.
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        other.bound.total_cmp(&self.bound).then(other.cell.cmp(&self.cell))
-    }
-}
-
 /// The least of the straight line from `one` to `other` less k·s(1 − s)/2.
 fn sagging(one: f64, other: f64, k: f64) -> f64 {
     let rise = (other - one).abs();
@@ -196,45 +169,6 @@ fn from_axis(from: Vector2<f64>, along: Vector2<f64>, limits: [f64; 2]) -> (f64,
     let free = if square > 0.0 { from.dot(&along) / square } else { limits[0] };
     let h = free.max(limits[0].min(limits[1])).min(limits[0].max(limits[1]));
     ((from - along * h).norm(), h)
-}
-
-/// Limits of h at the corners of a cell, by time and v, and how much they change along each.
-#[derive(Clone, Copy, Debug)]
-struct Limit {
-    h: [[f64; 2]; 2],
-    changes: [f64; 2],
-}
-
-impl Limit {
-    const fn level(h: f64) -> Self {
-        Self { h: [[h; 2]; 2], changes: [0.0; 2] }
-    }
-
-    /// Straight between four values.
-    fn through(h: [[f64; 2]; 2]) -> Self {
-        let in_time = (h[1][0] - h[0][0]).abs().max((h[1][1] - h[0][1]).abs());
-        let in_v = (h[0][1] - h[0][0]).abs().max((h[1][1] - h[1][0]).abs());
-        Self { h, changes: [in_time, in_v] }
-    }
-
-    fn moved(mut self, by: f64) -> Self {
-        for h in &mut self.h {
-            h[0] += by;
-            h[1] += by;
-        }
-        self
-    }
-
-    fn within(&self, depths: [f64; 2]) -> bool {
-        let held = |h: f64| h >= depths[0] && h <= depths[1];
-        let [[a, b], [c, d]] = self.h;
-        held(a) && held(b) && held(c) && held(d)
-    }
-
-    fn sum(&self) -> f64 {
-        let [[a, b], [c, d]] = self.h;
-        a + b + c + d
-    }
 }
 
 /// The rulings between two v of a piece.
@@ -323,12 +257,12 @@ impl Search<'_> {
             for (piece, of) in self.walls.pieces.iter().enumerate() {
                 let cell = Cell { time: whole, ends, turn, piece, v: of.v, span: self.span(piece, of.v) };
                 if let Some((bound, in_time)) = self.evaluate(&cell) {
-                    heap.push(Waiting { bound, cell: cells.len(), in_time });
+                    heap.push(Waiting { bound, order: cells.len(), what: in_time });
                     cells.push(cell);
                 }
             }
         }
-        while let Some(Waiting { bound, cell, in_time }) = heap.pop() {
+        while let Some(Waiting { bound, order: cell, what: in_time }) = heap.pop() {
             let lost = matches!(until, Until::Decided(asked) if self.seen.0 - radius < asked);
             if bound >= enough(self.seen.0) || lost || self.work >= budget {
                 return bound;
@@ -337,7 +271,7 @@ impl Search<'_> {
                 if let Some((bound, in_time)) = self.evaluate(&cell)
                     && bound < self.seen.0
                 {
-                    heap.push(Waiting { bound, cell: cells.len(), in_time });
+                    heap.push(Waiting { bound, order: cells.len(), what: in_time });
                     cells.push(cell);
                 }
             }

@@ -22,6 +22,7 @@ mod form_sketch;
 pub mod gap;
 pub mod header;
 pub mod ideal;
+mod limit;
 mod live_form;
 mod live_lines;
 mod measures;
@@ -326,7 +327,7 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
             ["R_B + H", "R_B + H"],
         )
         .by("derived_L", "spindle_height_R_B+height_H"),
-        quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["ec. (6)", "eq. (6)"])
+        quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["TFG, ec. (6)", "thesis, eq. (6)"])
             .by("derived_k", "SQRT((torus_R-meridian_r)*(torus_R+meridian_r))"),
         quantity(
             "alpha",
@@ -352,7 +353,7 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
             "Half width of blade and tool",
             design.w(),
             mm,
-            ["(e + d_t)/2, ecs. (20) y (21)", "(e + d_t)/2, eqs (20) and (21)"],
+            ["(e + d_t)/2, TFG, ecs. (20) y (21)", "(e + d_t)/2, thesis, eqs (20) and (21)"],
         )
         .by("derived_w", "(thickness_e+tool_diameter_d_t)/2"),
         quantity(
@@ -361,7 +362,7 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
             "Least gap between blades, as published",
             least_gap(d_t),
             mm,
-            ["4/3·d_t, sección 4.2.2", "4/3·d_t, section 4.2.2"],
+            ["4/3·d_t, TFG, sección 4.2.2", "4/3·d_t, thesis, section 4.2.2"],
         )
         .by("derived_d", "tool_diameter_d_t*4/3"),
         quantity(
@@ -379,7 +380,7 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
             "Maximum number of blades, as published",
             N_max(torus, a_p, e, d_t),
             Unit::Count,
-            ["ec. (34)", "eq. (34)"],
+            ["TFG, ec. (34)", "thesis, eq. (34)"],
         )
         .by("derived_N_max", "INT(2*PI()*(torus_R-meridian_r-depth_a_p)/(thickness_e+derived_d))"),
         quantity(
@@ -388,7 +389,7 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
             "Maximum blade thickness, as published",
             e_max(torus, a_p, design.N, d_t),
             mm,
-            ["ec. (35)", "eq. (35)"],
+            ["TFG, ec. (35)", "thesis, eq. (35)"],
         )
         .by("derived_e_max", "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-derived_d"),
         quantity(
@@ -397,7 +398,10 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
             "True gap: largest tool that passes between the blades",
             limits.gap.width,
             mm,
-            ["2·mín máx mín(D_a, D_r); eje de la fresa a las caras", "2·min max min(D_o, D_r); tool axis to the faces"],
+            [
+                "el doble de lo que el eje de la fresa se aparta de las caras en el paso más estrecho",
+                "twice the distance of the tool axis from the faces at the narrowest place",
+            ],
         ),
         quantity(
             "beta",
@@ -405,7 +409,7 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
             "Inclination β of the blade's end",
             passes.entry.beta.to_degrees(),
             Unit::Degree,
-            ["ec. (23) corregida", "eq. (23) corrected"],
+            ["TFG, ec. (23) corregida", "thesis, eq. (23) corrected"],
         )
         .by("derived_beta", "[annex-8.β first]"),
         quantity(
@@ -414,7 +418,7 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
             "Turn between blades",
             360.0 / f64::from(design.N),
             Unit::Degree,
-            ["ec. (22)", "eq. (22)"],
+            ["TFG, ec. (22)", "thesis, eq. (22)"],
         )
         .by("derived_pitch", "360/blades_N"),
         quantity(
@@ -490,7 +494,7 @@ pub(in crate::kinds::impeller) fn quantity(
 #[expect(clippy::cast_precision_loss, reason = "counts of points")]
 fn crossings(splitter: &Splitter) -> Vec<Quantity> {
     let Splitter { out, back, .. } = splitter;
-    let section = ["sección 4.3", "section 4.3"];
+    let section = ["TFG, sección 4.3", "thesis, section 4.3"];
     let room = ["donde la herramienta libra al vecino", "where the tool clears the neighbour"];
     match splitter.fade {
         Fade::Published => vec![

@@ -33,6 +33,7 @@ use nalgebra::Vector3;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::solids::Stock;
+use crate::number::queue::Waiting;
 use crate::number::trig::{atan2, cos, hypot, sin_cos};
 
 /// How close the bounds are brought to each other, mm.
@@ -77,37 +78,6 @@ struct Cell {
     end: bool,
     /// Time, angle and part, from and to.
     sides: [[f64; 2]; 3],
-}
-
-/// A cell that waits.
-#[derive(Clone, Copy, Debug)]
-struct Waiting {
-    bound: f64,
-    order: usize,
-    cell: Cell,
-    /// Which side of it is to be halved.
-    across: usize,
-}
-
-impl PartialEq for Waiting {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Waiting {}
-
-impl PartialOrd for Waiting {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Waiting {
-    // The least bound is the greatest, so that the heap gives it first; the older of equal ones.
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        other.bound.total_cmp(&self.bound).then(other.order.cmp(&self.order))
-    }
 }
 
 /// A lower bound, and what time, angle and part take from it.
@@ -163,15 +133,15 @@ impl Search<'_> {
     fn run(&mut self, budget: usize) -> f64 {
         let mut heap = BinaryHeap::new();
         let mut order = 0;
-        let mut wait = |search: &mut Self, heap: &mut BinaryHeap<Waiting>, cell: Cell| {
+        let mut wait = |search: &mut Self, heap: &mut BinaryHeap<Waiting<(Cell, usize)>>, cell: Cell| {
             let (bound, across) = search.evaluate(&cell);
             order += 1;
-            heap.push(Waiting { bound, order, cell, across });
+            heap.push(Waiting { bound, order, what: (cell, across) });
         };
         for end in [true, false] {
             wait(self, &mut heap, Cell { end, sides: [[0.0, 1.0], [0.0, TAU], [0.0, 1.0]] });
         }
-        while let Some(Waiting { bound, cell, across, .. }) = heap.pop() {
+        while let Some(Waiting { bound, what: (cell, across), .. }) = heap.pop() {
             if bound >= self.enough() || self.work >= budget {
                 return bound;
             }

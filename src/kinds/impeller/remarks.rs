@@ -54,8 +54,8 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
     }
     let moves = made.limited.by_axis;
     if moves > 0 {
-        let told = FeedReduced { moves }.at(at(&["F", "F_max"]));
-        findings.push(told.with(moves.to_string(), format!("{} mm/min", shown(design.F_max.unwrap_or(0.0), 3))));
+        let most = Size::number(design.F_max.unwrap_or(0.0), 3);
+        findings.push(FeedReduced { moves, most }.at(at(&["F", "F_max"])));
     }
     let moves = made.limited.by_format;
     if moves > 0 {

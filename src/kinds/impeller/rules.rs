@@ -173,9 +173,9 @@ rules! {
         why "Con los cinco ejes a la vez, un eje lineal puede tener que ir mucho más deprisa que la punta.",
             "With five axes moving together, a linear axis may have to go much faster than the tip.";
         example book!("impeller --case full", "F_max" = "");
-    "P1026" FeedReduced Note { moves: usize }
-        es "rodete reduce el avance en {moves} movimientos para que ningún eje pase de F_max"
-        en "rodete reduces the feed in {moves} moves so that no axis exceeds F_max"
+    "P1026" FeedReduced Note { moves: usize, most: Size }
+        es "rodete reduce el avance en {moves} movimientos para que ningún eje pase de F_max = {most} mm/min"
+        en "rodete reduces the feed in {moves} moves so that no axis exceeds F_max = {most} mm/min"
         remedy "", "";
         why "Un eje al que se pide demasiado se retrasa, y la punta se sale de su trayectoria.",
             "An axis that is asked to go too fast lags, and the tip leaves its path.";
@@ -334,4 +334,11 @@ rules! {
         why "Quien leyó ese nombre pudo escribir la de una fresa, y la longitud de pivote saldría de ella.",
             "A reader of that name may have typed the length of an end mill, and the pivot length would follow from it.";
         example Example::Made { key: "schema-1", how: t("un libro de rodete-impeller 1", "a workbook of rodete-impeller 1") };
+    "P1048" SpindleNotStarted Caution {}
+        es "start_codes no lleva M3 ni M4: ningún bloque de los programas arranca el husillo"
+        en "start_codes has neither M3 nor M4: no block of the programs starts the spindle"
+        remedy "escriba M3 en start_codes, o arranque el husillo antes de cada programa",
+            "write M3 into start_codes, or start the spindle before each program";
+        why "Una fresa que no gira se rompe en el primer corte.", "A cutter that does not turn breaks in the first cut.";
+        example book!("impeller --case full", "start_codes" = "M11 M13");
 }

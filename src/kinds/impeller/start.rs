@@ -1,4 +1,4 @@
-//! What a person must know before an impeller's program is started: rotary axes, clamps, coolant, and where the tool stands.
+//! What a person must know before an impeller's program is started: rotary axes, clamps, spindle, coolant, and where the tool stands.
 
 use crate::finding::{Finding, Place, Raise};
 use crate::gcode::control::Rotary;
@@ -6,7 +6,7 @@ use crate::gcode::word::{Distance, Number, Word};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::rules::{
     AnnexByIncrements, ClampsMissing, ClampsOfBuilder, IncrementsFromZero, NoCoolant, NoRetract, OnLinearAxes,
-    OnLinearAxesUnproved, RetractIsAssumed, TurnsByIncrements,
+    OnLinearAxesUnproved, RetractIsAssumed, SpindleNotStarted, TurnsByIncrements,
 };
 
 /// The codes that the published programs release the clamps of the rotary axes with; the machine's builder defined them.
@@ -27,6 +27,9 @@ pub(super) fn start(design: &Design) -> Vec<Finding> {
     match design.control.rotary.delivered {
         Rotary::Rollover => findings.push(clamps(design)),
         Rotary::Linear => {}
+    }
+    if !holds(&design.start_codes, 'M', 3) && !holds(&design.start_codes, 'M', 4) {
+        findings.push(SpindleNotStarted {}.at(at(&["start_codes"])));
     }
     if design.coolant.is_empty() {
         findings.push(NoCoolant {}.at(at(&["coolant"])));

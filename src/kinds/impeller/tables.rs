@@ -300,6 +300,13 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
         &plan(&neighbour),
         turned,
     ));
+    let in_spanish = ["x_propia", "y_propia", "x_vecina", "y_vecina"].into_iter().zip(columns);
+    let columns = in_spanish
+        .map(|(es, mut column)| {
+            column.symbol.es = es.into();
+            column
+        })
+        .collect();
     let intersection = Table {
         key: "intersection",
         name: t("Intersección", "Intersection"),

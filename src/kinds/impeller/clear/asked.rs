@@ -88,6 +88,7 @@ impl Asked {
             tolerance: tolerance - rounding(plain.machine.L, plain.torus.R),
             feed: fields.get(&fields::FEED_CHANGE),
             d_s: plain.d_s,
+            blank: plain.blank.L_b,
             spindle: if counterclockwise { Spindle::Counterclockwise } else { Spindle::Clockwise },
             partly: fields.get(&fields::PARTLY),
             splitters: plain.splitters,

@@ -58,6 +58,8 @@ pub struct Cut {
     pub feed: Option<f64>,
     /// d_s, how far the tool runs clear of the blank.
     pub d_s: f64,
+    /// L_b, how long the turned blank is.
+    pub blank: f64,
     /// Which way the spindle turns.
     pub spindle: Spindle,
     /// A tool that does not fit all the way to the hub cuts as far as it fits.
@@ -85,6 +87,7 @@ impl Cut {
             tolerance: 0.01,
             feed: None,
             d_s: 5.0,
+            blank: 40.0,
             spindle: Spindle::Clockwise,
             partly: false,
             splitters: false,

@@ -13,8 +13,8 @@ use crate::kinds::impeller::clear::contour::{self, Contour};
 use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
 use crate::kinds::impeller::clear::fit::FADES;
 use crate::kinds::impeller::clear::flank::FlankWay;
-use crate::kinds::impeller::clear::floor_rest::{FloorLook, FloorRest};
-use crate::kinds::impeller::clear::holder::stick_out;
+use crate::kinds::impeller::clear::floor_rest::FloorLook;
+use crate::kinds::impeller::clear::holder::Blank;
 use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
 use crate::kinds::impeller::clear::link::{End, link, up};
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
@@ -29,6 +29,7 @@ use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::gap::over_tops;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, RIM};
+use crate::kinds::impeller::solids::Stock;
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::trig::{atan2, hypot, sin_cos};
 
@@ -114,8 +115,6 @@ pub(super) struct Draft<'a> {
     pub(super) at_rim: bool,
     pub(super) dropped: Vec<Dropped>,
     pub(super) feed_error: [f64; 2],
-    /// How far from K an axis that leans passes at most, mm.
-    pub(super) leant: f64,
 }
 
 /// Lanes that are run one after the other.
@@ -160,6 +159,24 @@ pub(super) struct Wanted {
     pub(super) rim_slot: bool,
     /// Nothing of it is run before this station.
     pub(super) from: f64,
+}
+
+impl Wanted {
+    /// A pass at the full feed that climbs, from end to end.
+    pub(super) const fn new(cutting: Cutting, tool: Which, direction: Direction, points: Vec<Stand>) -> Self {
+        Self {
+            cutting,
+            tool,
+            direction,
+            mode: Mode::Climb,
+            feed: 1.0,
+            points,
+            dead_end: false,
+            on_lane: false,
+            rim_slot: false,
+            from: f64::NEG_INFINITY,
+        }
+    }
 }
 
 impl Draft<'_> {
@@ -360,16 +377,12 @@ impl Draft<'_> {
                     let mode = if first || 2 * j == K { Mode::Slot } else { self.mode(side(j), direction) };
                     let half = usize::from(side(j) == Face::Reverse);
                     let wanted = Wanted {
-                        cutting: cutting(j),
-                        tool,
-                        direction,
                         mode,
                         feed: if first { SLOT_FEED } else { 1.0 },
-                        points: Vec::new(),
-                        dead_end: false,
                         on_lane: true,
                         rim_slot: open[half],
                         from,
+                        ..Wanted::new(cutting(j), tool, direction, Vec::new())
                     };
                     if self.lane(contacts, part_of(j), &kept, &wanted) {
                         open[half] = false;
@@ -509,35 +522,13 @@ impl Draft<'_> {
         }
         let placed = self.tolerance(tool, height).place(&way, &pieces, self.most());
         let points = placed.into_iter().map(|(_, stand)| stand).collect();
-        self.add(Wanted {
-            cutting,
-            tool,
-            direction: Direction::Round,
-            mode: Mode::Climb,
-            feed: 1.0,
-            points,
-            dead_end: false,
-            on_lane,
-            rim_slot: false,
-            from: f64::NEG_INFINITY,
-        });
+        self.add(Wanted { on_lane, ..Wanted::new(cutting, tool, Direction::Round, points) });
     }
 
     fn flank(&mut self, way: &FlankWay, cutting: Cutting, turn: f64, from: f64, kept: &[[f64; 2]], by: By) {
         let machine = self.job.machine;
         let direction = self.climbing(way.face());
-        let wanted = Wanted {
-            cutting,
-            tool: Which::Finish,
-            direction,
-            mode: Mode::Climb,
-            feed: 1.0,
-            points: Vec::new(),
-            dead_end: false,
-            on_lane: false,
-            rim_slot: false,
-            from: f64::NEG_INFINITY,
-        };
+        let wanted = Wanted::new(cutting, Which::Finish, direction, Vec::new());
         // A splitter's way has no open end at the hub.
         let begin = if from > HUB { f64::NEG_INFINITY } else { from };
         let mut breaks = vec![begin];
@@ -553,15 +544,13 @@ impl Draft<'_> {
         self.run(&wanted, &way, kept, by);
     }
 
-    /// What the finishing tool leaves of the floor, in the corners, and above them, when it has leant where that leaves less.
-    pub(super) fn rests(&mut self, contacts: &Contacts, lanes: u32, faces: [FaceError; 2]) -> (FloorRest, Root) {
+    /// What the finishing tool leaves of the floor, `None` of a plan that is refused; in the corners, and above them.
+    pub(super) fn rests(&self, lanes: u32, faces: [FaceError; 2]) -> (Option<FloorLook>, Root) {
         let (part, tool) = (&self.job.part, self.cut.finish);
-        let (beside, over) = (BESIDE + tool.r_c, self.cut.scallop + self.cut.tolerance);
-        // Nothing is known of a plan that is refused.
+        let (beside, over) = (self.beside(), self.cut.scallop + self.cut.tolerance);
         if self.full() {
             let (most, v) = (part.a_p, HUB);
-            let root = Root { over, height: most, v, width: most, width_v: v, above: most };
-            return (FloorRest { beside, most, v, psi: 0.0 }, root);
+            return (None, Root { over, height: most, v, width: most, width_v: v, above: most });
         }
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
         let poses = Poses::along(self.job.machine, passes);
@@ -583,16 +572,28 @@ impl Draft<'_> {
             root
         };
         let (look, root) = rayon::join(floor, corner);
-        (self.lean(contacts, look), root)
+        (Some(look), root)
     }
 
-    pub(super) fn tool(&self, which: Which, lane: &OwnNormal, lanes: u32, levels: u32, m: f64) -> ToolTold {
+    /// From which distance to the faces on a rest counts as one on the floor.
+    pub(super) fn beside(&self) -> f64 {
+        BESIDE + self.cut.finish.r_c
+    }
+
+    /// The turned blank on the machine.
+    pub(super) fn blank(&self) -> Blank {
+        let stock = Stock { torus: self.job.part.circle.torus, length: self.cut.blank };
+        Blank { stock, L: self.job.machine.L }
+    }
+
+    pub(super) fn tool(&self, which: Which, lane: &OwnNormal, lanes: u32, levels: u32) -> ToolTold {
         let (r, r_t) = (lane.torus.r, lane.below(0.0));
+        let passes = self.passes.iter().filter(|pass| pass.tool == which).map(|pass| pass.points.as_slice());
         ToolTold {
             t: r_t - r,
             lanes,
             levels,
-            stick_out: stick_out(r_t, m, self.cut.d_s),
+            stick_out: self.blank().highest(passes) + self.cut.d_s,
             feed_error: self.feed_error[usize::from(which == Which::Finish)],
         }
     }

@@ -198,7 +198,7 @@ pub(in crate::kinds::impeller) static PARTLY: Field<bool, Usual> = Field::choice
     "cut_partly",
     t("Cortar hasta donde quepa la fresa", "Cut as far as the tool fits"),
     t(
-        "Solo con method = clear; yes: si la fresa no llega al cubo, se corta desde el borde hasta donde cabe y se dice cuánto queda. Vacía: no, se rechaza",
+        "Solo con method = clear; sí: si la fresa no llega al cubo, se corta desde el borde hasta donde cabe y se dice cuánto queda. Vacía: no, se rechaza",
         "Only with method = clear; yes: if a tool does not fit as far as the hub, it cuts from the rim to where it fits, and what is left is told. Empty: no, it is rejected",
     ),
 );

@@ -22,7 +22,6 @@ use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::clear::draft::{Draft, Wanted};
 use crate::kinds::impeller::clear::flank::{passing, stand};
 use crate::kinds::impeller::clear::floor_rest::{FloorLook, FloorRest};
-use crate::kinds::impeller::clear::holder::clearance;
 use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
 use crate::kinds::impeller::clear::pass::{Cutting, Direction};
 use crate::kinds::impeller::clear::pieces::parts;
@@ -49,11 +48,6 @@ fn angle(lane: &OwnNormal, q: f64) -> f64 {
     MORE * lane.tool.flat_radius() / 2.0 * (1.0 / r_t - cos_v / rho).max(0.0)
 }
 
-/// How far from K the leaning axis passes at most: it goes through the tip, r_t from K, at an angle that is greatest at the hub.
-fn off(lane: &OwnNormal) -> f64 {
-    lane.below(0.0) * sin_cos(angle(lane, 0.0)).0
-}
-
 /// The axis of the tool at a station and an angle about the part, leaning off the wall of a face; as high as an upright one.
 fn axis(lane: &OwnNormal, face: Face, q: f64, psi: f64, reach: f64) -> Axis {
     let upright = lane.axis(q, psi, reach);
@@ -75,37 +69,34 @@ impl Draft<'_> {
     /// Where more is left on the floor than ridges and tolerance are, runs an outermost lane again, the tool leaning off its
     /// wall, from the hub to a little past that place and back, if that takes it away and the holder stays clear; what is
     /// left then.
-    pub(super) fn lean(&mut self, contacts: &Contacts, mut look: FloorLook) -> FloorRest {
+    pub(super) fn lean(&mut self, contacts: &Contacts, look: Option<FloorLook>) -> FloorRest {
+        let Some(mut look) = look else {
+            return FloorRest { beside: self.beside(), most: self.job.part.a_p, v: HUB, psi: 0.0 };
+        };
         let wanted = self.cut.scallop + self.cut.tolerance;
         let mut floor = look.most();
-        let (lane, off) = (contacts.lane, off(&contacts.lane));
-        let holder_clear = |stage| clearance(stage, lane.torus.r, lane.below(0.0), off) >= 0.0;
-        let may = lane.tool.flat_radius() > 0.0
-            && self.finish_from <= 0.0
-            && self.cut.stage(Which::Finish).is_none_or(holder_clear);
+        let lane = contacts.lane;
+        let may = lane.tool.flat_radius() > 0.0 && self.finish_from <= 0.0;
+        let (blank, holder) = (self.blank(), self.cut.stage(Which::Finish));
+        let holder_clear = |points: &Vec<Stand>| {
+            holder.is_none_or(|stage| blank.clearance(stage, std::iter::once(points.as_slice())) >= 0.0)
+        };
         let mut faces = Face::ALL.to_vec();
         while may && floor.most > wanted && !self.full() {
             let to = (floor.v - HUB + lane.spread()) / FRAC_PI_2 + PAST;
-            let ways = faces.iter().filter_map(|&face| {
-                let points = self.leaning(contacts, face, to)?;
+            let found = faces.iter().find_map(|&face| {
+                let points = self.leaning(contacts, face, to).filter(holder_clear)?;
                 let poses = Poses::along(self.job.machine, std::iter::once(points.as_slice()));
                 (look.left_by(&poses, &floor) <= wanted).then_some((face, points, poses))
             });
-            let Some((face, points, poses)) = { ways }.next() else { break };
+            let Some((face, points, poses)) = found else { break };
+            let (cutting, direction) = (Cutting::Leaning { face }, Direction::Outwards);
             self.add(Wanted {
-                cutting: Cutting::Leaning { face },
-                tool: Which::Finish,
-                direction: Direction::Outwards,
-                mode: self.mode(face, Direction::Outwards),
-                feed: 1.0,
-                points,
+                mode: self.mode(face, direction),
                 dead_end: true,
-                on_lane: false,
-                rim_slot: false,
-                from: f64::NEG_INFINITY,
+                ..Wanted::new(cutting, Which::Finish, direction, points)
             });
             self.done();
-            self.leant = off;
             look.cut_by(poses);
             floor = look.most();
             faces.retain(|&one| one != face);
@@ -157,7 +148,6 @@ mod tests {
                     let psi = 1.3;
                     let (axis, upright) = (axis(&lane, face, q, psi, 3.0), lane.axis(q, psi, 3.0));
                     let pass = passing(&axis.foot, &axis.along, R, psi);
-                    assert!(pass.m <= off(&lane) + 1e-9, "{R} {r} {tool:?} {face:?} {q} {}", pass.m);
                     // Beyond that place it is no nearer to the blank than r less what it passes at.
                     for step in 0..60 {
                         let point = axis.foot + axis.along * (pass.at + f64::from(step));

@@ -94,7 +94,6 @@ impl Plan {
             at_rim: false,
             dropped: Vec::new(),
             feed_error: [0.0; 2],
-            leant: 0.0,
         };
         let (rough_lanes, levels) = draft.rough(&rough, Which::Rough, begin(rough_from));
         draft.done();
@@ -118,11 +117,13 @@ impl Plan {
 
         let steps = f64::from(floor_lanes);
         let faces = [face_error(&ways[0]), face_error(&ways[1])];
-        let (floor, root) = draft.rests(&finish, floor_lanes, faces);
+        // The corners are those that stay without the leaning pass: it takes no more than they tell.
+        let (look, root) = draft.rests(floor_lanes, faces);
+        let floor = draft.lean(&finish, look);
         let told = Told {
             gap: gap(part, job.N, cut.finish.d).width,
-            rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels, 0.0),
-            finish: draft.tool(Which::Finish, &finish.lane, floor_lanes + 1, 1, widest(&ways).max(draft.leant)),
+            rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels),
+            finish: draft.tool(Which::Finish, &finish.lane, floor_lanes + 1, 1),
             scallop: finish.greatest(|q| ridge(&finish, q).height(finish.room(q).max(0.0) / steps)),
             floor,
             root,
@@ -243,17 +244,6 @@ fn splitter_start(job: &Job, cut: &Cut, rest: &Contacts, ways: &[Vec<FlankWay>; 
         contour::room(&job.part, rest, cut.s, v_s) >= 0.0
             && Round::new(&job.part, cut, [obverse, reverse], v_s).is_clear(pitch, -pitch / 2.0)
     })
-}
-
-/// The farthest that a flank's axis passes K, mm.
-fn widest(ways: &[Vec<FlankWay>; 2]) -> f64 {
-    let places = |way: &FlankWay| {
-        (0..=LOOKS)
-            .map(|look| HUB + (RIM - HUB) * f64::from(look) / f64::from(LOOKS))
-            .map(|v| way.passing_at(v).m)
-            .fold(0.0, f64::max)
-    };
-    ways.iter().flatten().map(places).fold(0.0, f64::max)
 }
 
 /// What the ways along a face leave of it.

@@ -4,7 +4,7 @@ use crate::finding::{Finding, Place, Raise, Said, Size};
 use crate::kinds::impeller::clear::asked::{Asked, rounding};
 use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
-use crate::kinds::impeller::clear::holder::clearance;
+use crate::kinds::impeller::clear::holder::Blank;
 use crate::kinds::impeller::clear::pass::Cutting;
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::root::largest;
@@ -14,6 +14,7 @@ use crate::kinds::impeller::clear::told::{By, Dropped, ToolTold};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters::NUMBERS;
 use crate::kinds::impeller::part::{HUB, RIM};
+use crate::kinds::impeller::solids::Stock;
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::shown;
 use crate::text::{Language, Text, t};
@@ -121,11 +122,11 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
         let cells: &[&'static str] = if asked.given.0.is_some() { &[key, "d_h"] } else { &["l_t", "l_f", "d_h"] };
         findings.extend(too_long(tool_name(which), plan.all_blocks(which) as u64));
         let Some(stage) = asked.cut.stage(which) else { continue };
-        let tool = of(plan, which);
-        let r_t = tool.t + design.torus.r;
-        let found = clearance(stage, design.torus.r, r_t, tool.stick_out - r_t - design.d_s);
+        let stock = Stock { torus: design.torus, length: design.blank.L_b };
+        let blank = Blank { stock, L: design.machine.L };
+        let found = blank.clearance(stage, plan.of(which).map(|pass| pass.points.as_slice()));
         if found < 0.0 {
-            let enough = enough(tool.stick_out);
+            let enough = enough(of(plan, which).stick_out);
             let clearance = Size::mm((-found * 1000.0).ceil() / 1000.0);
             let (tool, from, place) = (tool_name(which), Size::mm(stage.from), at(cells));
             let told = if found.is_finite() {

@@ -116,8 +116,8 @@ rules! {
         why "La cara solo se acaba por encima del radio de esquina.", "A face is finished only above the corner radius.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "c_s" = "0.1", "r_c" = "3");
     "P1219" CutPartly Caution { from: Size, uncut: Size }
-        es "los canales se cortan del borde hasta el {from} % del camino desde el cubo; queda sin cortar el {uncut} %"
-        en "the channels are cut from the rim to {from} % of the way from the hub; {uncut} % is left uncut"
+        es "los canales se cortan del borde hasta el {from} % del camino desde el cubo; más adentro ninguna fresa llega al {uncut} % de su superficie torneada"
+        en "the channels are cut from the rim to {from} % of the way from the hub; farther in no tool reaches {uncut} % of their turned surface"
         remedy "corte el resto con una herramienta menor", "cut the rest with a smaller tool";
         why "Más cerca del cubo la herramienta no cabe entre los álabes.", "Nearer to the hub the tool does not fit between the blades.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8");

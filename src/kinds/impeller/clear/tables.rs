@@ -171,7 +171,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             "Largest roughing tool that passes between the blades",
             (told.gap - 2.0 * asked.cut.s).max(0.0),
             mm,
-            ["separación real − 2·s_w", "true gap − 2·s_w"],
+            ["separación de las caras hasta el fondo − 2·s_w", "gap of the faces down to the floor − 2·s_w"],
         ),
         quantity(
             "t_rough",
@@ -247,7 +247,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
         ),
         quantity(
             "floor_rest",
-            "Resto en el fondo, a más de 0.4 mm más el radio de esquina de la fresa de las caras, aproximado",
+            "Resto en el fondo, aproximado, lejos de las caras: a más de 0.4 mm y el radio de esquina de la fresa",
             "Rest on the floor, farther than 0.4 mm plus the tool's corner radius from the faces, approximate",
             told.floor.most,
             mm,

@@ -339,7 +339,7 @@ impl Judge for ClearCutting<'_> {
         if let Some(found) = floor {
             // A stretch counts its positions from the one after the first.
             let at = self.ways.get(found.track).map(|way| way.place(motion((found.x + 1.0).max(0.0)))).or(at);
-            let name = t("Fondo: lo más hondo por debajo", "Floor: the deepest below it");
+            let name = t("Fondo: lo que más baja de a_p", "Floor: the deepest below a_p");
             let value = Text::same(format!("≤ {}", mm(up(found.most))));
             let asked = Question::new("floor", name, program)
                 .showing(value, Text::same(mm(limit)))

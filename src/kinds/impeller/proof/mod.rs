@@ -138,9 +138,10 @@ pub fn due(design: &Design, program: &Program) -> &'static [&'static str] {
         "blank" => blank::due(design),
         "rough" | "finish" if design.splitters => CLEAR_SPLITTERS,
         "rough" | "finish" => CLEAR,
-        "blade" | "splitter" => FIRST,
-        // Its tracks were measured in theirs.
-        _ => MILLING,
+        // Its tracks were measured in those of blade and splitter.
+        "impeller" => MILLING,
+        // All that is asked of any: a program that is not known here is stopped.
+        _ => FIRST,
     }
 }
 
