@@ -327,7 +327,7 @@ proptest! {
                 prop_assert_eq!(refusal.exit, Exit::Refused);
                 // Of a pipe so thin that once round it is too many degrees for the F word of G94.
                 let fast = dialect == "fagor-8055" && F * 360.0 / (TAU / 2.0 * d) > 99_999.999;
-                let known = |one: &Finding| one.what.en.contains("kerf") || fast && one.is(FasterThanFWord::RULE);
+                let known = |one: &Finding| one.what.en.contains("kerf") || one.what.en.contains("lead-in") || fast && one.is(FasterThanFWord::RULE);
                 prop_assert!(refusal.findings.iter().all(known), "{:?}", refusal.findings);
                 return Ok(());
             }

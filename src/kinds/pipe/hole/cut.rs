@@ -256,7 +256,7 @@ pub fn cut(design: &Design) -> Result<Option<Cut>, OutOfFormat> {
     // Over the beginning once more.
     let (mut left, mut alpha) = (design.overcut, TAU);
     // A last piece that is hardly there would be a move too short for its F word.
-    while left > 0.05 && alpha < 1.2 * TAU {
+    while left > 0.05 && alpha < 2.0 * TAU {
         let step = TAU / 720.0;
         let (Some(here), Some(next)) = (groove.at(alpha), groove.at(alpha + step)) else { return Ok(None) };
         let length = (root(&next, groove.beside) - root(&here, groove.beside)).norm();

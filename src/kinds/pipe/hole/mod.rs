@@ -272,8 +272,20 @@ fn quantities(
             t("asen(g0/√(d0² + r_g²)) + atan(r_g/d0)", "asin(g0/√(d0² + r_g²)) + atan(r_g/d0)"),
         )
         .by("derived_sigma_0", "DEGREES(ASIN(least_gap_g0/SQRT(height_d0^2+nozzle_r_g^2))+ATAN(nozzle_r_g/height_d0))"),
-        quantity("sigma_min", t("σ mínimo", "Minimum σ"), least(|one| one.sigma).to_degrees(), Unit::Degree, t("", "")),
-        quantity("D_most", t("Altura máxima D", "Maximum height D"), most(|one| one.D), mm, t("", "")),
+        quantity(
+            "sigma_min",
+            t("σ mínimo de la tabla", "Minimum σ of the table"),
+            least(|one| one.sigma).to_degrees(),
+            Unit::Degree,
+            t("", ""),
+        ),
+        quantity(
+            "D_most",
+            t("Altura D máxima de la tabla", "Maximum height D of the table"),
+            most(|one| one.D),
+            mm,
+            t("", ""),
+        ),
     ];
     if !account.untimed && account.seconds > 0.0 {
         let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");

@@ -1,11 +1,12 @@
 //! The program of the hole.
 
-use crate::gcode::control::{FeedLaw, Rotary};
+use crate::gcode::control::FeedLaw;
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::Program;
 use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::gcode::writer::Writer;
+use crate::kinds::pipe::counted;
 use crate::kinds::pipe::hole::cut::{Cut, Follows, Leg, Place};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::insert::program::TRUE_FOR_BOTH;
@@ -30,14 +31,10 @@ pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
     design.written.writing.height.words(on)
 }
 
-/// How the program turns A, B and C: where the control's rotary axes are rollover as delivered, the number of an absolute
-/// word would be an angle from 0 to 360 and its sign the direction. Increments are the same motions on either axis.
+/// How the program turns A, B and C.
 #[must_use]
 pub fn distance(design: &Design) -> Distance {
-    match design.control.rotary.delivered {
-        Rotary::Rollover => Distance::Incremental,
-        Rotary::Linear => Distance::Absolute,
-    }
+    counted(design.control.rotary.delivered)
 }
 
 /// The words of a move between two places: all axes where it goes to, or those that move, and by how much.

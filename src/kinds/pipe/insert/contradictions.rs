@@ -3,17 +3,60 @@
 use crate::finding::{Finding, Raise, Size};
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::program::Style;
+use crate::geometry::pipe_pair::Side;
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, END_CODES, TORCH_OFF, TORCH_ON};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
-use crate::kinds::pipe::insert::parameters::{CONTACT, EXPERT_BRANCH_R, F, KERF, MODE, R, STYLE};
+use crate::kinds::pipe::insert::parameters::{CONTACT, EXPERT_BRANCH_R, F, KERF, LEAD_IN, MODE, OVERCUT, R, STYLE};
 use crate::kinds::pipe::insert::rules::{
-    AnnexIsFlat, BranchLarger, BranchOverhangs, KerfBeyondBore, KerfBeyondGap, RadiusOfEnvelope,
+    AnnexIsFlat, BranchLarger, BranchOverhangs, KerfBeyondBore, KerfBeyondGap, LeadInCutsPart, OvercutPastTurn,
+    RadiusOfEnvelope,
 };
 use crate::kinds::pipe::size::solid;
 use crate::kinds::rules::{AnnexCarriesNoFeed, FullStyleNeeds};
 use crate::parameter::at;
 
+/// Steps along a lead-in in which it is looked at, mm, and places beside each.
+const STEP: f64 = 0.1;
+const BESIDE: i32 = 4;
+
 impl Design {
+    /// What stands against lead-in and overcut on a turning pipe.
+    fn way_beside_the_curve(&self) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        let most = self.longest_lead_in();
+        if most < self.lead_in {
+            let most = Size::mm((most * 10.0).floor() / 10.0);
+            findings.push(LeadInCutsPart { lead: Size::mm(self.lead_in), most }.at(at([LEAD_IN.key()])));
+        }
+        let round = self.outline().round();
+        if self.overcut > round {
+            let told = OvercutPastTurn { overcut: Size::mm(self.overcut), round: Size::mm(round) };
+            findings.push(told.at(at([OVERCUT.key()])));
+        }
+        findings
+    }
+
+    /// How long the lead-in may be without the torch touching what stays: up to there the curve is nowhere nearer than half
+    /// the kerf. It leaves the curve square, so that what its first part comes near to is the place where the cut begins.
+    fn longest_lead_in(&self) -> f64 {
+        let outline = self.outline();
+        let (first, across) = (outline.torch(0.0, Side::After), outline.across(0.0, Side::After));
+        let clear = |way: f64| {
+            let point = first + across * way;
+            (-BESIDE..=BESIDE).all(|place| {
+                let x = point.x + outline.beside * f64::from(place) / f64::from(BESIDE);
+                let curve = outline.curve(x / outline.radius);
+                let up = point.y - curve.y;
+                up > 0.0 && up * up + (point.x - x) * (point.x - x) >= outline.beside * outline.beside
+            })
+        };
+        let mut way = STEP;
+        while way <= self.lead_in && clear(way) {
+            way += STEP;
+        }
+        if way > self.lead_in && clear(self.lead_in) { self.lead_in } else { way - STEP }
+    }
+
     /// What is valid alone but not together. All findings are stops.
     #[must_use]
     pub(super) fn contradictions(&self) -> Vec<Finding> {
@@ -33,6 +76,9 @@ impl Design {
         {
             let (kerf, gap) = (Size::mm(self.kerf), Size::mm(2.0 * least));
             findings.push(KerfBeyondGap { kerf, phi: Size::number(phi.to_degrees(), 1), gap }.at(at([KERF.key()])));
+        }
+        if findings.is_empty() && self.style == Style::Full && self.mode == Mode::Rotary {
+            findings.extend(self.way_beside_the_curve());
         }
         // Half a kerf w takes ρ asin(w/ρ) along the wall; up to w = ρ/2 that is w to a twentieth.
         let bore = self.branch.D / 2.0 - self.branch.t;

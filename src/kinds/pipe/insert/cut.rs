@@ -278,7 +278,7 @@ fn rotary(design: &Design) -> Result<Cut, OutOfFormat> {
     if design.overcut > 0.0 {
         let (mut phi, mut left) = (TAU, design.overcut);
         let step = TAU / 3600.0;
-        while left > 0.0 && phi < 1.2 * TAU {
+        while left > 0.0 && phi < 2.0 * TAU {
             let way = speed(phi - TAU) * step;
             phi += step * (left / way).min(1.0);
             left -= way;

@@ -51,8 +51,8 @@ use crate::kinds::pipe::insert::parameters::FORM;
 use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, published};
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
 use crate::kinds::pipe::insert::rules::{
-    AnnexAsPublished, AnnexWithoutKerf, GapsOfEnvelope, KerfOnOutside, KerfZero, OutsideForInside, PipeByIncrements,
-    PipeOnLinearAxis, WallInsideHeader,
+    AnnexAsPublished, AnnexWithoutKerf, CurveBehindEdge, GapsOfEnvelope, KerfOnOutside, KerfZero, OutsideForInside,
+    PipeByIncrements, PipeOnLinearAxis, WallInsideHeader,
 };
 use crate::kinds::pipe::rules::NoLeadIn;
 use crate::kinds::pipe::{self, account, scene, typed_or};
@@ -277,14 +277,14 @@ fn quantities(design: &Design, rest: &Rest, account: &Account) -> Vec<Quantity> 
             t("y mínima de la plantilla", "Minimum y of the template"),
             least,
             mm,
-            t("ec. (9)", "eq. (9)"),
+            t("artículo, ec. (9)", "paper, eq. (9)"),
         ),
         quantity(
             "y_max",
             t("y máxima de la plantilla", "Maximum y of the template"),
             most,
             mm,
-            t("ec. (9)", "eq. (9)"),
+            t("artículo, ec. (9)", "paper, eq. (9)"),
         ),
         quantity(
             "e_max",
@@ -320,14 +320,20 @@ fn quantities(design: &Design, rest: &Rest, account: &Account) -> Vec<Quantity> 
         ),
         quantity(
             "g_i",
-            t("Separación del borde interior, como máximo", "Gap of the inner edge, at most"),
+            t(
+                "Separación del borde interior, como máximo, sin el ancho de corte",
+                "Gap of the inner edge, at most, without the kerf",
+            ),
             told(rest.gaps[0].most),
             mm,
             place(&rest.gaps[0]),
         ),
         quantity(
             "g_o",
-            t("Separación del borde exterior, como máximo", "Gap of the outer edge, at most"),
+            t(
+                "Separación del borde exterior, como máximo, sin el ancho de corte",
+                "Gap of the outer edge, at most, without the kerf",
+            ),
             told(rest.gaps[1].most),
             mm,
             place(&rest.gaps[1]),
@@ -404,6 +410,11 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
         findings.push(OutsideForInside { r, D, off }.at(at(&["r", "D_branch", "r_dev"])));
     }
     findings.extend(seat(design, rest));
+    let below = -design.template().extent()[0];
+    if below > 1e-9 {
+        let told = CurveBehindEdge { below: Size::mm(below), least: Size::mm(design.Z + below) };
+        findings.push(told.at(at(&["Z"])));
+    }
     match design.style {
         Style::Annex => {
             findings.push(AnnexAsPublished {}.at(at(&["style", "F", "torch_on"])));

@@ -1,12 +1,13 @@
 //! The program of the torch, as published or complete.
 
 use crate::finding::{Finding, Raise, Size};
-use crate::gcode::control::{Rotary, Slower};
+use crate::gcode::control::Slower;
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{Distance, Number, NumberFormat, Word};
 use crate::gcode::writer::Writer;
+use crate::kinds::pipe::counted;
 use crate::kinds::pipe::form::{D_BRANCH, DIALECT};
 use crate::kinds::pipe::insert::arcs::{Triple, triples};
 use crate::kinds::pipe::insert::cut::{Cut, Leg};
@@ -80,14 +81,12 @@ pub const fn letters(mode: Mode) -> [char; 2] {
 pub const TRUE_FOR_BOTH: [&str; 2] =
     ["VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES", "TRUE FOR ROLLOVER ROTARY AXES AND FOR LINEAR ONES"];
 
-/// How the complete program counts: on the turning pipe by increments where the control's rotary axes are rollover as
-/// delivered. There the number of an absolute word would be an angle from 0 to 360 and its sign the direction; increments
-/// are the same motions on either axis.
+/// How the complete program counts: a flat sheet's by positions, that of a turning pipe as its control's rotary axes do.
 #[must_use]
 pub fn distance(design: &Design) -> Distance {
-    match (design.mode, design.control.rotary.delivered) {
-        (Mode::Rotary, Rotary::Rollover) => Distance::Incremental,
-        _ => Distance::Absolute,
+    match design.mode {
+        Mode::Flat => Distance::Absolute,
+        Mode::Rotary => counted(design.control.rotary.delivered),
     }
 }
 

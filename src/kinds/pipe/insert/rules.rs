@@ -116,4 +116,24 @@ rules! {
         why "El ancho de corte se cuenta a lo largo de la pared; en un tubo tan delgado el chorro quita bastante más.",
             "The kerf is counted along the wall; on so small a pipe the jet takes off a good deal more.";
         example book!("pipe-insert", "kerf" = "4", "branch_size" = "1/8 in");
+    "P2117" LeadInCutsPart Stop { lead: Size, most: Size }
+        es "la entrada de {lead} cruza la curva: la antorcha cortaría la pieza que queda"
+        en "the lead-in of {lead} crosses the curve: the torch would cut the part that stays"
+        remedy "elija una entrada de {most} como mucho", "choose a lead-in of {most} at most";
+        why "La entrada es recta y a escuadra con la curva en φ = 0; en un tubo que gira, y con e distinta de 0, rodea el tubo.",
+            "The lead-in is straight and square to the curve at φ = 0; on a turning pipe, and with e other than 0, it goes round the pipe.";
+        example book!("pipe-insert", "branch_size" = "1/2 in", "header_size" = "2 in", "theta" = "30", "e" = "20", "Z" = "200", "lead_in" = "30");
+    "P2118" CurveBehindEdge Caution { below: Size, least: Size }
+        es "la curva pasa {below} por detrás del borde de la plantilla: si el tubo o la chapa acaban en ese borde, el injerto sale en dos trozos"
+        en "the curve goes {below} behind the edge of the template: if the pipe or the sheet ends at that edge, the branch comes out in two pieces"
+        remedy "elija Z de {least} como mínimo", "choose Z of {least} at least";
+        why "Entre el borde de la plantilla, que es el cero, y la curva queda el injerto.",
+            "The branch is what stays between the edge of the template, which is the zero, and the curve.";
+        example book!("pipe-insert", "theta" = "120");
+    "P2119" OvercutPastTurn Stop { overcut: Size, round: Size }
+        es "el sobrecorte de {overcut} da más de una vuelta: una vuelta son {round}"
+        en "the overcut of {overcut} goes more than once round: one turn is {round}"
+        remedy "elija un sobrecorte más corto", "choose a shorter overcut";
+        why "El sobrecorte repasa el principio del corte.", "The overcut goes over the beginning of the cut again.";
+        example book!("pipe-insert", "branch_size" = "1/2 in", "overcut" = "200");
 }

@@ -259,7 +259,7 @@ impl Judge for Clearance<'_> {
         let down = -up(-least);
         let asked = Question::new("clearance", name, program);
         let asked = asked.showing(Text::same(format!("≥ {}", mm(down))), Text::same(mm(limit)));
-        let asked = self.near.put(asked.of_parameters(vec!["g0", "arc_tolerance"]), 0).measuring(least);
+        let asked = self.near.put(asked.of_parameters(vec!["g0", "arc_tolerance", "Z_s"]), 0).measuring(least);
         vec![asked.holds(least >= limit, |place| {
             let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
             TorchTooNear { distance: size(down), g0: size(self.design.g0) }.at(place)

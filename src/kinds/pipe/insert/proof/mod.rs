@@ -11,14 +11,13 @@
 //! its nearest it is on the header; of a cut along one edge the depth and the gaps are told.
 
 pub mod rules;
+mod speed;
 
 use std::f64::consts::TAU;
 
 use nalgebra::Vector2;
 
-use crate::finding::{Grade, Raise, Size};
-use crate::gcode::control::FeedLaw;
-use crate::gcode::feed_word::step as least_step;
+use crate::finding::Grade;
 use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::{Program, Style};
@@ -30,23 +29,20 @@ use crate::kinds::pipe::insert::cut::{Cut, Follows};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::outline::Outline;
 use crate::kinds::pipe::insert::program::{approach, template_points};
-use crate::kinds::pipe::insert::proof::rules::CutOffSpeed;
+use crate::kinds::pipe::insert::proof::speed::CutSpeed;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::Milli;
 use crate::number::interval::Interval;
 use crate::number::jet::{Jet, at_most, bow};
 use crate::number::root::golden;
-use crate::number::shown;
 use crate::number::trig::{atan2, hypot, sin_cos};
 use crate::proof;
 use crate::proof::Judged;
 use crate::proof::agreement::Agreement;
 use crate::proof::check::{At, Check, Extreme, Question, mm, up};
 use crate::proof::enclosed::{Enclosed, Remedy, bound};
-use crate::proof::feed::{feed_word, timely};
 use crate::proof::rollover::Rollover;
-use crate::proof::rules::CutWithoutFeed;
 use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
 use crate::proof::torch::Torch;
 use crate::text::{Text, t};
@@ -315,84 +311,6 @@ impl PathOnCurve<'_> {
             |one, other| over_wall(&outline, way, inside, one, other),
             between,
         );
-    }
-}
-
-/// Watches the speed of the cut.
-struct CutSpeed<'a> {
-    surface: Surface<'a>,
-    moves: &'a Moves,
-    fastest: Extreme,
-    slowest: Option<f64>,
-    off: Option<(f64, At)>,
-    rounded: Extreme,
-    untimed: Option<At>,
-    length: f64,
-    seen: usize,
-}
-
-impl Judge for CutSpeed<'_> {
-    fn see(&mut self, step: &Step<'_>) {
-        if self.moves.follows(step).is_none() {
-            return;
-        }
-        let (motion, design) = (&step.motion, self.surface.design);
-        let ((length, _), at) = (self.surface.run(motion), At::motion(motion));
-        self.seen += 1;
-        self.length += length;
-        let Some(seconds) = motion.seconds.filter(|seconds| *seconds > 0.0) else {
-            self.untimed.get_or_insert(at);
-            return;
-        };
-        let speed = length * 60.0 / seconds;
-        self.fastest.take(speed, at);
-        self.slowest = Some(self.slowest.map_or(speed, |least: f64| least.min(speed)));
-        let word = match motion.kind {
-            MotionKind::Feed(feed) | MotionKind::Arc(_, feed) => feed.value,
-            MotionKind::Rapid | MotionKind::Thread(_) | MotionKind::Dwell(_) => 0.0,
-        };
-        let F = design.F.unwrap_or(speed);
-        let planned = length * 60.0 / F;
-        let good = match design.mode {
-            // F is the speed over the sheet itself; a word within a billionth of a whole step is that step.
-            Mode::Flat => (F - least_step(FeedLaw::Resultant, F)..=F * (1.0 + 1e-9)).contains(&word),
-            Mode::Rotary => timely(design.control.feed.law, motion, word, planned),
-        };
-        if !good || seconds < planned * (1.0 - 1e-6) {
-            self.off.get_or_insert((speed, at));
-        }
-        self.rounded.take(seconds / planned - 1.0, at);
-    }
-
-    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = t("Longitud del corte", "Length of the cut");
-        let length = Question::new("length", name, program).showing(Text::same(mm(self.length)), Text::same(""));
-        vec![length.informs(), self.feed(program), feed_word(program, &self.rounded)]
-    }
-}
-
-impl CutSpeed<'_> {
-    fn feed(&self, program: &Program) -> Check {
-        let (name, design) = (t("Velocidad de corte", "Cutting speed"), self.surface.design);
-        let asked = Question::new("feed", name, program).seen(self.seen);
-        let Some(F) = design.F.filter(|_| design.style == Style::Full) else {
-            return asked.showing(t("sin palabra F", "no F word"), Text::same("")).informs();
-        };
-        let most = self.fastest.value();
-        let show = |speed: f64| shown(speed, 1);
-        let value = Text::same(format!("{} … {} mm/min", show(self.slowest.unwrap_or(most)), show(most)));
-        let asked = asked.showing(value, Text::same(format!("{} mm/min", shown(F, 3)))).at(self.fastest.at());
-        match (self.off, self.untimed) {
-            (None, None) => asked.passes(),
-            (None, Some(at)) => asked
-                .at(Some(at))
-                .holds(false, |place| CutWithoutFeed { line: at.line, program: program.title.clone() }.at(place)),
-            (Some((speed, at)), _) => asked.at(Some(at)).holds(false, |place| {
-                let (speed, F) =
-                    (Size { value: speed, unit: "mm/min", decimals: 1 }, Size { value: F, unit: "", decimals: 3 });
-                CutOffSpeed { speed, line: at.line, F }.at(place)
-            }),
-        }
     }
 }
 
