@@ -208,12 +208,12 @@ impl Reading<'_> {
         if distribution.is_some() {
             return Err(Box::new(DistributionWithoutRange { symbol }.at(at(&[&DISTRIBUTION.row]))));
         }
-        if !(step > 0.0 && step <= to - from) {
-            let told = WrongStep { symbol, step: typed(step), range: typed(to - from) };
-            return Err(Box::new(told.at(at(&[&STEP.row]))));
-        }
         // The last one counts though rounding leaves it a billionth short.
         let steps = ((to - from) / step + 1e-9).floor() + 1.0;
+        if !(step > 0.0 && steps >= 2.0) {
+            let told = WrongStep { symbol, step: typed(step), range: typed(((to - from) * 1e9).round() / 1e9) };
+            return Err(Box::new(told.at(at(&[&STEP.row]))));
+        }
         Ok(Levels::Steps { from, step, count: floor(steps) })
     }
 

@@ -186,6 +186,8 @@ pub struct Plan {
     pub seed: u64,
     /// How many designs there are.
     pub count: u64,
+    /// How many the plan has: a sample of which only the first are worked out is the same sample.
+    whole: u64,
     /// What a design is judged by.
     pub level: Level,
     /// What is to be small or large.
@@ -208,7 +210,7 @@ impl Plan {
     ) -> Self {
         let coordinates = if method == Method::Saltelli { 2 * inputs.len() } else { inputs.len() };
         let sobol = Sobol::new(coordinates, seed);
-        Self { form, inputs, method, seed, count, level, objectives, constraints, sobol }
+        Self { form, inputs, method, seed, count, whole: count, level, objectives, constraints, sobol }
     }
 
     /// The plan without the designs from the `most`th on.
@@ -266,13 +268,14 @@ impl Plan {
             }
             Method::Latin => {
                 let axis = u64::try_from(input).unwrap_or(u64::MAX);
-                let slice = permuted(id, self.count, drawn(self.seed, axis, 0));
-                (slice as f64 + unit(drawn(self.seed, axis, id + 1))) / self.count as f64
+                let slice = permuted(id, self.whole, drawn(self.seed, axis, 0));
+                (slice as f64 + unit(drawn(self.seed, axis, id + 1))) / self.whole as f64
             }
             Method::Factorial => {
                 let digit = self.digits(id).get(input).copied().unwrap_or_default();
                 of(digit, self.inputs.get(input).and_then(|one| one.levels.count()).unwrap_or(1))
             }
+            // In the order of the list: by its values a design has no place.
             Method::List => of(id, self.count),
         }
     }
@@ -310,7 +313,7 @@ impl Plan {
                 json!({ "input": one.symbol(), "unit": one.parameter.unit.label(), "levels": levels })
             })
             .collect();
-        json!({
+        let mut told = json!({
             "schema": "rodete-sweep 1",
             "rodete": version,
             "workbook_sha256": workbook,
@@ -322,7 +325,12 @@ impl Plan {
             "inputs": inputs,
             "objectives": self.objectives.iter().map(ToString::to_string).collect::<Vec<_>>(),
             "constraints": self.constraints.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        })
+        });
+        // Of a sample of as many that is whole, the designs are others.
+        if self.whole != self.count {
+            told["first_of"] = self.whole.into();
+        }
+        told
     }
 
     /// The designs of a chunk of several, all of about one size.

@@ -169,7 +169,8 @@ impl Row {
         let Some(first) = findings.iter().find(|one| one.grade == Grade::Stop) else { return };
         self.state = State::Refused;
         self.reason = Some(first.code().to_owned());
-        (self.value, self.limit) = (number(&first.value).or_else(|| measured(first, checks)), number(&first.limit));
+        let [value, limit] = missed(&first.value, &first.limit);
+        (self.value, self.limit) = (value.or_else(|| measured(first, checks)), limit);
         self.margin = self.value.zip(self.limit).map(|(value, limit)| -(limit - value).abs());
     }
 
@@ -213,6 +214,30 @@ fn number(value: &str) -> Option<f64> {
     number.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
+/// The two ends of a range, as `0 … 90°`; `None` of what is none.
+fn ends(range: &str) -> Option<[Option<f64>; 2]> {
+    range.split_once(" … ").map(|(low, high)| [number(low), number(high)])
+}
+
+/// The number that was found and the limit that it missed: of ranges, the end that is farthest out.
+fn missed(value: &str, limit: &str) -> [Option<f64>; 2] {
+    let [low, high] = ends(value).unwrap_or_else(|| [number(value); 2]);
+    let pairs = match ends(limit) {
+        Some([least, most]) => {
+            let out = |value: Option<f64>, limit: Option<f64>, sign: f64| {
+                value.zip(limit).map(|(value, limit)| (sign * (value - limit), value, limit))
+            };
+            [out(low, least, -1.0), out(high, most, 1.0)]
+        }
+        None => {
+            let Some(limit) = number(limit) else { return [low, None] };
+            [low, high].map(|value| value.map(|value| ((value - limit).abs(), value, limit)))
+        }
+    };
+    let farthest = pairs.into_iter().flatten().reduce(|one, other| if other.0 > one.0 { other } else { one });
+    farthest.map_or([low, None], |(_, value, limit)| [Some(value), Some(limit)])
+}
+
 /// A sentence without the line of the source that it ends with.
 fn without_place(said: &str) -> String {
     let place =
@@ -234,6 +259,18 @@ mod tests {
     use crate::machine::axis::Position;
     use crate::proof::check::{Question, bounded};
     use crate::text::Text;
+
+    #[test]
+    fn of_ranges_the_end_that_is_farthest_out_is_told() {
+        let missed = |value: &str, limit: &str| missed(value, limit).map(|one| one.unwrap_or(f64::NAN));
+        assert_eq!(missed("0 … 90°", "-10 … 85°"), [90.0, 85.0]);
+        assert_eq!(missed("-250.9 … 32.37 mm", "-1000 … 20 mm"), [32.37, 20.0]);
+        assert_eq!(missed("-12 … 40 mm", "-10 … 45 mm"), [-12.0, -10.0]);
+        assert_eq!(missed("-12 … 40 mm", "– … 10 mm"), [40.0, 10.0]);
+        assert_eq!(missed("1990 … 2050 mm/min", "2000 mm/min"), [2050.0, 2000.0]);
+        assert_eq!(missed("7", "1 … 5"), [7.0, 5.0]);
+        assert_eq!(missed("0.4 mm", "0.2 mm"), [0.4, 0.2]);
+    }
 
     #[test]
     fn values_of_findings_are_read_as_numbers() {

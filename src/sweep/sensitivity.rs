@@ -6,7 +6,7 @@ use crate::kind::Kind;
 use crate::parameter::{FieldKind, Value, Values};
 use crate::sweep::indices::Index;
 use crate::sweep::objective::Objective;
-use crate::sweep::plan::{Input, Levels, Plan, slice};
+use crate::sweep::plan::{Input, Levels, Method, Plan, slice};
 use crate::sweep::row::{Row, State};
 use crate::sweep::table::Table;
 
@@ -47,16 +47,15 @@ pub struct Effect {
 
 /// The slopes and the room of every input around the design of a workbook, input by input side by side. `judge` works a design out.
 #[must_use]
-pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(Vec<Value>) -> Row + Sync)) -> Vec<Effect> {
-    let here: Option<Vec<Value>> = plan.inputs.iter().map(|one| base.values.get(one.parameter.key).cloned()).collect();
-    let own = here.as_ref().map(|here| judge(here.clone()));
+pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Values) -> Row + Sync)) -> Vec<Effect> {
+    let own = judge(base);
     let good = |row: &Row| row.state == State::Done && row.feasible;
     let measures = kind.measures();
     let of = |row: &Row, objective: &Objective| {
         let at = measures.iter().position(|one| one.key == objective.measure.key)?;
         row.measures.get(at).copied().flatten()
     };
-    let effect = |(at, input): (usize, &Input)| {
+    let effect = |input: &Input| {
         let plain = Effect {
             symbol: input.symbol(),
             unit: input.parameter.unit.label(),
@@ -69,22 +68,23 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(Vec<V
             shares: vec![None; plan.objectives.len()],
             indices: vec![None; plan.objectives.len()],
         };
-        let (Some(here), Some(own), Some([low, high])) = (&here, &own, limits(input)) else { return plain };
-        let (Some(value), Some(ends)) = (here.get(at).and_then(number), span(input)) else { return plain };
+        // Around a cell that is empty there is nothing to look at.
+        let value = base.values.get(input.parameter.key).and_then(number);
+        let (Some(value), Some(ends), Some([low, high])) = (value, span(input), limits(input)) else { return plain };
         let moved = |to: f64| {
-            let mut values = here.clone();
+            let mut values = base.clone();
             let to = if input.whole() { to.round() } else { to }.clamp(low, high);
             let value = if input.whole() { super::plan::whole(to).map(Value::Whole) } else { Some(Value::Real(to)) };
-            if let (Some(slot), Some(value)) = (values.get_mut(at), value) {
-                *slot = value;
+            if let Some(value) = value {
+                values.values.insert(input.parameter.key, value);
             }
-            (to, judge(values))
+            (to, judge(&values))
         };
         let width = ends[1] - ends[0];
         let step = if input.whole() { 1.0 } else { PART * width };
         let (below, above) = (moved(value - step), moved(value + step));
         let slope = |objective: &Objective| {
-            let [left, middle, right] = [&below.1, own, &above.1].map(|row| of(row, objective));
+            let [left, middle, right] = [&below.1, &own, &above.1].map(|row| of(row, objective));
             let (from, to) = match (left, middle, right) {
                 (Some(left), _, Some(right)) => ((below.0, left), (above.0, right)),
                 (None, Some(middle), Some(right)) => ((value, middle), (above.0, right)),
@@ -96,11 +96,11 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(Vec<V
         let slopes = plan.objectives.iter().map(slope).collect();
         let at_ends = ends.map(|end| moved(end).1);
         let change = |objective: &Objective| {
-            at_ends.each_ref().map(|row| of(row, objective).zip(of(own, objective)).map(|(there, here)| there - here))
+            at_ends.each_ref().map(|row| of(row, objective).zip(of(&own, objective)).map(|(there, here)| there - here))
         };
         let changes = plan.objectives.iter().map(change).collect();
         let (mut room, mut open) = (None, [false; 2]);
-        if good(own) {
+        if good(&own) {
             let ends = [-1.0, 1.0].map(|side| {
                 let most = if side < 0.0 { value - low } else { high - value }.min(width);
                 farthest(most, input.whole(), &|by| good(&moved(value + side * by).1))
@@ -110,7 +110,7 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(Vec<V
         }
         Effect { value: Some(value), slopes, ends: Some(ends), changes, room, open, ..plain }
     };
-    plan.inputs.par_iter().enumerate().map(effect).collect()
+    plan.inputs.par_iter().map(effect).collect()
 }
 
 /// How far one may go, at most so far, while all that is looked at is good; and whether it is good to the end. Looks at distances
@@ -173,6 +173,33 @@ fn span(input: &Input) -> Option<[f64; 2]> {
     (to > from && (to - from).is_finite()).then_some([from, to])
 }
 
+/// The slice of each design of a list by the value of one input: as many designs in each, but equal values in the same one.
+#[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
+fn by_value(input: &Input, count: u64, slices: u64) -> Vec<u64> {
+    let values: Vec<Value> = (0..count).filter_map(|id| input.level(id)).collect();
+    let text = |value: &Value| match value {
+        Value::Choice(key) => (*key).to_owned(),
+        Value::Line(line) => line.clone(),
+        Value::Real(_) | Value::Whole(_) => String::new(),
+    };
+    let order = |one: &usize, other: &usize| {
+        let [one, other] = [one, other].map(|at| &values[*at]);
+        let [a, b] = [one, other].map(|value| number(value).unwrap_or_default());
+        a.total_cmp(&b).then_with(|| text(one).cmp(&text(other)))
+    };
+    let mut sorted: Vec<usize> = (0..values.len()).collect();
+    sorted.sort_by(order);
+    let mut slots = vec![0; values.len()];
+    let mut first = 0;
+    for (rank, at) in sorted.iter().enumerate() {
+        if order(&sorted[first], at).is_ne() {
+            first = rank;
+        }
+        slots[*at] = slice(first as f64 / values.len() as f64, slices);
+    }
+    slots
+}
+
 /// Sums of an objective in a slice of an input's range.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sums {
@@ -203,6 +230,8 @@ pub struct Shares<'a> {
     plan: &'a Plan,
     /// Slices of each input.
     slices: Vec<u64>,
+    /// Of a list, the slice of each design by input: they are cut by value, in whatever order they are listed.
+    listed: Vec<Vec<u64>>,
     /// By input, then objective, then slice.
     sums: Vec<Vec<Vec<Sums>>>,
     all: Vec<Sums>,
@@ -213,13 +242,20 @@ impl<'a> Shares<'a> {
     #[must_use]
     pub fn new(plan: &'a Plan) -> Self {
         let most = (plan.count / IN_SLICE).clamp(2, SLICES);
+        let of_list = plan.method == Method::List;
+        let levels = |one: &Input| if of_list { None } else { one.levels.count() };
         let slices: Vec<u64> =
-            plan.inputs.iter().map(|one| one.levels.count().map_or(most, |count| count.min(SLICES))).collect();
+            plan.inputs.iter().map(|one| levels(one).map_or(most, |count| count.min(SLICES))).collect();
+        let listed = if of_list {
+            plan.inputs.iter().zip(&slices).map(|(one, count)| by_value(one, plan.count, *count)).collect()
+        } else {
+            Vec::new()
+        };
         let sums = slices.iter().map(|count| {
             let slices = vec![Sums::default(); usize::try_from(*count).unwrap_or_default()];
             vec![slices; plan.objectives.len()]
         });
-        Self { plan, sums: sums.collect(), slices, all: vec![Sums::default(); plan.objectives.len()] }
+        Self { plan, sums: sums.collect(), slices, listed, all: vec![Sums::default(); plan.objectives.len()] }
     }
 
     /// Takes rows in, in the order of their indices.
@@ -236,7 +272,9 @@ impl<'a> Shares<'a> {
                 value.iter().for_each(|value| all.take(*value));
             }
             for (input, (count, of_input)) in self.slices.iter().zip(&mut self.sums).enumerate() {
-                let slot = usize::try_from(slice(self.plan.place(id, input), *count)).unwrap_or_default();
+                let listed = self.listed.get(input).and_then(|slots| slots.get(usize::try_from(id).ok()?));
+                let slot = listed.copied().unwrap_or_else(|| slice(self.plan.place(id, input), *count));
+                let slot = usize::try_from(slot).unwrap_or_default();
                 for (sums, value) in of_input.iter_mut().zip(&values) {
                     if let (Some(sums), Some(value)) = (sums.get_mut(slot), value) {
                         sums.take(*value);

@@ -185,6 +185,8 @@ impl SweepBook<'_> {
         for (row, link) in (HEADINGS + 1..).zip(self.links) {
             if let Some(link) = link {
                 let name = link.rsplit('/').next().unwrap_or(link);
+                // In a link these would begin a place in the file, or a character by its number.
+                let link = link.replace('%', "%25").replace('#', "%23");
                 sheet.write_url(row, 0, Url::new(format!("file:///{link}")).set_text(name))?;
             }
         }

@@ -111,6 +111,44 @@ fn a_folder_of_another_plan_is_refused_until_it_is_begun_anew() {
 }
 
 #[test]
+fn to_begin_anew_removes_what_a_run_left_and_nothing_else() {
+    let folder = folder("limits");
+    let at = folder.path();
+    // In a folder without a plan there is nothing to remove, and the workbook itself may be in it.
+    fs::create_dir_all(at.join("top")).unwrap();
+    let mine = ["b-sweep.xlsx", "top/mine.nc", "top/a-part.xlsx", "summary.csv"];
+    mine.iter().for_each(|name| fs::write(at.join(name), "mine").unwrap());
+    done(at, "-o . --fresh --chunks 1");
+    let mine = ["b-sweep.xlsx", "top/mine.nc", "top/a-part.xlsx"];
+    fs::write(at.join("top/a-000001.xlsx"), "ours").unwrap();
+    fs::write(at.join("chunks/notes.parquet"), "mine").unwrap();
+    let before = chunks(at, ".").len();
+    done(at, "-o . --fresh --chunks 3");
+    assert!(mine.iter().all(|name| fs::read_to_string(at.join(name)).unwrap() == "mine"));
+    assert!(at.join("a.xlsx").exists() && !at.join("top/a-000001.xlsx").exists());
+    assert_eq!((before, chunks(at, ".").len()), (2, 4), "one chunk and the other file, then three and the same file");
+}
+
+#[test]
+fn a_chunk_of_which_a_column_is_damaged_counts_as_missing() {
+    let folder = folder("limits");
+    let at = folder.path();
+    done(at, "-o s --chunks 4");
+    let there = chunks(at, "s");
+    let whole = fs::read(&there[2]).unwrap();
+    // What is not of the first column: half of the bytes before the footer.
+    let mut spoilt = whole.clone();
+    let (from, to) = (whole.len() / 4, whole.len() / 2);
+    spoilt[from..to].iter_mut().step_by(7).for_each(|byte| *byte ^= 0x55);
+    fs::write(&there[2], &spoilt).unwrap();
+    let merge = sweep(at, "-o s --merge");
+    let told = String::from_utf8(merge.stderr).unwrap();
+    assert!(merge.status.code() == Some(9) && told.contains("missing chunks: 1 of 4 (2)"), "{told}");
+    done(at, "-o s --chunk 2/4");
+    assert!(fs::read(&there[2]).unwrap() == whole);
+}
+
+#[test]
 fn rows_are_written_for_refused_designs_and_name_no_folder() {
     let folder = folder("program");
     let at = folder.path();

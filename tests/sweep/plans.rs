@@ -171,3 +171,24 @@ fn a_list_of_values_that_holds_none_is_refused_at_its_cells() {
     let findings = asked::plan(KINDS[0], &sheet.fields, sheet.designs).unwrap_err();
     assert_eq!(findings.iter().map(rodete::finding::Finding::code).collect::<Vec<_>>(), ["D0106"]);
 }
+
+#[test]
+fn the_first_designs_of_a_sample_are_those_of_the_whole_sample() {
+    let settings = [("method", "latin"), ("samples", "50"), ("seed", "7")];
+    let book = with_variants(&settings, &[["R", "10", "20", "", "", ""], ["a_p", "1", "2", "", "", ""]], &[]);
+    let (whole, first) = (plan(&book), plan(&book).limited(Some(8)));
+    assert_eq!(first.count, 8);
+    assert!((0..8).all(|id| whole.design(id) == first.design(id)));
+    // It is another plan than one of eight.
+    let eight = [("method", "latin"), ("samples", "8"), ("seed", "7")];
+    let eight = plan(&with_variants(&eight, &[["R", "10", "20", "", "", ""], ["a_p", "1", "2", "", "", ""]], &[]));
+    assert_ne!(first.told("0", "1"), eight.told("0", "1"));
+}
+
+#[test]
+fn a_step_as_wide_as_the_range_has_two_levels() {
+    // 0.3 − 0.1 is a little less than 0.2.
+    let plan = plan(&with_variants(&[("method", "factorial")], &[["a_p", "0.1", "0.3", "0.2", "", ""]], &[]));
+    let levels: Vec<f64> = (0..plan.count).map(|id| number(&plan.design(id)[0])).collect();
+    assert_eq!(levels, [0.1, 0.3]);
+}

@@ -9,6 +9,7 @@ use rodete::sweep::asked;
 use rodete::sweep::indices::{Index, Indices};
 use rodete::sweep::plan::Plan;
 use rodete::sweep::row::{Row, State};
+use rodete::sweep::sensitivity::Shares;
 use rodete::sweep::table::Table;
 use rodete::text::Language;
 use rodete::workbook::sweep_sheet;
@@ -37,23 +38,29 @@ fn rows(plan: &Plan, of: impl Fn([f64; 3]) -> f64, feasible: impl Fn(u64) -> boo
     for id in 0..plan.count {
         let at = std::array::from_fn(|input| PI * (2.0 * plan.place(id, input) - 1.0));
         let value = |key: &str| (key == "L").then(|| of(at));
-        table.push(Row {
-            id,
-            inputs: plan.design(id),
-            measures: measures.iter().map(|one| value(one.key)).collect(),
-            state: State::Done,
-            feasible: feasible(id),
-            stops: 0,
-            cautions: 0,
-            codes: Vec::new(),
-            reason: None,
-            value: None,
-            limit: None,
-            margin: None,
-            message: None,
-        });
+        let measures = measures.iter().map(|one| value(one.key)).collect();
+        table.push(Row { measures, ..row(plan, id, feasible(id)) });
     }
     table
+}
+
+/// A row without measures.
+fn row(plan: &Plan, id: u64, feasible: bool) -> Row {
+    Row {
+        id,
+        inputs: plan.design(id),
+        measures: vec![None; KINDS[0].measures().len()],
+        state: State::Done,
+        feasible,
+        stops: 0,
+        cautions: 0,
+        codes: Vec::new(),
+        reason: None,
+        value: None,
+        limit: None,
+        margin: None,
+        message: None,
+    }
 }
 
 fn indices(plan: &Plan, mut rows: Table, part: usize) -> (Vec<Index>, (u64, u64)) {
@@ -136,4 +143,40 @@ fn triples_with_a_design_that_is_not_feasible_are_left_out() {
     let mut none = Indices::new(&plan).unwrap();
     none.take(&rows(&plan, |_| 3.0, |_| true));
     assert!(none.end().iter().flatten().all(Option::is_none), "nothing varies");
+}
+
+#[test]
+fn the_shares_of_a_list_follow_its_values_and_not_their_order() {
+    // R and a_p spread evenly, neither along the order of the list; what is asked for hangs on R alone.
+    let designs: Vec<[String; 2]> = (0..96)
+        .map(|at| {
+            [(at * 37 % 96, 30.0), (at * 53 % 96, 1.0)].map(|(rank, from)| format!("{}", from + f64::from(rank) / 96.0))
+        })
+        .collect();
+    let mut sorted = designs.clone();
+    sorted.sort();
+    let shares = |designs: &[[String; 2]]| {
+        let rows: Vec<Vec<&str>> = std::iter::once(vec!["R", "a_p"])
+            .chain(designs.iter().map(|design| design.iter().map(String::as_str).collect()))
+            .collect();
+        let rows: Vec<&[&str]> = rows.iter().map(Vec::as_slice).collect();
+        let bytes = with_variants(&[("method", "list"), ("objectives", "L min")], &[], &rows);
+        let sheet = sweep_sheet::read(&bytes, KINDS[0].form(), Language::En).unwrap().unwrap();
+        let plan = asked::plan(KINDS[0], &sheet.fields, sheet.designs).unwrap().0;
+        let mut table = Table::of(KINDS[0], &plan);
+        let at = KINDS[0].measures().iter().position(|one| one.key == "L").unwrap();
+        for id in 0..plan.count {
+            let mut row = row(&plan, id, true);
+            if let Value::Real(R) = plan.design(id)[0] {
+                row.measures[at] = Some(R * R);
+            }
+            table.push(row);
+        }
+        let mut shares = Shares::new(&plan);
+        shares.take(&table);
+        shares.end().into_iter().map(|of_input| of_input[0].unwrap()).collect::<Vec<f64>>()
+    };
+    let [listed, sorted] = [shares(&designs), shares(&sorted)];
+    assert!(listed[0] > 0.98 && listed[1] < 0.05, "{listed:?}");
+    assert!(listed.iter().zip(&sorted).all(|(one, other)| (one - other).abs() < 1e-9), "{listed:?} {sorted:?}");
 }

@@ -16,25 +16,14 @@ use serde_json::Value;
 use super::super::{fault, show};
 use super::Study;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
-use crate::store::{Existing, Folder, Set};
+use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::file;
-use crate::sweep::rules::{ChunkTorn, OtherChunks, OtherPlan};
+use crate::sweep::rules::{ChunkTorn, ChunksMissing, OtherChunks, OtherPlan};
 use crate::sweep::table::Table;
 
 const PLAN: &str = "plan.json";
 /// The ending of rows that are not yet a chunk.
 const PART: &str = ".part";
-
-/// How far a chunk is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum State {
-    /// It is there, whole.
-    Whole,
-    /// There is something of its name that is not it.
-    Torn,
-    /// It is not there.
-    Missing,
-}
 
 /// The folder of a plan's rows.
 pub(super) struct Rows<'a> {
@@ -60,7 +49,7 @@ impl<'a> Rows<'a> {
     ) -> Result<Self, Refusal> {
         let outer = Folder::open(place)?;
         if fresh {
-            clear(&outer, place)?;
+            clear(&outer, place, &store::stem(study.workbook).to_string_lossy())?;
         }
         let known: Option<Value> =
             fs::read(place.join(PLAN)).ok().map(|bytes| serde_json::from_slice(&bytes).unwrap_or(Value::Null));
@@ -127,13 +116,16 @@ impl<'a> Rows<'a> {
         if whole && (range.is_empty() || begins == Some(range.start)) { Ok(Some(rows)) } else { Err(()) }
     }
 
-    /// How far a chunk is.
-    pub(super) fn state(&self, number: u64) -> State {
-        match self.read(number, &|name| name == "id") {
-            Ok(Some(_)) => State::Whole,
-            Ok(None) => State::Missing,
-            Err(()) => State::Torn,
-        }
+    /// The chunks that are not there, or of which not all of these columns can be read.
+    pub(super) fn missing(&self, wanted: &dyn Fn(&str) -> bool) -> Vec<u64> {
+        (0..self.chunks).filter(|number| !matches!(self.read(*number, wanted), Ok(Some(_)))).collect()
+    }
+
+    /// The stop for chunks that are missing or damaged.
+    pub(super) fn lacking(&self, missing: &[u64]) -> Refusal {
+        let (list, chunks) = (super::ranges(missing), self.chunks);
+        let missing = u64::try_from(missing.len()).unwrap_or(u64::MAX);
+        ChunksMissing { list, missing, chunks }.refused(Exit::Incomplete, Place::File)
     }
 
     /// The finding for a chunk that is torn.
@@ -177,22 +169,34 @@ fn write(folder: &Folder, name: &OsStr, bytes: &[u8]) -> Result<(), Refusal> {
     set.commit().map(drop)
 }
 
-/// Removes what an earlier run left: the plan, its chunks, and what was made of them.
-fn clear(outer: &Folder, place: &Path) -> Result<(), Refusal> {
-    outer.remove(OsStr::new(PLAN))?;
-    for (within, endings) in [
-        ("", &["summary.parquet", "summary.csv", "-sweep.xlsx", "-sweep.pdf", "sweep.sbatch"][..]),
-        ("chunks", &[".parquet", PART][..]),
-        ("top", &[".xlsx", ".nc", ".dxf", ".svg", ".stl", ".html"][..]),
-    ] {
-        let path = place.join(within);
-        let Ok(entries) = fs::read_dir(&path) else { continue };
-        let folder = Folder::open(&path)?;
-        for name in entries.flatten().map(|entry| entry.file_name()) {
-            if endings.iter().any(|ending| name.to_string_lossy().ends_with(ending)) {
-                folder.remove(&name)?;
-            }
-        }
+/// Removes what an earlier run of a workbook of this name left: the plan, its chunks, and what was made of them. A folder that
+/// holds no plan holds nothing of the kind, and a file that has no name of ours is somebody else's.
+fn clear(outer: &Folder, place: &Path, stem: &str) -> Result<(), Refusal> {
+    if !place.join(PLAN).is_file() {
+        return Ok(());
     }
-    Ok(())
+    let made = [format!("{stem}-sweep.xlsx"), format!("{stem}-sweep.pdf")];
+    let ours = |file: &str| {
+        ["summary.parquet", "summary.csv", "sweep.sbatch"].contains(&file) || made.iter().any(|one| one == file)
+    };
+    let chunk = |file: &str| {
+        let sum = file.trim_start_matches('.').split_once('-').map(|(sum, _)| sum);
+        let of_plan = sum.is_some_and(|sum| sum.len() == 8 && sum.bytes().all(|one| one.is_ascii_hexdigit()));
+        of_plan && file.contains("-of-") && (file.ends_with(".parquet") || file.ends_with(PART))
+    };
+    let top = |file: &str| {
+        let number = file.strip_prefix(stem).and_then(|rest| rest.strip_prefix('-')).and_then(|rest| rest.get(..6));
+        number.is_some_and(|number| number.bytes().all(|one| one.is_ascii_digit()))
+    };
+    let remove = |within: &str, left: &dyn Fn(&str) -> bool| {
+        let path = place.join(within);
+        let Ok(entries) = fs::read_dir(&path) else { return Ok(()) };
+        let folder = Folder::open(&path)?;
+        let names = entries.flatten().map(|entry| entry.file_name());
+        names.filter(|name| left(&name.to_string_lossy())).try_for_each(|name| folder.remove(&name))
+    };
+    remove("", &ours)?;
+    remove("chunks", &chunk)?;
+    remove("top", &top)?;
+    outer.remove(OsStr::new(PLAN))
 }

@@ -19,6 +19,7 @@ use super::work::Workshop;
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule};
 use crate::kind::Kind;
+use crate::parameter::Values;
 use crate::report;
 use crate::report::sweep::Titled;
 use crate::store::{self, Existing, Folder, Set};
@@ -70,7 +71,7 @@ pub(super) fn merge(
     let (all, best) = summary(arguments, study, rows, (&ranked, &top), &folder)?;
     let links = build_top(study, kinds, rows, &top)?;
     let workshop = Workshop::open(study, arguments.jobs)?;
-    let judge = |inputs| workshop.design(0, inputs);
+    let judge = |values: &Values| workshop.beside(values);
     let mut effects = workshop.side_by_side(|| around(study.kind, &study.base, plan, &judge));
     match &indices {
         Some(indices) => effects.iter_mut().zip(indices.end()).for_each(|(effect, of)| effect.indices = of),
@@ -119,7 +120,7 @@ pub(super) fn merge(
 }
 
 fn read(rows: &Rows<'_>, number: u64, wanted: &dyn Fn(&str) -> bool) -> Result<Table, Refusal> {
-    rows.read(number, wanted).ok().flatten().ok_or_else(|| Refusal::new(Exit::Unreadable, rows.torn(number)))
+    rows.read(number, wanted).ok().flatten().ok_or_else(|| rows.lacking(&[number]))
 }
 
 /// Writes all rows in the order of the plan, with the mark of the front; gives those of the sheet of all, and the top in its order.

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use self::args::Sweep;
-use self::folder::{Rows, State};
+use self::folder::Rows;
 use self::work::Workshop;
 use super::interrupt;
 use super::locale::spoken;
@@ -29,7 +29,7 @@ use crate::store;
 use crate::sweep::asked;
 use crate::sweep::form::NAME;
 use crate::sweep::plan::Plan;
-use crate::sweep::rules::{ChunksMissing, NoSweepSheet, WrongChunk};
+use crate::sweep::rules::{NoSweepSheet, WrongChunk};
 use crate::text::{Language, Text, t};
 use crate::workbook::{self, sweep_sheet};
 
@@ -223,11 +223,10 @@ fn all(
         progress.end(terminal);
         worked?;
     }
-    let missing: Vec<u64> = (0..rows.chunks()).filter(|number| rows.state(*number) != State::Whole).collect();
+    // Whether all their columns can be read is seen when they are merged.
+    let missing = rows.missing(&|name| name == "id");
     if !missing.is_empty() {
-        let (list, chunks) = (ranges(&missing), rows.chunks());
-        let missing = u64::try_from(missing.len()).unwrap_or(u64::MAX);
-        return Err(ChunksMissing { list, missing, chunks }.refused(Exit::Incomplete, Place::File));
+        return Err(rows.lacking(&missing));
     }
     merge::merge(arguments, study, kinds, &rows, interrupted, terminal)
 }

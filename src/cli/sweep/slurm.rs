@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 
 use super::super::{fault, terminal::Terminal};
 use super::args::Sweep;
-use super::folder::{Rows, State};
+use super::folder::Rows;
 use super::{Study, absolute, count, ranges};
 use crate::escape::printable;
 use crate::finding::answer::{self, answer};
@@ -76,7 +76,7 @@ pub(super) fn submit(
     set.write(OsStr::new(SCRIPT), |out| out.write_all(script.as_bytes()))?;
     set.commit()?;
     let (file, logs) = (absolute(&place.join(SCRIPT)), absolute(&place.join("slurm-%A_%a.log")));
-    let missing: Vec<u64> = (0..rows.chunks()).filter(|number| rows.state(*number) != State::Whole).collect();
+    let missing = rows.missing(&|_| true);
     let mut text = String::new();
     let mut after = Vec::new();
     if !missing.is_empty() {

@@ -18,7 +18,7 @@ use super::Study;
 use super::folder::Rows;
 use super::progress::Progress;
 use crate::finding::Refusal;
-use crate::parameter::Value;
+use crate::parameter::{Value, Values};
 use crate::sweep::chance::permuted;
 use crate::sweep::row::{Row, State, judged};
 
@@ -64,6 +64,15 @@ impl<'a> Workshop<'a> {
         match fault::guarded(|| judged(*kind, base, plan, id, inputs.clone())) {
             Ok(row) => row,
             Err(refusal) => Row::failed(*kind, id, inputs, &refusal),
+        }
+    }
+
+    /// A workbook with values that are in no design of the plan, worked out.
+    pub(super) fn beside(&self, values: &Values) -> Row {
+        let Study { kind, plan, .. } = self.study;
+        match fault::guarded(|| judged(*kind, values, plan, 0, Vec::new())) {
+            Ok(row) => row,
+            Err(refusal) => Row::failed(*kind, 0, Vec::new(), &refusal),
         }
     }
 

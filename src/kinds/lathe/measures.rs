@@ -1,6 +1,6 @@
 //! What turning programs are compared by: what they come to when they are followed.
 
-use crate::kind::measure::Measure;
+use crate::kind::measure::{Measure, Suggested, Varied};
 use crate::table::Unit;
 
 /// Every derived value of the results.
@@ -22,3 +22,10 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::read_back("dev_plus", Unit::Millimetre),
     Measure::read_back("dev_minus", Unit::Millimetre),
 ];
+
+/// A few designs.
+pub(super) static SUGGESTED: Suggested = Suggested {
+    case: None,
+    inputs: &[("S_max", Varied::Steps(2000.0, 3000.0, 250.0)), ("L4", Varied::Values("25; 30; 35"))],
+    objectives: "t min; alarms min",
+};

@@ -13,6 +13,7 @@ mod measures;
 pub mod parameters;
 mod part_view;
 mod profile;
+mod quantities;
 pub mod rules;
 pub mod scene;
 pub mod setup;
@@ -31,9 +32,8 @@ use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
 use crate::gcode::rules::lexis::MoreRefusals;
 use crate::gcode::word::NumberFormat;
-use crate::geometry::revolution::volume;
 use crate::kind::live_form::LiveForm;
-use crate::kind::measure::{Limits, Measure};
+use crate::kind::measure::{Limits, Measure, Suggested};
 use crate::kind::{Chapters, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants};
 use crate::kinds::lathe::figures::Drawn;
 use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
@@ -57,7 +57,6 @@ use crate::removal::turning::in_force::InForceWatch;
 use crate::removal::turning::second_removal::AGREE;
 use crate::removal::turning::simulation::{Setup, Simulation};
 use crate::removal::turning::step::Step;
-use crate::table::{Quantity, Unit};
 use crate::text::{Language, Text, t};
 
 /// How far the facets of the solid may be from the round part, mm.
@@ -183,6 +182,10 @@ impl Kind for Lathe {
 
     fn measures(&self) -> &'static [Measure] {
         measures::MEASURES
+    }
+
+    fn suggested(&self) -> &'static Suggested {
+        &measures::SUGGESTED
     }
 
     /// Of a program that is written already nothing is known before it is read.
@@ -510,7 +513,7 @@ fn outcome(
 ) -> Simulated {
     let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let mut quantities = quantities(given, &followed);
+    let mut quantities = quantities::quantities(given, &followed);
     let mut tables = Rows::tables(followed.iter_mut().map(|one| std::mem::take(&mut one.rows)).collect());
     tables.push(lines_table(&tables));
     tables.push(alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
@@ -577,73 +580,4 @@ fn outcome(
         source,
     };
     Simulated { outcome, alarms }
-}
-
-/// What the programs come to.
-fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
-    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
-    let sum = |of: fn(&crate::removal::turning::step::Total) -> f64| {
-        followed.iter().map(|one| of(&one.simulation.totals().all)).sum::<f64>()
-    };
-    let most = |of: fn(&crate::removal::turning::step::Total) -> f64| {
-        followed.iter().map(|one| of(&one.simulation.totals().all)).fold(0.0, f64::max)
-    };
-    let count = |grade: Option<Grade>| {
-        let alarms = followed.iter().flat_map(|one| &one.alarms);
-        let counted = alarms.filter(|one| grade.is_none_or(|grade| one.alarm.cause.grade() == grade)).count();
-        f64::from(u32::try_from(counted).unwrap_or(u32::MAX))
-    };
-    let none = || t("", "");
-    let left = followed.last().map_or(0.0, |one| one.drawn.part.iter().map(|ring| volume(ring)).sum());
-    let mm3 = Unit::CubicMillimetre;
-    let mut quantities = vec![
-        quantity("L3", t("Voladizo", "Stick-out"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),
-        quantity(
-            "Z_W1",
-            t("Origen W1, desde M", "Zero W1, from M"),
-            given.setup.stock.zero(&given.setup.lathe),
-            Unit::Millimetre,
-            t("L1 + L2 + L3 − L5", "L1 + L2 + L3 − L5"),
-        ),
-        quantity("t", t("Duración", "Time"), sum(|all| all.seconds), Unit::Second, t("programa leído", "program read")),
-        quantity("t_c", t("de ella, cortando", "of it, cutting"), sum(|all| all.cutting_seconds), Unit::Second, none()),
-        quantity(
-            "t_G0",
-            t("de ella, en rápido", "of it, in rapid"),
-            sum(|all| all.rapid_seconds),
-            Unit::Second,
-            none(),
-        ),
-        quantity("V_r", t("Volumen arrancado", "Volume removed"), sum(|all| all.volume), mm3, none()),
-        quantity("V_t", t("Volumen tronzado", "Volume parted off"), sum(|all| all.parted), mm3, none()),
-        quantity("V", t("Volumen de la pieza", "Volume of the part"), left, mm3, none()),
-        quantity(
-            "a_p",
-            t("Profundidad de pasada máxima", "Maximum depth of cut"),
-            most(|all| all.depth),
-            Unit::Millimetre,
-            none(),
-        ),
-        quantity(
-            "V_c",
-            t("Velocidad de corte máxima", "Maximum cutting speed"),
-            most(|all| all.cutting_speed),
-            Unit::MetrePerMinute,
-            none(),
-        ),
-        quantity(
-            "Q",
-            t("Caudal de viruta máximo", "Maximum removal rate"),
-            most(|all| all.rate),
-            Unit::CubicCentimetrePerMinute,
-            none(),
-        ),
-        quantity("alarms", t("Alarmas", "Alarms"), count(None), Unit::Count, none()),
-        quantity("stops", t("de ellas, paradas", "of them, stops"), count(Some(Grade::Stop)), Unit::Count, none()),
-    ];
-    let apart = followed.iter().map(|one| one.repeated).fold(0.0, f64::max);
-    let name =
-        t("Contorno, comparado con otra biblioteca de polígonos", "Contour, compared with another polygon library");
-    quantities.push(quantity("δ_2", name, apart, Unit::Millimetre, t("distancia media", "mean distance")));
-    quantities
 }
