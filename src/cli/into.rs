@@ -8,6 +8,7 @@ use super::show;
 use crate::escape::printable;
 use crate::finding::rules::NotComposed;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::graft::rules::CopyThere;
 use crate::graft::{Donor, Host};
 use crate::kind::Outcome;
 use crate::store::{self, Folder, Set};
@@ -15,7 +16,7 @@ use crate::text::Language;
 use crate::workbook::error::WriteError;
 use crate::workbook::names::{Made, Present};
 use crate::workbook::results::Tables;
-use crate::workbook::{Filled, results};
+use crate::workbook::{self, Filled, gate, results};
 
 /// A workbook that results go into.
 #[derive(Debug)]
@@ -23,6 +24,8 @@ pub(super) struct Into<'a> {
     workbook: &'a Path,
     bytes: &'a [u8],
     host: Host<'a>,
+    /// What a person should know about it.
+    notes: Vec<Finding>,
     present: Present,
     /// The names of the inputs with their cells.
     inputs: Vec<(&'static str, String)>,
@@ -46,7 +49,9 @@ impl<'a> Into<'a> {
     pub(super) fn open(item: &'a Item, bytes: &'a [u8], filled: &Filled, inputs: &[&Path]) -> Result<Self, Refusal> {
         store::replaceable(&item.workbook, inputs)?;
         let host = Host::open(bytes)?;
+        let mut notes = host.notes().to_vec();
         let mut present = host.present();
+        notes.extend(copy_there(&host, &item.workbook));
         let cell_of = |key: &str| filled.values.cells.get(key);
         for (index, sheet) in filled.form.sheets.iter().enumerate() {
             let keys = sheet.sections.iter().flat_map(|section| section.parameters);
@@ -62,12 +67,12 @@ impl<'a> Into<'a> {
             Some((one.name, format!("'{}'!${letters}${digits}", cell.sheet.replace('\'', "''"))))
         });
         let inputs = inputs.collect();
-        Ok(Self { workbook: &item.workbook, bytes, host, present, inputs })
+        Ok(Self { workbook: &item.workbook, bytes, host, notes, present, inputs })
     }
 
     /// What a person should know about the workbook.
     pub(super) fn notes(&self) -> &[Finding] {
-        self.host.notes()
+        &self.notes
     }
 
     /// Adds the workbook with the results to the set.
@@ -82,12 +87,25 @@ impl<'a> Into<'a> {
         language: Language,
         set: &mut Set<'_>,
     ) -> Result<(), Refusal> {
-        let Self { workbook, bytes, host, present, inputs } = self;
+        let Self { workbook, bytes, host, present, inputs, .. } = self;
         let (donor, sheets) =
             composed(workbook, |out| results::write_into(outcome, files, tables, language, &present, out))?;
         let grown = host.put(&Donor { bytes: &donor, sheets: &sheets, inputs, source: &outcome.source.sha256 })?;
         set.replace(workbook, bytes, &grown)
     }
+}
+
+/// The note on a copy that is there before any was kept, and that is no earlier one of this workbook.
+pub(super) fn copy_there(host: &Host<'_>, workbook: &Path) -> Option<Finding> {
+    let copy = store::copy_of(workbook).filter(|_| host.first())?;
+    let told = CopyThere { path: show::path(&copy) }.at(Place::File);
+    (!is_earlier(&copy, &host.present().taken)).then_some(told)
+}
+
+/// True for a workbook that may be an earlier one with these sheets, such as the copy of before its form was put in.
+fn is_earlier(copy: &Path, sheets: &[String]) -> bool {
+    let Ok(bytes) = workbook::open(copy) else { return false };
+    gate(&bytes).is_ok_and(|gated| gated.sheets.iter().all(|one| sheets.contains(&one.name)))
 }
 
 /// The bytes of a workbook as it is composed, with its sheets.

@@ -94,6 +94,7 @@ fn put(
     let present = host.present();
     let mut told: Vec<Finding> = folder.settled().cloned().into_iter().collect();
     told.extend(host.notes().iter().cloned());
+    told.extend(into::copy_there(&host, book));
     let grow = |host: Host<'_>, (donor, sheets): (Vec<u8>, Vec<Made>)| {
         host.put(&Donor { bytes: &donor, sheets: &sheets, inputs: Vec::new(), source: "" })
     };

@@ -95,6 +95,12 @@ impl<'a> Host<'a> {
         &self.notes
     }
 
+    /// True where no results were put in before.
+    #[must_use]
+    pub fn first(&self) -> bool {
+        self.book.global(SOURCE).is_none()
+    }
+
     /// The names of its sheets: those that were put in before by their keys, and all that are taken.
     #[must_use]
     pub fn present(&self) -> Present {
@@ -131,9 +137,13 @@ impl<'a> Host<'a> {
         for Mark { slug, name, place, title: said } in marks {
             // Of a sheet that was deleted the mark is left: the sheet is made anew.
             let Some((sheet, cell)) = place else { continue };
-            let lost = || refused(&MarkLost { sheet: excerpt(&sheet, SHOWN), mark: excerpt(&name, SHOWN) });
             let there = |one: &super::book::Sheet| one.name.to_lowercase() == sheet.to_lowercase();
-            let index = self.book.sheets.iter().position(there).ok_or_else(lost)?;
+            // Others than Excel and LibreOffice leave the mark of a deleted sheet as it was.
+            let Some(index) = self.book.sheets.iter().position(there) else { continue };
+            let lost = || {
+                let title = marks::title(&said);
+                refused(&MarkLost { sheet: excerpt(&sheet, SHOWN), mark: excerpt(&name, SHOWN), title })
+            };
             let part = self.sheets.get(index).cloned().ok_or_else(lost)?;
             if cells.get(index) != Some(&true) || !seen.insert(index) {
                 return Err(lost());
@@ -167,6 +177,13 @@ fn admitted(book: &Book, relations: &[Relation], kind: &str) -> Result<(), Refus
     }
     if !WORKBOOKS.iter().any(|one| one.eq_ignore_ascii_case(kind)) {
         return Err(refused(&BookOfOtherKind { kind: excerpt(kind, SHOWN) }));
+    }
+    if root
+        .child("calcPr")
+        .and_then(|one| one.attribute("fullPrecision"))
+        .is_some_and(|full| ["0", "false"].contains(&full))
+    {
+        return Err(refused(&PrecisionAsShown {}));
     }
     if let Some(protection) = root.child("workbookProtection") {
         if protection.says("lockStructure") {

@@ -1,5 +1,7 @@
 //! The marks by which sheets that were put in are known again.
 
+use crate::escape::excerpt;
+use crate::text::{Text, t};
 use crate::workbook::names::{cell, quoted};
 
 use super::book::Name;
@@ -58,6 +60,18 @@ pub fn said(title: &Title) -> String {
         }
         Title::Formula => "1".to_owned(),
         Title::None => "0".to_owned(),
+    }
+}
+
+/// What the first cell of a sheet says, from what is kept of it.
+pub fn title(said: &str) -> Text {
+    match said.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')) {
+        Some(text) => {
+            let text = excerpt(&text.replace("\"\"", "\""), KEPT);
+            Text::new(format!("\"{text}\""), format!("\"{text}\""))
+        }
+        None if said == "0" => t("nada", "nothing"),
+        None => t("una fórmula", "a formula"),
     }
 }
 

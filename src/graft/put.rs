@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use quick_xml::escape::escape;
 
 use crate::finding::Refusal;
-use crate::workbook::guard;
+use crate::workbook::guard::{self, STALE};
 use crate::workbook::names::{Role, cell, slug};
 
 use super::book::{Book, Name};
@@ -243,8 +243,13 @@ impl Host<'_> {
             }
         }
         if let Some(first) = forms.first() {
-            let sheet = cell(&first.formula).map(|(sheet, _)| sheet).filter(|_| forms.len() > 1);
-            return Err(sheet.map_or_else(|| taken(first), |sheet| refused(&FormThere { sheet })));
+            if donor.has_results() {
+                let built = self.ours.is_empty() && self.book.global(STALE).is_some();
+                return Err(if built { refused(&ResultsThere {}) } else { taken(first) });
+            }
+            // A form's own row of that name says that it is one.
+            let form = self.book.global("schema").and_then(|name| cell(&name.formula));
+            return Err(form.map_or_else(|| taken(first), |(sheet, _)| refused(&FormThere { sheet })));
         }
         for (name, formula) in &donor.inputs {
             match self.book.global(name) {

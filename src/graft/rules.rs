@@ -2,7 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// A workbook that no text shows.
 macro_rules! made {
@@ -18,38 +18,38 @@ rules! {
     "B0101" BookSigned Stop {}
         es "el libro lleva una firma digital"
         en "the workbook is digitally signed"
-        remedy "quite la firma en Excel (Archivo, Información), o genere los resultados sin --into",
-            "remove the signature in Excel (File, Info), or build without --into";
+        remedy "quite la firma en Excel (Archivo, Información), o prescinda de --into",
+            "remove the signature in Excel (File, Info), or do without --into";
         why "Cualquier cambio en el libro rompe la firma.", "Any change to the workbook breaks the signature.";
         example made!("into-signed", "build --into de un libro firmado", "build --into of a signed workbook");
     "B0102" StructureLocked Stop {}
         es "la estructura del libro está protegida: no admite hojas nuevas"
         en "the structure of the workbook is protected: it takes no new sheets"
-        remedy "quite la protección del libro (Revisar, Proteger libro), o genere los resultados sin --into",
-            "switch off Protect Workbook (Review), or build without --into";
+        remedy "quite la protección del libro (Revisar, Proteger libro), o prescinda de --into",
+            "switch off Protect Workbook (Review), or do without --into";
         why "Quien protegió la estructura no quiere que cambien las hojas.", "Whoever protected the structure wants the sheets to stay as they are.";
         example made!("into-locked", "build --into de un libro con la estructura protegida",
             "build --into of a workbook with a protected structure");
     "B0103" RevisionsLocked Stop {}
         es "el libro guarda un historial de cambios protegido"
         en "the workbook keeps a protected history of changes"
-        remedy "quite la protección del libro compartido, o genere los resultados sin --into", "switch off the protection of the shared workbook, or build without --into";
+        remedy "quite la protección del libro compartido, o prescinda de --into", "switch off the protection of the shared workbook, or do without --into";
         why "El historial debe contener todos los cambios, y rodete no los anota.",
             "The history must hold every change, and rodete does not record any.";
         example made!("into-revisions-locked", "build --into de un libro con lockRevision", "build --into of a workbook with lockRevision");
     "B0104" BookShared Stop {}
         es "el libro es compartido, con historial de cambios"
         en "the workbook is shared, with a history of changes"
-        remedy "deje de compartirlo (Revisar, Compartir libro), o genere los resultados sin --into",
-            "stop sharing it (Review, Share Workbook), or build without --into";
+        remedy "deje de compartirlo (Revisar, Compartir libro), o prescinda de --into",
+            "stop sharing it (Review, Share Workbook), or do without --into";
         why "El historial debe contener todos los cambios, y rodete no los anota.",
             "The history must hold every change, and rodete does not record any.";
         example made!("into-shared", "build --into de un libro compartido", "build --into of a shared workbook");
     "B0105" BookStrict Stop {}
         es "el libro es de la variante estricta del formato"
         en "the workbook is of the strict variant of the format"
-        remedy "guárdelo en Excel como \"Libro de Excel (.xlsx)\", o genere los resultados sin --into",
-            "save it in Excel as \"Excel Workbook (.xlsx)\", or build without --into";
+        remedy "guárdelo en Excel como \"Libro de Excel (.xlsx)\", o prescinda de --into",
+            "save it in Excel as \"Excel Workbook (.xlsx)\", or do without --into";
         why "Sus partes usan otros nombres; mezclados, Excel no abre el libro.",
             "Its parts use other names; mixed, Excel does not open the workbook.";
         example made!("into-strict", "build --into de un libro guardado como \"Libro estricto Open XML\"",
@@ -64,7 +64,7 @@ rules! {
     "B0107" CustomViews Stop {}
         es "el libro tiene vistas personalizadas"
         en "the workbook has custom views"
-        remedy "bórrelas (Vista, Vistas personalizadas), o genere los resultados sin --into", "delete them (View, Custom Views), or build without --into";
+        remedy "bórrelas (Vista, Vistas personalizadas), o prescinda de --into", "delete them (View, Custom Views), or do without --into";
         why "Cada vista guarda el estado de todas las hojas, y las nuevas no están en ella.",
             "Each view keeps the state of every sheet, and new sheets are not in it.";
         example made!("into-views", "build --into de un libro con vistas personalizadas", "build --into of a workbook with custom views");
@@ -78,7 +78,7 @@ rules! {
     "B0109" TooManyCellFormats Stop { most: usize }
         es "con las hojas nuevas el libro tendría más de {most} formatos de celda"
         en "with the new sheets the workbook would have more than {most} cell formats"
-        remedy "quite formatos que no se usen, o genere los resultados sin --into", "remove formats that are not used, or build without --into";
+        remedy "quite formatos que no se usen, o prescinda de --into", "remove formats that are not used, or do without --into";
         why "Excel no admite más.", "Excel does not allow more.";
         example made!("into-formats", "build --into de un libro con 65490 formatos", "build --into of a workbook with 65490 formats");
     "B0110" BookTooLarge Stop {}
@@ -87,11 +87,11 @@ rules! {
         remedy "genere los resultados sin --into, o con menos puntos", "build without --into, or with fewer points";
         why "El libro es entrada y resultado a la vez: rodete debe poder leerlo.", "The workbook is input and result at once: rodete must be able to read it.";
         example made!("into-large", "build --into de un libro con 995 hojas propias", "build --into of a workbook with 995 sheets of its own");
-    "B0111" MarkLost Stop { sheet: String, mark: String }
+    "B0111" MarkLost Stop { sheet: String, mark: String, title: Text }
         es "la hoja \"{sheet}\" ya no parece de rodete, aunque el nombre oculto {mark} lleva a ella"
         en "the sheet \"{sheet}\" no longer looks like one of rodete's, although the hidden name {mark} leads to it"
-        remedy "devuelva a su primera celda lo que decía, o borre el nombre {mark}: rodete hará otra hoja",
-            "put back what its first cell said, or delete the name {mark}: rodete then makes another sheet";
+        remedy "devuelva a su primera celda lo que decía: {title}; si la hoja es ya suya, cópiela en otra nueva y borre esta: rodete hará otra",
+            "put back what its first cell said: {title}; if the sheet is yours by now, copy it to a new one and delete this one: rodete then makes another";
         why "rodete no sustituye una hoja que puede ser suya.", "rodete does not replace a sheet that may be yours.";
         example made!("into-mark", "build --into de un libro cuya hoja de resultados tiene otro título",
             "build --into of a workbook whose results sheet has another title");
@@ -113,6 +113,22 @@ rules! {
         remedy "cámbiele el nombre", "rename it";
         why "rodete encuentra esta lista por el nombre de su hoja.", "rodete finds this list by the name of its sheet.";
         example made!("into-list", "new lathe --into de un libro con una hoja \"TOOLS\"", "new lathe --into of a workbook with a sheet \"TOOLS\"");
+    "B0115" PrecisionAsShown Stop {}
+        es "el libro calcula con la precisión que muestra: sus fórmulas redondearían las cifras verificadas"
+        en "the workbook calculates with the precision as displayed: its formulas would round the verified figures"
+        remedy "desactive \"Establecer precisión de pantalla\" (Archivo, Opciones, Avanzadas), o prescinda de --into",
+            "switch off \"Set precision as displayed\" (File, Options, Advanced), or do without --into";
+        why "Las tablas vivas se redondean entonces a los decimales de sus celdas, y hasta los datos tecleados cambian.",
+            "The live tables are then rounded to the decimals of their cells, and even typed inputs change.";
+        example made!("into-precision", "build --into de un libro con la precisión de pantalla",
+            "build --into of a workbook with the precision as displayed");
+    "B0116" ResultsThere Stop {}
+        es "el libro es un libro de resultados de rodete: sus hojas de resultados no entraron con --into"
+        en "the workbook is a results workbook of rodete: its results sheets did not go in with --into"
+        remedy "genere sin --into, o con --into en el libro del formulario", "build without --into, or build the form's own workbook with --into";
+        why "Con unas segundas hojas de resultados, los nombres de las primeras quedarían sin dueño.",
+            "With second results sheets the names of the first ones would lead nowhere.";
+        example made!("into-results", "build --into de un libro …-results.xlsx", "build --into of a …-results.xlsx workbook");
     "B0121" MacrosStay Note {}
         es "las macros del libro siguen como estaban"
         en "the macros of the workbook stay as they were"
@@ -141,6 +157,14 @@ rules! {
         why "Si el otro libro ha cambiado, los valores guardados son anteriores.",
             "If the other workbook has changed, the stored values are earlier ones.";
         example made!("into-links", "build --into de un libro con vínculos externos", "build --into of a workbook with external links");
+    "B0125" CopyThere Note { path: String }
+        es "{path} ya estaba: rodete lo deja como está y no guarda otra copia del libro"
+        en "{path} was there already: rodete leaves it as it is and keeps no other copy of the workbook"
+        remedy "", "";
+        why "rodete guarda el libro de antes una sola vez, y no sustituye una copia que puede ser la primera.",
+            "rodete keeps the workbook of before once only, and does not replace a copy that may be the first one.";
+        example made!("into-kept", "new --into de un libro que ya tiene al lado un archivo .bak",
+            "new --into of a workbook that has a .bak file beside it");
     "B0131" NotPutIn Stop { what: String }
         es "las hojas no han entrado en el libro como debían: {what}"
         en "the sheets did not go into the workbook as they should: {what}"

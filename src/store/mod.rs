@@ -41,6 +41,6 @@ pub use draft::{Output, abandon, sha256};
 pub use folder::Folder;
 pub use name::{file_name, namesake, stem};
 pub use notice::{settle, settle_on};
-pub use replaced::replaceable;
+pub use replaced::{copy_of, replaceable};
 pub use set::{Existing, Set, Written};
 pub use summed::{Sum, Summed};

@@ -76,7 +76,18 @@ pub fn replaceable(workbook: &Path, inputs: &[&Path]) -> Result<(), Refusal> {
     if found.permissions().readonly() {
         return Err(refusal(&BookReadOnly { path: shown(workbook) }));
     }
+    // A folder or a link is no copy of it.
+    let kept = kept(workbook);
+    if fs::symlink_metadata(&kept).is_ok_and(|found| !found.is_file()) {
+        target::check(&kept, &[])?;
+    }
     Ok(())
+}
+
+/// The copy of a workbook that is kept, where there is one already.
+#[must_use]
+pub fn copy_of(workbook: &Path) -> Option<PathBuf> {
+    Some(kept(workbook)).filter(|kept| kept.is_file())
 }
 
 impl Set<'_> {

@@ -141,7 +141,7 @@ rules! {
     "S0135" BookReadOnly Stop { path: String }
         es "{path} está protegido contra escritura"
         en "{path} is write-protected"
-        remedy "quite la protección del archivo, o genere los resultados sin --into", "remove the file's protection, or build without --into";
+        remedy "quite la protección del archivo, o prescinda de --into", "remove the file's protection, or do without --into";
         why "Quien lo protegió no quiere que cambie.", "Whoever protected it does not want it to change.";
         example made!("into-protected", "build --into de un libro sin permiso de escritura",
             "build --into of a workbook without permission to write");

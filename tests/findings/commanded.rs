@@ -359,6 +359,15 @@ fn into(key: &str, folder: &Path) -> Option<&'static str> {
             let (from, to) = ("<workbookPr", "<fileSharing readOnlyRecommended=\"1\"/><workbookPr");
             (parts.replace(BOOK, from, to), NEW)
         }
+        "into-precision" => (own(&["Notes"]).replace(BOOK, "<calcPr", "<calcPr fullPrecision=\"0\""), NEW),
+        "into-results" => {
+            let name = "<definedNames><definedName name=\"stale_inputs\">DATA!$Z$1</definedName><definedName name=\"derived_k\">DATA!$Z$2</definedName>";
+            (form().replace(BOOK, "<definedNames>", name), "build own.xlsx --into --no-report")
+        }
+        "into-kept" => {
+            fs::write(folder.join("own.xlsx.bak"), "own").unwrap();
+            (own(&["Notes"]), NEW)
+        }
         "into-manual" => (own(&["Notes"]).replace(BOOK, "<calcPr", "<calcPr calcMode=\"manual\""), NEW),
         "into-links" => (linked("externalLink"), NEW),
         "into-protected" => (own(&["Notes"]), NEW),
