@@ -176,6 +176,8 @@ const CYCLE: Name = ("ciclos fijos", "canned cycles");
 const TURNING_CYCLE: Name = ("ciclos fijos de torneado", "turning cycles");
 const PROBE: Name = ("búsqueda de referencia y palpado", "home search and probing");
 const POLAR: Name = ("origen polar", "polar origin");
+/// Its A is a share of the acceleration and not an axis (error manual, 0118 and 0208).
+const LOOK_AHEAD: Name = ("anticipación de bloques, con A y E", "look-ahead, with A and E");
 const CUTTING_POINT: Name = ("avance constante del punto de corte", "constant feed of the cutting point");
 const INVERSE: Name = ("avance como inversa del tiempo", "feed as inverse of the time");
 const CANCEL_ZERO: Name = ("anulación del traslado de origen", "zero offset cancellation");
@@ -196,7 +198,7 @@ const FAGOR: &[Row] = &[
 const BOTH_8055: &[Row] = &[
     (&[200, 210, 220], G::Refused(Group::Other, &ZONE)),
     (&[450], G::Refused(Group::Other, &TRANSFORMATION)),
-    (&[510], G::PathControl),
+    (&[510], G::Refused(Group::Other, &LOOK_AHEAD)),
     (&[530], G::MachineCoordinates),
     (&[580, 590], G::Refused(Group::WorkOffset, &ADDITIVE)),
     (&[750, 760], G::Refused(Group::NonModal, &PROBE)),

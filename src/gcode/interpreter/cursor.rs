@@ -304,14 +304,14 @@ pub(super) fn comments(line: &[u8], form: Comments) -> Result<Vec<(usize, &[u8])
             (b';', Comments::Parentheses) if reads_as_words(&line[start + 1..]) => {
                 return Err(Refused::of(&BlockAfterEnd {}, &[start]));
             }
-            (b';', _) => {
+            (b';', Comments::ParenthesesAndSemicolon | Comments::Semicolon | Comments::Parentheses) => {
                 found.push((start, &line[start + 1..]));
                 break;
             }
             (b'(', Comments::Semicolon) => {
                 return Err(Refused::of(&HighLevel {}, &[start]));
             }
-            (b'(', _) => {
+            (b'(', Comments::ParenthesesAndSemicolon | Comments::Parentheses) => {
                 let Some(length) = memchr::memchr2(b'(', b')', &line[start + 1..]) else {
                     return Err(Refused::of(&CommentOpen {}, &[start]));
                 };
