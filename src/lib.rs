@@ -12,21 +12,8 @@
 //! one [`outcome`](kind::Outcome). Sheets, JSON, program files and the report are views of the outcome.
 //!
 //! # Floors
-//! A module imports from its own or a lower floor only; `tests/commands/house.rs` holds this.
-//!
-//! | floor | modules | |
-//! |---|---|---|
-//! | 0 | [`number`], [`text`], [`escape`], [`finding`], [`table`], [`parameter`], [`figure`], [`limits`] | the concepts |
-//! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines, circles, two pipes that meet, plane regions |
-//! | 2 | [`machine`] | axes, rotary axes with pivot length, a torch over a turning pipe, travel, calibration, work offsets |
-//! | 3 | [`gcode`] | words, controls, programs and their text, the interpreter |
-//! | 4 | [`scene`], [`removal`] | what can be shown; metal that goes |
-//! | 5 | [`proof`] | judging programs, what they come to |
-//! | 6 | [`kind`] | what every workbook kind comes to |
-//! | 7 | [`kinds`], [`sweep`] | impeller, pipes and lathe, a folder each, one formula family a file; many designs of one workbook |
-//! | 8 | [`workbook`], [`report`], [`drawing`], [`typeset`], [`view`], [`store`], [`graft`], [`cli`] | the outside world, one wall each |
-//!
-//! Nothing below floor 8 reads a clock, a file, the environment or chance: the same input gives the same bytes on every
+//! A module imports from the groups below its own only: `docs/dev/ARCHITECTURE.md` draws them, `tests/commands/house.rs` holds
+//! it. Nothing below the walls reads a clock, a file, the environment or chance: the same input gives the same bytes on every
 //! machine.
 //!
 //! # Example

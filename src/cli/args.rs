@@ -288,7 +288,7 @@ pub(super) struct Outputs {
     /// Language of sheets, report and messages [default: the workbook's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
-    /// Write no report and no printable templates
+    /// Write no report, no set-up sheet and no printable templates
     #[arg(long)]
     pub(super) no_report: bool,
     /// Folder of your own typst files: each replaces the built-in file of the same name
@@ -331,7 +331,7 @@ pub(super) struct ControlOptions {
     /// LinuxCNC's parameter file: work offsets and parameters at the start
     #[arg(long, value_name = "FILE")]
     pub(super) var: Option<PathBuf>,
-    /// LinuxCNC's tool table: tool lengths; to view a turning program, a lathe workbook
+    /// LinuxCNC's tool table: tool lengths; for a lathe, it or a lathe workbook
     #[arg(long, value_name = "FILE")]
     pub(super) tools: Option<PathBuf>,
     /// Folder of subprograms, searched after the program's own folder; repeat for more folders, searched in order

@@ -1,6 +1,6 @@
 //! The house: what each room may use, what stands where.
 //!
-//! That nothing below the walls reaches files, clock, environment or processes is `clippy.toml`'s: a door says so there
+//! That nothing below the walls reaches files, clock, environment or processes is `.clippy.toml`'s: a door says so there
 //! where it stands.
 
 #![allow(clippy::expect_used)]
