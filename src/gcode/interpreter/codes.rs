@@ -175,7 +175,7 @@ impl Reader<'_, '_> {
             self.memory.remarks.row(&UnitsChange {}, spot, Some(self.block.g_column(Group::Units)));
         }
         self.memory.unit_said = true;
-        // The numbers of a cycle in force stay as they are written, and so do the height that it began at: they count in the new
+        // The numbers of a cycle in force stay as they are written, and so does the height that it began at: they count in the new
         // unit from here on (LinuxCNC's interp_convert.cc, convert_length_units, scales none of them).
         let scale = unit.to_mm(1.0) / self.state.modal.unit.to_mm(1.0);
         let sticky = &mut self.state.modal.sticky;
