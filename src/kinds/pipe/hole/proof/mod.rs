@@ -3,7 +3,8 @@
 //! Every motion of the cut is looked at in several poses, put back onto the pipe by the machine's forward kinematics. From
 //! each the nearest place of the exact cut is sought: how far the beam passes from its root is how far the cut is off. Half
 //! a kerf back across the cut face lies the edge that is cut, which is off the branch, grown by its gap, by no more than the beam
-//! is off the root, since the root's own edge lies on it.
+//! is off the root, since the root's own edge lies on it. The face that is cut is off its angle by what the torch is off, and by
+//! what the beams of neighbouring places open it ([`crossing`]).
 //!
 //! The torch is the convex body about its tip, its shoulder and the end of its body, three discs square to its axis. For any
 //! direction u across the pipe's axis no point of it comes nearer to that axis than the least of u·c − ρ|u × a| over the discs
@@ -13,6 +14,7 @@
 //! Between two poses all of these leave what runs evenly from the one to the other by no more than an eighth of their second
 //! derivative, as jets enclose it. Motions are parted until that decides.
 
+mod crossing;
 pub mod rules;
 
 use std::f64::consts::FRAC_PI_2;
@@ -27,6 +29,7 @@ use crate::gcode::word::Distance;
 use crate::kinds::pipe::hole::cut::{Cut, Follows, Leg, Place, axes, off};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::program::{AXES, distance};
+use crate::kinds::pipe::hole::proof::crossing::Crossing;
 use crate::kinds::pipe::hole::proof::rules::{BevelOff, CutSlows, NotItsTime, SwingsAtOnce, TorchTooNear};
 use crate::kinds::pipe::hole::station::Groove;
 use crate::machine::axis::{Axis, Pose};
@@ -155,6 +158,8 @@ struct BeamOnRoot<'a> {
     groove: Groove,
     /// How far the beam passes from the root, and the chord of the angle by which the torch is off.
     errors: Enclosed<2>,
+    /// How the lines of the face stand to their neighbours.
+    crossing: Crossing,
     curve: &'a mut Curve,
 }
 
@@ -162,6 +167,7 @@ impl Judge for BeamOnRoot<'_> {
     fn see(&mut self, step: &Step<'_>) {
         if let Some(Leg { follows: Follows::Curve(angles), .. }) = leg(self.cut, step) {
             self.look(&step.motion, *angles);
+            self.crossing.take(At::motion(&step.motion), *angles);
         }
     }
 
@@ -188,14 +194,14 @@ impl Judge for BeamOnRoot<'_> {
             ),
         );
         let name = t("Bisel: error máximo de ángulo", "Bevel: maximum angle error");
-        let most = (degrees(errors.at_most(1)) * 1e3 - 1e-6).ceil() / 1e3;
+        let angle = degrees(errors.at_most(1)) + self.crossing.opening().to_degrees();
+        let most = (angle * 1e3 - 1e-6).ceil() / 1e3;
         let value = Text::same(format!("≤ {}°", shown(most, 3)));
         let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
         let asked = errors.put(asked.of_parameters(vec!["gamma"]), 1);
-        let bevel = asked.holds(errors.at_most(1) <= chord(BEVEL), |place| {
-            BevelOff { angle: Size { value: most, unit: "°", decimals: 2 } }.at(place)
-        });
-        vec![beam, branch, bevel]
+        let bevel = asked
+            .holds(angle <= BEVEL, |place| BevelOff { angle: Size { value: most, unit: "°", decimals: 2 } }.at(place));
+        vec![beam, branch, bevel, self.crossing.check(program)]
     }
 }
 
@@ -468,6 +474,7 @@ pub const CHECKS: &[&str] = &[
     "beam",
     "branch",
     "bevel",
+    "crossing",
     "clearance",
     "tilt",
     "turning",
@@ -483,11 +490,13 @@ pub const CHECKS: &[&str] = &[
 pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec<Box<dyn Judge + 'a>> {
     let limits = [design.arc_tolerance + rounding(design), chord(BEVEL)];
     let errors = Enclosed::new([1e-3 * design.arc_tolerance, 1e-5], limits, WORK);
+    let groove = design.groove();
+    let crossing = Crossing::new(groove, BEVEL.to_radians());
     let near = Enclosed::new([1e-3], [-clear_limit(design)], WORK);
     let back = retract(design, cut).len();
     vec![
         Box::new(Agreement::of_the_torch(HELD, cut.legs.len() + back, back)),
-        Box::new(BeamOnRoot { design, cut, groove: design.groove(), errors, curve }),
+        Box::new(BeamOnRoot { design, cut, groove, errors, crossing, curve }),
         Box::new(Clearance { design, near, rapids: 0 }),
         Box::new(Swing { cut, tilt: [f64::INFINITY, f64::NEG_INFINITY], turn: Extreme::nothing() }),
         Box::new(CutSpeed {

@@ -6,8 +6,8 @@ crate::finding::rule::rules! {
     /// The rows of this room.
     RULES;
     "V0301" BevelOff Caution { angle: Size }
-        es "el bisel se desvía hasta {angle} donde la antorcha pasa cerca de la vertical"
-        en "the bevel is off by up to {angle} where the torch passes near the vertical"
+        es "el bisel se desvía hasta {angle}"
+        en "the bevel is off by up to {angle}"
         remedy "elija otro ángulo de bisel", "choose another groove angle";
         why "Los procedimientos de soldadura dan una tolerancia de pocos grados al bisel.",
             "Welding procedures allow a tolerance of only a few degrees on the groove angle.";
@@ -40,4 +40,11 @@ crate::finding::rule::rules! {
         why "A otra velocidad el chorro se desvía o no atraviesa la pared.",
             "At another speed the jet bends, or does not go through the wall.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "F664.367", to: "F864.367" };
+    "V0306" BeamsCross Caution { alpha: Size, height: Size, length: Size }
+        es "cerca de α = {alpha} los chorros vecinos se cruzan a {height} de la raíz, y la pared mide ahí {length} a lo largo del chorro: el borde exterior queda más abierto que el bisel"
+        en "near α = {alpha} neighbouring beams cross {height} from the root, and the wall measures {length} along the beam there: its outer edge opens wider than the groove angle"
+        remedy "elija un ángulo de bisel mayor, o acerque el injerto al eje del tubo base", "choose a larger groove angle, or move the branch closer to the header's axis";
+        why "Desde el cruce cada chorro corta lo que su vecino debía dejar: queda más hueco que llenar de soldadura.",
+            "Past the crossing each beam cuts what its neighbour should leave: there is more to fill with weld.";
+        example Example::Slip { kind: "pipe-hole", cells: &[("gamma", "0"), ("h", "0"), ("e", "28")], program: "hole", from: "", to: "" };
 }
