@@ -141,9 +141,9 @@ rules! {
         why "Otro control lee los mismos bloques de otra manera.", "Another control reads the same blocks differently.";
         example line!("verify" "part.ngc"; "part.ngc" = "G0 X1|M30");
     "U0128" WorkbookUnchanged Note { workbook: String }
-        es "generado con {workbook}, que no ha cambiado"
-        en "made from {workbook}, which has not changed"
-        remedy "", "";
+        es "generado con {workbook}, que no ha cambiado; los bloques del programa no se comparan con él"
+        en "made from {workbook}, which has not changed; the blocks of the program are not compared with it"
+        remedy "para compararlos, genere otra vez el libro y compare los archivos", "to compare them, build the workbook again and compare the files";
         why "El programa lleva la suma SHA-256 de su libro, y el libro todavía la tiene.",
             "The program carries the SHA-256 of its workbook, and the workbook still has it.";
         example line!("verify" "a.ngc";

@@ -181,6 +181,20 @@ impl Convex {
         made
     }
 
+    /// The polygon with the corners that lie on the axis, below all others, a unit of the grid lower: what only touches the axis
+    /// with a corner goes through it. `None` where its lowest corners are not on the axis.
+    #[must_use]
+    pub fn through_axis(&self) -> Option<Self> {
+        let low = self.corners.iter().map(|corner| corner.r).min();
+        (low == Some(0)).then(|| {
+            let lower = |corner: &Point| Point { r: if corner.r == 0 { -1 } else { corner.r }, ..*corner };
+            let corners = self.corners.iter().map(lower).collect();
+            let mut made = Self { corners, lines: Vec::new(), origins: self.origins.clone() };
+            made.draw_lines();
+            made
+        })
+    }
+
     /// Fills `swept` with what this polygon covers while its origin moves straight from one point to another: the hull of
     /// both places, edge by edge. False, and `swept` empty, where it would leave the grid.
     ///

@@ -162,6 +162,10 @@ impl Workpiece {
     pub fn cut(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting, bool, &mut [u32])) -> Removed {
         let mut removed = Removed::default();
         self.both_sides(polygon, |part, polygon, mirrored| {
+            // A nose that faces down to the axis touches it with one corner: what it has gone round hangs together there
+            // with no thickness at all, and is apart.
+            let through = polygon.through_axis();
+            let polygon = through.as_ref().unwrap_or(polygon);
             if !part.find(polygon) {
                 return;
             }

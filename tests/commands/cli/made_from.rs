@@ -28,7 +28,9 @@ fn a_program_knows_its_workbook_in_the_folder_above_until_it_changes() {
             command.args(["verify", program, "--lang", language]);
             command
         };
-        let same = format!("note U0128: made from {name}, which has not changed");
+        let same = format!(
+            "note U0128: made from {name}, which has not changed; the blocks of the program are not compared with it"
+        );
         verify("en").assert().code(0).stdout(predicate::str::contains(same));
         // The same bytes under a name in other letters are the same workbook.
         let upper = folder.path().join(name.to_uppercase());

@@ -7,6 +7,8 @@ use rodete::geometry::exact::region::{Region, Ring};
 use rodete::number::trig::sin;
 use rodete::removal::turning::second_removal::{AGREE, Repeat};
 
+use super::lathe::{Run, bar};
+
 const BAR: [[f64; 2]; 4] = [[-100.0, 0.0], [0.0, 0.0], [0.0, 20.0], [-100.0, 20.0]];
 
 fn rectangle(low: [f64; 2], high: [f64; 2]) -> Convex {
@@ -94,4 +96,23 @@ fn of_a_part_that_is_gone_nothing_is_left() {
     repeat.cut(&rectangle([-101.0, -1.0], [1.0, 21.0]));
     let left: [Ring; 0] = [];
     assert!(repeat.apart(&left) < 1e-12);
+}
+
+/// A nose that faces down to X0 touches the axis with one corner. What lies before it hangs by no thickness: it is gone, for both
+/// libraries, wherever the tool goes from there.
+#[test]
+fn facing_to_the_axis_leaves_nothing_before_the_nose() {
+    for (x, z) in [(0.0, -1.0), (54.0, -1.0), (60.0, 2.0), (0.0, 2.0)] {
+        let mut run = Run::new(bar());
+        run.simulation.repeat();
+        let nose = run.simulation.setup().turret.tools[&1].nose();
+        let mut run = run.rapid(54.0, -1.0).cut(0.0, -1.0).rapid(x, z);
+        assert!(nose > 0.1 && !run.alarms().contains(&101), "{:?}", run.alarms());
+        let apart = run.simulation.repeated().expect("it repeats");
+        assert!(apart <= AGREE, "X{x} Z{z}: {apart}");
+        let contours = run.simulation.contours();
+        let right = contours.iter().flatten().map(|[z, _]| *z).fold(f64::NEG_INFINITY, f64::max);
+        let zero = run.simulation.setup().stock.zero(&run.simulation.setup().lathe);
+        assert!((right - zero - (nose - 1.0)).abs() < 1e-3, "X{x} Z{z}: {right} {zero} {nose}");
+    }
 }

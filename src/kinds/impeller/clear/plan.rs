@@ -180,6 +180,12 @@ fn contacts_of(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<Contacts> {
     Some(Contacts::new(&down_to(&job.part, depth), job.N, lane, s))
 }
 
+/// The share of a channel that a tool alone, with nothing left on the walls, does not reach.
+fn uncut_by(job: &Job, tool: Tool) -> f64 {
+    let contacts = contacts_of(job, tool, job.part.a_p, 0.0);
+    contacts.map_or(1.0, |contacts| uncut::share(&job.part, &contacts, contacts.fits_from()))
+}
+
 /// The contacts of a tool of the cut, where it fits: all the way, or, if the cut admits it, from a station on.
 fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<(Contacts, f64), DoesNotFit> {
     let (tool, s, depth) = (cut.tool(which), cut.allowance(which), depth(job, cut, which));
@@ -187,12 +193,12 @@ fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<(Contacts, f64), DoesN
     let from = contacts.as_ref().and_then(Contacts::fits_from);
     match (contacts, from) {
         (Some(contacts), Some(from)) if from == 0.0 || cut.partly => Ok((contacts, from)),
-        (contacts, from) => Err(DoesNotFit {
+        (_, from) => Err(DoesNotFit {
             tool: which,
             d: tool.d,
             largest: largest(job, tool, depth, s),
             from,
-            uncut: contacts.map_or(1.0, |contacts| uncut::share(&job.part, &contacts, from)),
+            uncut: uncut_by(job, tool),
         }),
     }
 }

@@ -182,13 +182,15 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     let share = |v: f64, digits| Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), digits);
     let root = &told.root;
     let (over, height, width) = (at_most(root.over), at_most(root.height), at_most(root.width));
-    findings.push(RestAtTheRoot { over, height, width }.at(at(&["d_f"])));
+    let (here, there) = (share(root.v, 0), share(root.width_v, 0));
+    findings.push(RestAtTheRoot { over, height, here, width, there }.at(at(&["d_f"])));
     if asked.cut.finish.r_c > 0.0 && root.height >= job.part.a_p {
         findings.push(FacesUnfinished { share: share(root.v, 0) }.at(at(&["r_c", "r_cf", "a_p"])));
     }
     if let Some(allowed) = asked.root {
         // The ways are exact there; blocks leave them by the tolerance.
-        let tool = largest(job, allowed, asked.cut.rough.d, asked.cut.scallop).map_or_else(
+        let given = Some(asked.cut.finish).filter(|tool| tool.r_c == 0.0 && root.height <= allowed).map(|tool| tool.d);
+        let tool = largest(job, allowed, asked.cut.rough.d, asked.cut.scallop, given).map_or_else(
             || t("ninguna fresa deja tan poco", "no tool leaves as little"),
             |d| {
                 let d = shown(d, 2);

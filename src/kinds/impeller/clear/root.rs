@@ -48,8 +48,8 @@ const DOWN: f64 = 0.01;
 const ALONG: f64 = 0.02;
 /// Halvings of the last step down a line.
 const HALVINGS: u8 = 4;
-/// Stations from which a tool's rest is known before there is a plan.
-const STATIONS: u16 = 240;
+/// Stations from which a tool's rest is known before there is a plan: at least, and at most.
+const STATIONS: [f64; 2] = [240.0, 4_000.0];
 /// The largest tool is sought in whole hundredths, from the smallest on.
 const SMALLEST: u32 = 10;
 
@@ -247,16 +247,19 @@ pub fn law(part: &Part, tool: Tool) -> f64 {
 }
 
 /// What a tool leaves in the corners of a blade, by its ways along both faces and the lanes that touch them.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held from 240 to 4,000")]
 fn left(job: &Job, tool: Tool, over: f64) -> Option<f64> {
     let part = &job.part;
     let torus = part.circle.torus;
     let lane = OwnNormal::new(torus, tool, torus.r + part.a_p)?;
     let beside = Beside::new(part, lane, 0.0);
+    // Between two of its places s apart a tool leaves s²/(4 d): a quarter of what counts at most, on the longest way there is.
+    let apart = (tool.d * over).sqrt();
+    let count = ((torus.R + part.a_p) * 2.0 / apart).clamp(STATIONS[0], STATIONS[1]).ceil();
     let mut most: f64 = 0.0;
     for face in Face::ALL {
         let way = FlankWay::new(part, face, tool, [0.0, part.a_p], 0.0);
-        let part_of = |station: u16| f64::from(station) / f64::from(STATIONS);
-        let stations = || (0..=STATIONS).map(part_of);
+        let stations = || (0..=count as u16).map(|station| f64::from(station) / count);
         let at = |q: f64| Pose::from(lane.axis(q, beside.psi(face, q), 0.0));
         let along = stations().map(|part| Pose::from(way.axis(way.v[0] + (way.v[1] - way.v[0]) * part)));
         // The run-outs are longer than what lies between them: it is looked at as often as they are.
@@ -268,20 +271,22 @@ fn left(job: &Job, tool: Tool, over: f64) -> Option<f64> {
 }
 
 /// The largest flat end mill up to a diameter that leaves more than `over` nowhere higher up a face than `height`, in whole
-/// hundredths; `None` where even the smallest leaves more.
+/// hundredths; `None` where even the smallest leaves more. `given` is a diameter that is known to leave no more.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held from 0 to 10⁶")]
-pub fn largest(job: &Job, height: f64, up_to: f64, over: f64) -> Option<f64> {
+pub fn largest(job: &Job, height: f64, up_to: f64, over: f64, given: Option<f64>) -> Option<f64> {
     let d = |hundredths: u32| f64::from(hundredths) / 100.0;
     let keeps = |hundredths: u32| left(job, Tool::flat(d(hundredths)), over).is_some_and(|left| left <= height);
     let most = (up_to * 100.0).floor().clamp(0.0, 1e6) as u32;
-    if most < SMALLEST || !keeps(SMALLEST) {
-        return None;
-    }
-    if keeps(most) {
+    if most >= SMALLEST && keeps(most) {
         return Some(d(most));
     }
-    let (mut good, mut bad) = (SMALLEST, most);
+    let given = given.map(|d| ((d * 100.0).floor().clamp(0.0, 1e6) as u32).min(most));
+    let (mut good, mut bad) = match given {
+        Some(given) => (given, most),
+        None if most >= SMALLEST && keeps(SMALLEST) => (SMALLEST, most),
+        None => return None,
+    };
     while bad - good > 1 {
         let middle = good + (bad - good) / 2;
         if keeps(middle) { good = middle } else { bad = middle }

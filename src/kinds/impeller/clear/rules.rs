@@ -38,8 +38,8 @@ rules! {
         why "El desbaste dejaría sin metal que acabar lo que la de acabado no alcanza.", "Roughing goes where the finishing tool cannot follow.";
         example book!("impeller", "d_t" = "3", "d_f" = "6");
     "P1206" ToolDoesNotFit Stop { tool: Text, d: Size, largest: Text, uncut: Size }
-        es "{tool} de {d} no pasa entre los álabes: {largest}; dejaría sin cortar el {uncut} % de los canales"
-        en "{tool} of {d} does not pass between the blades: {largest}; it would leave {uncut} % of the channels uncut"
+        es "{tool} de {d} no pasa entre los álabes: {largest}; aun sin demasía dejaría sin cortar el {uncut} % de los canales"
+        en "{tool} of {d} does not pass between the blades: {largest}; even without an allowance it would leave {uncut} % of the channels uncut"
         remedy "use una herramienta menor, menos álabes o álabes más delgados; con partly = sí se corta hasta donde cabe", "use a smaller tool, fewer blades, or thinner blades; with partly = yes it cuts as far as it fits";
         why "Una herramienta más ancha que el canal corta los dos álabes.", "A tool wider than the channel cuts into both blades.";
         example book!("impeller", "N" = "6");
@@ -61,9 +61,9 @@ rules! {
         remedy "mídalo al montar la herramienta, o escriba l_t, l_f y d_h para que rodete lo compruebe", "measure it when you set the tool, or fill in l_t, l_f and d_h to have it checked";
         why "Cuenta el bruto, no las mordazas ni el plato.", "The blank is counted, clamps and chuck are not.";
         example book!("impeller", "splitters" = "no", "l_t" = "");
-    "P1210" RestAtTheRoot Note { over: Size, height: Size, width: Size }
-        es "en la esquina entre cara y fondo quedan más de {over} hasta {height} de alto y {width} de ancho"
-        en "in the corner of face and floor more than {over} is left, up to {height} high and {width} wide"
+    "P1210" RestAtTheRoot Note { over: Size, height: Size, here: Size, width: Size, there: Size }
+        es "en el rincón de cara y fondo quedan más de {over} hasta {height} de alto, al {here} % del camino del cubo al borde, y {width} de ancho, al {there} %"
+        en "in the corner of face and floor more than {over} is left, up to {height} high, at {here} % of the way from hub to rim, and {width} wide, at {there} %"
         remedy "una fresa de acabado menor deja menos", "a smaller finishing tool leaves less";
         why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");
@@ -128,10 +128,11 @@ rules! {
         why "Con partly = sí cada fresa corta hasta donde cabe.", "With partly = yes each tool cuts as far as it fits.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8", "d_f" = "3", "T_f" = "2", "D_f" = "2");
     "P1221" LargestForTheRoot Note { height: Size, tool: Text, left: Size }
-        es "para un resto de {height} como mucho en la esquina: {tool}; la fresa de acabado dada deja hasta {left}"
-        en "for a rest of {height} at most in the corner: {tool}; the finishing tool given leaves up to {left}"
+        es "para que queden {height} como mucho en el rincón de álabes y fondo: {tool}; la fresa de acabado dada deja hasta {left}"
+        en "for at most {height} left in the corner of blades and floor: {tool}; the finishing tool given leaves up to {left}"
         remedy "elija d_f según el resto que admita", "choose d_f by the rest that you allow";
-        why "Se prueban fresas frontales menores con sus pasadas junto a las caras.", "Smaller flat end mills are tried with their passes along the faces.";
+        why "Se prueban fresas frontales con sus pasadas junto a las caras de los álabes. Alrededor de la nariz de un álabe intermedio puede quedar más.",
+            "Flat end mills are tried with their passes along the blades' faces. Round the nose of a splitter more may be left.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "h_r" = "0.4");
     "P1222" FloorAboveRidges Caution { most: Size, wanted: Size, beside: Size, share: Size }
         es "en el fondo quedan unos {most} al {share} % del camino del cubo al borde, a más de {beside} de las caras: más que la cresta c_s de {wanted} y la tolerancia"

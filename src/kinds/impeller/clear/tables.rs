@@ -6,7 +6,7 @@ use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Pass};
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::design::Design;
-use crate::kinds::impeller::part::{Face, HUB};
+use crate::kinds::impeller::part::{Face, HUB, RIM};
 use crate::kinds::impeller::quantity;
 use crate::table::{Column, Index, Law, Print, Quantity, Table, Unit};
 use crate::text::{Text, t};
@@ -269,8 +269,12 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
         ),
     ] {
         // The fit is that of the poses; between them the blocks leave the way by up to the tolerance.
-        let source = ["ajuste del eje a la cara, más tol", "fit of the axis to the face, plus tol"];
-        list.push(quantity(symbol, es, en, error.rest + asked.cut.tolerance, mm, source));
+        let share = ((error.v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0);
+        let source = Text::new(
+            format!("ajuste del eje a la cara, más tol; al {share:.0} % del camino del cubo al borde"),
+            format!("fit of the axis to the face, plus tol; at {share:.0} % of the way from hub to rim"),
+        );
+        list.push(Quantity { source, ..quantity(symbol, es, en, error.rest + asked.cut.tolerance, mm, ["", ""]) });
     }
     if let Some(v_s) = told.splitter_from {
         let degrees = (v_s - HUB).to_degrees();
