@@ -16,10 +16,10 @@ use crate::gcode::program::{Program, Style};
 use crate::machine::rapids::Rapids;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
-use crate::proof;
 use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::proof::verification::Verification;
+use crate::proof::{self, Judged};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table};
 use crate::text::Text;
@@ -168,6 +168,20 @@ pub trait Method: Send + Sync + 'static {
     }
 }
 
+/// What comes of one program when `text` is read in the place of its own lines, with what is known from the programs before
+/// it: `program` itself or, to see a judge at work, the same program with other lines.
+pub fn judged<M: Method>(
+    design: &M::Design,
+    model: &M::Model,
+    memo: &mut M::Memo,
+    program: &Program,
+    text: &Program,
+) -> Judged {
+    let (setting, plan) = (M::setting(design, program), M::plan(design, model, program));
+    let judges = M::judges(design, model, memo, program);
+    proof::of(text, setting, plan, judges, M::due(design, program), M::rapids(design, program))
+}
+
 /// The kind of a method.
 pub struct Of<M>(PhantomData<fn() -> M>);
 
@@ -257,10 +271,7 @@ impl<M: Method> Kind for Of<M> {
         let (mut memo, mut verification) = (M::memo(&design, &model, wants), Verification::default());
         let mut accounts = Vec::new();
         for program in &programs {
-            let (setting, plan) = (M::setting(&design, program), M::plan(&design, &model, program));
-            let judges = M::judges(&design, &model, &mut memo, program);
-            let judged =
-                proof::of(program, setting, plan, judges, M::due(&design, program), M::rapids(&design, program));
+            let judged = judged::<M>(&design, &model, &mut memo, program, program);
             accounts.push(judged.account.clone());
             verification.add(program, judged, M::fewer(&design, program));
         }

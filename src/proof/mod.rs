@@ -84,9 +84,8 @@ pub fn of(
     judged
 }
 
-/// The same of a text in the place of the program's own, but for its characters.
-#[must_use]
-pub fn over(
+/// The same but for its characters.
+fn over(
     program: &Program,
     text: &mut Interpreter<'_>,
     plan: Plan<'_>,

@@ -6,7 +6,9 @@ pub mod rs274;
 pub mod turned;
 pub mod workbook;
 
-use rodete::kind::{Kind, Outcome, Provenance};
+use rodete::gcode::program::{Part, Program};
+use rodete::kind::method::{self, Method};
+use rodete::kind::{Kind, Outcome, Provenance, Wants};
 use rodete::kinds;
 use rodete::kinds::KINDS;
 use rodete::kinds::impeller::blade::Blade;
@@ -17,6 +19,7 @@ use rodete::machine::axis::{Axis, Position};
 use rodete::number::grid::Milli;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Value, Values};
+use rodete::proof::check::Check;
 use rodete::text::Language;
 
 /// Every case of every kind in every language.
@@ -87,6 +90,17 @@ pub fn outcome(case: &str, changes: &[(&'static str, Value)]) -> Outcome {
 /// The text of a program of an outcome.
 pub fn program(outcome: &Outcome, key: &str) -> String {
     outcome.programs.iter().find(|program| program.key == key).expect("the program").text()
+}
+
+/// A program with other lines in the place of its own.
+pub fn with_text(program: &Program, text: &str) -> Program {
+    Program { parts: text.lines().map(|line| Part::Line(line.to_owned())).collect(), ..program.clone() }
+}
+
+/// The checks on a program with other lines in the place of its own.
+pub fn checks<M: Method>(design: &M::Design, model: &M::Model, program: &Program, text: &str) -> Vec<Check> {
+    let mut memo = M::memo(design, model, Wants::default());
+    method::judged::<M>(design, model, &mut memo, program, &with_text(program, text)).checks
 }
 
 /// The blade of a design.

@@ -1,17 +1,21 @@
 //! Programs of branches and holes for a control whose rotary axes may be rollover.
 
+use crate::common;
+
 use rodete::finding::Grade;
 use rodete::gcode::control::Rotary;
-use rodete::gcode::interpreter::{Interpreter, Setting};
+use rodete::gcode::interpreter::Setting;
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::{Part, Program};
 use rodete::gcode::word::Word;
+use rodete::kind::method::Method;
 use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;
 use rodete::kinds::pipe::{hole, insert};
 use rodete::machine::axis::Axis;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
+use rodete::proof::check::Check;
 use rodete::proof::rollover;
 use rodete::text::Language;
 
@@ -163,6 +167,12 @@ fn an_absolute_program_is_stopped_where_the_axes_may_be_rollover() {
     }
 }
 
+/// The checks on a text in the place of a program's own.
+fn judged<M: Method>(values: &Values, program: &Program, text: &str) -> Vec<Check> {
+    let design = M::design(&Fields::of(M::FORM, values.clone()).unwrap()).expect("a design");
+    common::checks::<M>(&design, &M::model(&design).expect("a model"), program, text)
+}
+
 /// One increment half a degree wrong, or one that is missing, in a sound text.
 #[test]
 fn a_wrong_increment_is_caught() {
@@ -171,18 +181,10 @@ fn a_wrong_increment_is_caught() {
         let program = outcome(kind, "fagor-8055", &[]).programs.remove(0).program;
         let text = program.text();
         let agreement = |text: &str| {
-            let mut read = Interpreter::over(text.as_bytes(), program.setting());
             let checks = if kind == "hole" {
-                let design = hole::design::Design::new(&Fields::of(&hole::parameters::FORM, values.clone()).unwrap())
-                    .expect("a design");
-                let way = hole::cut::cut(&design).expect("within the format").expect("a way");
-                hole::proof::judge(&design, &way, &program, &mut read).checks
+                judged::<hole::Hole>(&values, &program, text)
             } else {
-                let design =
-                    insert::design::Design::new(&Fields::of(&insert::parameters::FORM, values.clone()).unwrap())
-                        .expect("a design");
-                let way = insert::cut::cut(&design).expect("a way");
-                insert::proof::judge(&design, Some(&way), &program, &mut read).checks
+                judged::<insert::Insert>(&values, &program, text)
             };
             checks.iter().find(|check| check.key() == "agreement").expect("the row").grade()
         };

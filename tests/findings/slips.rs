@@ -7,23 +7,20 @@ use rayon::prelude::*;
 use rodete::cli::rows;
 use rodete::finding::{Example, Finding, Rule};
 use rodete::gcode::header::Origin;
-use rodete::gcode::program::{Part, Program};
 use rodete::kind::Wants;
-use rodete::kinds::impeller::clear::{self, cut::Job};
-use rodete::kinds::impeller::proof::cutting::Known;
-use rodete::kinds::impeller::proof::{Geometry, due, judges, setting};
-use rodete::kinds::impeller::splitter::Splitter;
-use rodete::kinds::impeller::tables::ToolPaths;
-use rodete::kinds::pipe::{hole, insert};
-use rodete::kinds::{KINDS, impeller};
-use rodete::machine::rapids::Rapids;
+use rodete::kind::method::{Method, judged};
+use rodete::kinds::KINDS;
+use rodete::kinds::impeller::Impeller;
+use rodete::kinds::pipe::hole::{self, Hole};
+use rodete::kinds::pipe::insert::Insert;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Value, Values};
+use rodete::proof::Judged;
 use rodete::proof::account::Account;
-use rodete::proof::step::Plan;
 use rodete::proof::verification::Verification;
-use rodete::proof::{self, Judged};
 use rodete::text::{Language, Text, t};
+
+use crate::common::with_text;
 
 /// What makes a program of a test shorter.
 const FEWER: Text = t("una arc_tolerance mayor", "a larger arc_tolerance");
@@ -48,90 +45,39 @@ fn values(cases: &'static [Case], case: Option<&str>, cells: &[(&'static str, &'
     values
 }
 
-/// A program whose lines are those of its own text, one of them changed.
-fn slipped(program: &Program, from: &str, to: &str) -> Program {
-    let text = program.text();
-    assert!(text.contains(from), "{from} is not in\n{text}");
-    let parts =
-        text.replacen(from, &to.replace('|', "\n"), 1).lines().map(|line| Part::Line(line.to_owned())).collect();
-    Program { parts, ..program.clone() }
+/// What is told of the program of an example.
+fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, slip: [&str; 2]) -> Vec<Finding> {
+    let (kind, case) = words.split_once(" --case ").map_or((words, None), |(kind, case)| (kind, Some(case)));
+    let told = match kind {
+        "impeller" => told_of::<Impeller>,
+        "pipe-insert" => told_of::<Insert>,
+        "pipe-hole" => told_of::<Hole>,
+        _ => panic!("{kind} is not judged"),
+    };
+    told(case, cells, key, slip)
 }
 
-/// What is told of the program of an example.
-fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to]: [&str; 2]) -> Vec<Finding> {
-    let (kind, case) = words.split_once(" --case ").map_or((words, None), |(kind, case)| (kind, Some(case)));
+/// What is told of a program of a method, the first `from` in its text replaced.
+fn told_of<M: Method>(
+    case: Option<&str>,
+    cells: &[(&'static str, &'static str)],
+    key: &str,
+    [from, to]: [&str; 2],
+) -> Vec<Finding> {
+    let design = match M::design(&Fields::of(M::FORM, values(M::CASES, case, cells)).unwrap()) {
+        Ok(design) => design,
+        Err(refused) => return refused,
+    };
+    let model = M::model(&design).unwrap();
     let origin = Origin { workbook: "W.XLSX", sha256: "0", version: "0.0.0", language: Language::En };
+    let programs = M::programs(&design, &model, &origin).unwrap().programs;
+    let program = programs.iter().find(|program| program.key == key).unwrap();
+    let text = program.text();
+    assert!(text.contains(from), "{from} is not in\n{text}");
+    let text = with_text(program, &text.replacen(from, &to.replace('|', "\n"), 1));
+    let mut memo = M::memo(&design, &model, Wants::default());
     let mut verification = Verification::default();
-    match kind {
-        "impeller" => {
-            let design = match impeller::design::Design::new(
-                &Fields::of(&impeller::parameters::FORM, values(&impeller::cases::CASES, case, cells)).unwrap(),
-            ) {
-                Ok(design) => design,
-                Err(refused) => return refused,
-            };
-            let blade = crate::common::blade(&design);
-            let plan =
-                design.clear.as_ref().map(|asked| clear::plan::Plan::new(&Job::of(&design), &asked.cut).unwrap());
-            let splitter = (design.splitters && plan.is_none()).then(|| Splitter::new(&design, &blade).unwrap());
-            let tracks =
-                impeller::programs::Tracks::new(&blade, &ToolPaths::new(&design, &blade), splitter.as_ref()).unwrap();
-            let made = match &plan {
-                Some(plan) => clear::programs::programs(&design, plan, &origin).unwrap(),
-                None => impeller::programs::programs(&design, &tracks, &origin).unwrap(),
-            };
-            let program = made.programs.iter().find(|program| program.key == key).unwrap();
-            let geometry =
-                Geometry { design: &design, blade: &blade, splitter: splitter.as_ref(), clear: plan.as_ref() };
-            let mut known = Known::new(geometry, Wants::default());
-            let text = slipped(program, from, to);
-            let judges = judges(geometry, &mut known, program);
-            let judged = proof::of(
-                &text,
-                setting(&design, program),
-                Plan::of(program),
-                judges,
-                due(&design, program),
-                Rapids::default(),
-            );
-            verification.add(&text, judged, FEWER);
-        }
-        "pipe-insert" => {
-            let design = insert::design::Design::new(
-                &Fields::of(&insert::parameters::FORM, values(&insert::cases::CASES, case, cells)).unwrap(),
-            )
-            .unwrap();
-            let cut = insert::cut::cut(&design).unwrap();
-            let program = insert::program::full(&design, &cut, &origin).unwrap();
-            let (text, mut curve) = (slipped(&program, from, to), Vec::new());
-            let moves = insert::proof::Moves::new(&design, Some(&cut));
-            let judges = insert::proof::judges(&design, &moves, &mut curve);
-            let setting = insert::proof::setting(&design, &program);
-            let due = insert::proof::due(&design);
-            verification.add(
-                &text,
-                proof::of(&text, setting, moves.plan(design.mode), judges, due, Rapids::default()),
-                FEWER,
-            );
-        }
-        "pipe-hole" => {
-            let design = hole::design::Design::new(
-                &Fields::of(&hole::parameters::FORM, values(&hole::cases::CASES, case, cells)).unwrap(),
-            )
-            .unwrap();
-            let cut = hole::cut::cut(&design).unwrap().unwrap();
-            let program = hole::program::full(&design, &cut, &origin).unwrap();
-            let (text, mut curve) = (slipped(&program, from, to), Vec::new());
-            let judges = hole::proof::judges(&design, &cut, &mut curve);
-            let plan = hole::proof::plan(&design, &cut);
-            verification.add(
-                &text,
-                proof::of(&text, program.setting(), plan, judges, hole::proof::CHECKS, Rapids::default()),
-                FEWER,
-            );
-        }
-        _ => panic!("{kind} is not judged"),
-    }
+    verification.add(&text, judged::<M>(&design, &model, &mut memo, program, &text), M::fewer(&design, program));
     verification.findings
 }
 

@@ -10,14 +10,15 @@ use common::rs274;
 use proptest::prelude::*;
 use rodete::finding::{Exit, Finding, Grade};
 use rodete::gcode::control::MILLING;
-use rodete::gcode::interpreter::Interpreter;
+use rodete::kind::method::Method;
 use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;
+use rodete::kinds::pipe::hole::Hole;
 use rodete::kinds::pipe::hole::cases::CASES;
-use rodete::kinds::pipe::hole::cut::{cut, machine_axes, root};
+use rodete::kinds::pipe::hole::cut::{machine_axes, root};
 use rodete::kinds::pipe::hole::design::Design;
 use rodete::kinds::pipe::hole::parameters::FORM;
-use rodete::kinds::pipe::hole::proof::{clearance, judge};
+use rodete::kinds::pipe::hole::proof::clearance;
 use rodete::kinds::pipe::hole::tables;
 use rodete::number::trig::{hypot, sin_cos};
 use rodete::parameter::field::Fields;
@@ -356,12 +357,11 @@ fn the_height_table_follows_the_law_and_does_not_jump() {
 #[test]
 fn faults_in_the_text_are_caught() {
     let design = Design::new(&Fields::of(&FORM, values(&[])).unwrap()).expect("a design");
-    let way = cut(&design).expect("within the format").expect("a way");
+    let model = Hole::model(&design).expect("a model");
     let program = outcome(&[]).programs.remove(0);
     let text = program.text();
     let worst = |text: &str| {
-        let mut read = Interpreter::over(text.as_bytes(), program.setting());
-        let checks = judge(&design, &way, &program, &mut read).checks;
+        let checks = common::checks::<Hole>(&design, &model, &program, text);
         checks.iter().map(|check| (check.key(), check.grade())).collect::<std::collections::BTreeMap<_, _>>()
     };
     assert!(worst(&text).values().all(|verdict| *verdict <= Some(Grade::Note)));
@@ -393,12 +393,11 @@ fn faults_in_the_text_are_caught() {
 #[test]
 fn a_text_that_cuts_nothing_passes_no_check_of_the_cut() {
     let design = Design::new(&Fields::of(&FORM, values(&[])).unwrap()).expect("a design");
-    let way = cut(&design).expect("within the format").expect("a way");
+    let model = Hole::model(&design).expect("a model");
     let program = outcome(&[]).programs.remove(0).program;
     let text = program.text();
     let grades = |text: &str| {
-        let mut read = Interpreter::over(text.as_bytes(), program.setting());
-        let checks = judge(&design, &way, &program, &mut read).checks;
+        let checks = common::checks::<Hole>(&design, &model, &program, text);
         checks.iter().map(|check| (check.key(), check.grade())).collect::<std::collections::BTreeMap<_, _>>()
     };
     let nothing = grades(&text.replacen("N50 M62 P2", "N50 M30", 1));
@@ -414,7 +413,7 @@ fn a_text_that_cuts_nothing_passes_no_check_of_the_cut() {
 #[test]
 fn what_happens_between_the_looks_is_judged() {
     let design = Design::new(&Fields::of(&FORM, values(&[])).unwrap()).expect("a design");
-    let way = cut(&design).expect("within the format").expect("a way");
+    let model = Hole::model(&design).expect("a model");
     let program = outcome(&[]).programs.remove(0);
     let text = program.text();
     let line = text.lines().filter(|line| line.contains(" G1 ")).nth(40).expect("a cut");
@@ -423,8 +422,7 @@ fn what_happens_between_the_looks_is_judged() {
         None => word.to_owned(),
     });
     let turned = text.replace(line, &turned.collect::<Vec<_>>().join(" "));
-    let mut read = Interpreter::over(turned.as_bytes(), program.setting());
-    let checks = judge(&design, &way, &program, &mut read).checks;
+    let checks = common::checks::<Hole>(&design, &model, &program, &turned);
     for key in ["beam", "bevel"] {
         let check = checks.iter().find(|check| check.key() == key).expect(key);
         assert!(check.grade() > Some(Grade::Note), "{key}: {}", check.value().en);

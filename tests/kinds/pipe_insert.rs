@@ -7,15 +7,14 @@ use common::rs274;
 use proptest::prelude::*;
 use rodete::finding::{Exit, Finding, Grade};
 use rodete::gcode::control::MILLING;
-use rodete::gcode::interpreter::Interpreter;
+use rodete::kind::method::Method;
 use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;
+use rodete::kinds::pipe::insert::Insert;
 use rodete::kinds::pipe::insert::cases::CASES;
-use rodete::kinds::pipe::insert::cut::cut;
 use rodete::kinds::pipe::insert::design::Design;
 use rodete::kinds::pipe::insert::parameters::FORM;
 use rodete::kinds::pipe::insert::program::{published, template_points};
-use rodete::kinds::pipe::insert::proof::judge;
 use rodete::kinds::pipe::insert::rules::WallInsideHeader;
 use rodete::kinds::pipe::insert::tables;
 use rodete::parameter::field::Fields;
@@ -344,12 +343,11 @@ fn faults_in_the_text_are_caught() {
     for mode in ["flat", "rotary"] {
         let changes = [choice("mode", mode), real("arc_tolerance", 0.1)];
         let design = Design::new(&Fields::of(&FORM, values("square", &changes)).unwrap()).expect("a design");
-        let way = cut(&design).expect("a way");
+        let model = Insert::model(&design).expect("a model");
         let program = outcome("square", &changes).programs.remove(0);
         let text = program.text();
         let worst = |text: &str| {
-            let mut read = Interpreter::over(text.as_bytes(), program.setting());
-            let checks = judge(&design, Some(&way), &program, &mut read).checks;
+            let checks = common::checks::<Insert>(&design, &model, &program, text);
             checks.iter().map(|check| (check.key(), check.grade())).collect::<std::collections::BTreeMap<_, _>>()
         };
         let sound = worst(&text);

@@ -1,21 +1,22 @@
 //! How a branch comes to rest on its header: what the envelope over the wall leaves, and what a cut along one edge leaves inside
 //! the header, against the wall taken point by point, here without the crate's own geometry.
 
+use crate::common;
+
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 use rodete::finding::{Exit, Grade};
-use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::motion::MotionKind;
+use rodete::kind::method::Method;
 use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;
+use rodete::kinds::pipe::insert::Insert;
 use rodete::kinds::pipe::insert::bounds::Worst;
 use rodete::kinds::pipe::insert::cases::CASES;
-use rodete::kinds::pipe::insert::cut::cut;
 use rodete::kinds::pipe::insert::design::Design;
 use rodete::kinds::pipe::insert::parameters::FORM;
-use rodete::kinds::pipe::insert::proof::judge;
 use rodete::kinds::pipe::insert::rules::{GapsOfEnvelope, RadiusOfEnvelope, WallInsideHeader};
 use rodete::machine::axis::Axis;
 use rodete::number::trig::{hypot, sin_cos};
@@ -207,10 +208,9 @@ fn told(outcome: &Outcome, check: &str, word: &str) -> f64 {
 fn a_block_that_leaves_the_wall_too_long_is_caught() {
     let changes = [real("theta", 60.0), real("e", 10.0)];
     let (design, program) = (design(&changes), outcome(&changes).programs.remove(0));
-    let (way, text) = (cut(&design).expect("a way"), program.text());
+    let (model, text) = (Insert::model(&design).expect("a model"), program.text());
     let verdicts = |text: &str| -> BTreeMap<&'static str, Option<Grade>> {
-        let mut read = Interpreter::over(text.as_bytes(), program.setting());
-        judge(&design, Some(&way), &program, &mut read).checks.iter().map(|one| (one.key(), one.grade())).collect()
+        common::checks::<Insert>(&design, &model, &program, text).iter().map(|one| (one.key(), one.grade())).collect()
     };
     let sound = verdicts(&text);
     assert!(sound.values().all(|verdict| *verdict <= Some(Grade::Note)), "{sound:?}");

@@ -17,25 +17,23 @@ use rodete::gcode::control::MILLING;
 use rodete::gcode::header::Origin;
 use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::program::Program;
-use rodete::kind::Wants;
+use rodete::kind::method::Method;
 use rodete::kinds::impeller::blade::Blade;
 use rodete::kinds::impeller::blade_count::e_max;
 use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::ideal::Ideal;
 use rodete::kinds::impeller::programs::{Tracks, programs};
-use rodete::kinds::impeller::proof::cutting::Known;
 use rodete::kinds::impeller::proof::refinement::{greatest, needed};
 use rodete::kinds::impeller::proof::tip_path::{between, deviation};
-use rodete::kinds::impeller::proof::{Geometry, judge};
 use rodete::kinds::impeller::splitter::Splitter;
 use rodete::kinds::impeller::tables::ToolPaths;
 use rodete::kinds::impeller::track::Track;
+use rodete::kinds::impeller::{self, Impeller};
 use rodete::machine::axis::{Axis, Pose};
 use rodete::number::grid::Milli;
 use rodete::parameter::Value;
 use rodete::parameter::field::Fields;
 use rodete::proof::agreement::Agreement;
-use rodete::proof::check::Check;
 use rodete::proof::step::{Judge, Plan, Steps};
 use rodete::proof::text::Characters;
 use rodete::table::Entry;
@@ -261,8 +259,7 @@ fn a_blade_that_cuts_into_a_blade_stops_the_work() {
 /// A design with its programs.
 struct Prepared {
     design: Design,
-    blade: Blade,
-    splitter: Splitter,
+    model: impeller::Model,
     programs: Vec<Program>,
 }
 
@@ -271,26 +268,18 @@ impl Prepared {
     fn new(case: &str, changes: &[(&'static str, Value)]) -> Self {
         let changes = &if case == "full" { common::absolute(changes) } else { changes.to_vec() };
         let design = Design::new(&common::fields(case, changes)).unwrap();
-        let blade = common::blade(&design);
-        let splitter = Splitter::new(&design, &blade).unwrap();
+        let model = Impeller::model(&design).unwrap();
         let outcome = common::outcome(case, changes);
         let stops: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Stop).collect();
         assert!(stops.is_empty(), "{stops:?}");
         let programs = outcome.programs.into_iter().map(|proved| proved.program).collect();
-        Self { design, blade, splitter, programs }
+        Self { design, model, programs }
     }
 
     /// The worst verdict of each check on a program's text after a change.
     fn verdicts(&self, key: &str, change: impl Fn(&str) -> String) -> BTreeMap<&'static str, Option<Grade>> {
-        let geometry =
-            Geometry { design: &self.design, blade: &self.blade, splitter: Some(&self.splitter), clear: None };
         let program = self.programs.iter().find(|program| program.key == key).unwrap();
-        let text = change(&program.text());
-        let mut read = Interpreter::over(text.as_bytes(), program.setting());
-        let mut checks: Vec<Check> = judge(geometry, program, &mut read, &mut Known::new(geometry, Wants::default()));
-        let mut characters = Characters::new(program);
-        text.lines().for_each(|line| characters.line(line));
-        checks.push(characters.check());
+        let checks = common::checks::<Impeller>(&self.design, &self.model, program, &change(&program.text()));
         let mut worst = BTreeMap::new();
         for check in checks {
             let known = worst.entry(check.key()).or_insert(check.grade());
@@ -505,8 +494,7 @@ proptest! {
         let origin = Origin { workbook: "", sha256: "", version: "", language: Language::En };
         let made = programs(&design, &tracks, &origin).unwrap();
         let program = made.programs.iter().find(|program| program.key == "splitter").unwrap();
-        let geometry = Geometry { design: &design, blade: &blade, splitter: Some(&splitter), clear: None };
-        let checks = judge(geometry, program, &mut program.read_back(), &mut Known::new(geometry, Wants::default()));
+        let checks = common::checks::<Impeller>(&design, &Impeller::model(&design).unwrap(), program, &program.text());
         let blades = checks.iter().find(|check| check.key() == "blades").unwrap();
         let on_the_way = blades.at().unwrap().along.is_none();
         prop_assert_eq!(blades.grade(), if on_the_way && blades.value().en.starts_with('-') { Some(Grade::Stop) } else { None }, "{:?}", blades);

@@ -1,29 +1,36 @@
 //! The turning of the blank: what passes, and one fault at a time.
 
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use proptest::prelude::*;
 use rodete::finding::Grade;
-use rodete::gcode::interpreter::Interpreter;
+use rodete::gcode::program::Program;
 use rodete::gcode::word::NumberFormat;
+use rodete::kind::method::Method;
 use rodete::kinds::impeller::design::Design;
-use rodete::kinds::impeller::proof::blank::{judge, setting};
+use rodete::kinds::impeller::{Impeller, Model};
 use rodete::parameter::Value;
 use rodete::proof::check::Check;
 
 use super::common;
 
-/// The design of a case with its blank's program, as text.
-fn blank(case: &str, changes: &[(&'static str, Value)]) -> (Design, String) {
+/// The design of a case with its blank's program.
+fn blank(case: &str, changes: &[(&'static str, Value)]) -> (Design, Program) {
     let design = Design::new(&common::fields(case, changes)).unwrap();
-    (design, common::program(&common::outcome(case, changes), "blank"))
+    let mut programs = common::outcome(case, changes).programs.into_iter().map(|proved| proved.program);
+    (design, programs.find(|program| program.key == "blank").unwrap())
 }
 
+/// The blades, of which the judges of the blank ask nothing.
+static BLADES: LazyLock<Model> = LazyLock::new(|| {
+    let design = Design::new(&common::fields("full", &[])).unwrap();
+    Impeller::model(&design).unwrap()
+});
+
 /// The checks on a text in the place of a design's program of the blank.
-fn checks(design: &Design, text: &str) -> BTreeMap<&'static str, Check> {
-    let program = design.blank.program(design.torus, NumberFormat::Fixed, 10).unwrap();
-    let mut read = Interpreter::over(text.as_bytes(), setting(design));
-    let checks = judge(design, &program, &mut read);
+fn checks(design: &Design, program: &Program, text: &str) -> BTreeMap<&'static str, Check> {
+    let checks = common::checks::<Impeller>(design, &BLADES, program, text);
     for check in &checks {
         if check.grade() > Some(Grade::Note) {
             let finding = check.finding().unwrap_or_else(|| panic!("{check:?}"));
@@ -45,22 +52,22 @@ fn millimetres(check: &Check) -> f64 {
 
 #[test]
 fn the_shipped_cases_leave_the_torus() {
-    let (design, text) = blank("full", &[]);
-    let found = checks(&design, &text);
+    let (design, program) = blank("full", &[]);
+    let found = checks(&design, &program, &program.text());
     assert_eq!(raised(&found), []);
-    assert_eq!(found.len(), 9, "{found:?}");
+    assert_eq!(found.len(), 10, "{found:?}");
     assert_eq!(found["blank-time"].value().en, "64.1 s");
     assert_eq!(found["blank-depth"].value().en, "1 mm");
     // What the published layout lacks is said.
-    let (design, text) = blank("tfg-2021", &[]);
+    let (design, program) = blank("tfg-2021", &[]);
     let lacks = [("blank-speed-limit", Some(Grade::Caution)), ("reading", Some(Grade::Caution))];
-    assert_eq!(raised(&checks(&design, &text)), lacks);
+    assert_eq!(raised(&checks(&design, &program, &program.text())), lacks);
 }
 
 #[test]
 fn the_printed_program_leaves_the_torus_within_a_micrometre() {
-    let (design, _) = blank("tfg-2021", &[]);
-    let found = checks(&design, include_str!("../../golden/lathe-g85-as-printed.nc"));
+    let (design, program) = blank("tfg-2021", &[]);
+    let found = checks(&design, &program, include_str!("../../golden/lathe-g85-as-printed.nc"));
     for side in ["blank-metal-left", "blank-metal-missing"] {
         assert_eq!(found[side].grade(), None);
         assert!(millimetres(&found[side]) < 0.001);
@@ -72,7 +79,8 @@ fn the_printed_program_leaves_the_torus_within_a_micrometre() {
 
 #[test]
 fn one_fault_in_the_text_is_found_by_its_check() {
-    let (design, text) = blank("full", &[]);
+    let (design, program) = blank("full", &[]);
+    let text = program.text();
     for (good, bad, key) in [
         // A digit of the cycle: what the control refuses, and what it does not.
         ("G85 X50.000", "G85 X51.000", "reading"),
@@ -121,7 +129,7 @@ fn one_fault_in_the_text_is_found_by_its_check() {
         ("M30", "G4 K0", "reading"),
     ] {
         assert_eq!(text.matches(good).count(), 1, "{good}");
-        let found = checks(&design, &text.replace(good, bad));
+        let found = checks(&design, &program, &text.replace(good, bad));
         let stopped = found.get(key).is_some_and(|check| check.grade() == Some(Grade::Stop));
         assert!(stopped, "{bad}: {key} is not among {:?}", raised(&found));
     }
@@ -129,11 +137,12 @@ fn one_fault_in_the_text_is_found_by_its_check() {
 
 #[test]
 fn a_way_that_is_clear_only_straight_is_told_from_one_that_is_clear_on_any() {
-    let (design, text) = blank("full", &[]);
+    let (design, program) = blank("full", &[]);
+    let text = program.text();
     // From X20 Z50 straight to X51 Z0 the tool passes the corner of the stock; with Z there first it is in the face.
-    let found = checks(&design, &text.replace("G0 X50.000 Z50.000", "G0 X20.000 Z50.000"));
+    let found = checks(&design, &program, &text.replace("G0 X50.000 Z50.000", "G0 X20.000 Z50.000"));
     assert_eq!(raised(&found), [("blank-rapid", Some(Grade::Stop))]);
-    let found = checks(&design, &text.replace("G0 X50.000 Z50.000", "G0 X60.000 Z90.000"));
+    let found = checks(&design, &program, &text.replace("G0 X50.000 Z50.000", "G0 X60.000 Z90.000"));
     assert_eq!(raised(&found), []);
 }
 
@@ -142,8 +151,8 @@ fn a_stock_beyond_what_is_followed_is_a_caution() {
     let mut design = Design::new(&common::fields("full", &[])).unwrap();
     design.torus.R = 501.0;
     design.blank.X_e = 1100.0;
-    let text = design.blank.program(design.torus, NumberFormat::Fixed, 10).unwrap().text();
-    assert_eq!(raised(&checks(&design, &text)), [("blank-followed", Some(Grade::Caution))]);
+    let program = design.blank.program(design.torus, NumberFormat::Fixed, 10).unwrap();
+    assert_eq!(raised(&checks(&design, &program, &program.text())), [("blank-followed", Some(Grade::Caution))]);
 }
 
 proptest! {
@@ -163,8 +172,9 @@ proptest! {
         (blank.Z_b, blank.c_f, blank.c_o, blank.c_c) = (Z_b, c_f, c_o, c_c);
         (blank.X_e, blank.Z_e) = (2.0 * R + X_e, Z_e);
         let format = if fixed { NumberFormat::Fixed } else { NumberFormat::Trimmed };
-        let text = design.blank.program(design.torus, format, 10).unwrap().text();
-        let found = checks(&design, &text);
+        let program = design.blank.program(design.torus, format, 10).unwrap();
+        let text = program.text();
+        let found = checks(&design, &program, &text);
         let stops: Vec<_> = found.values().filter(|check| {
             check.grade() == Some(Grade::Stop) && (fixed || check.key() != "blank-speed-limit")
         }).collect();

@@ -12,10 +12,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use nalgebra::Vector3;
 use rodete::finding::Grade;
 use rodete::gcode::header::Origin;
-use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::program::{Program, Role};
-use rodete::kind::Wants;
-use rodete::kinds::impeller::blade::Blade;
+use rodete::kind::method::Method;
 use rodete::kinds::impeller::clear::cut::{Job, Which};
 use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::clear::programs::programs;
@@ -23,16 +21,13 @@ use rodete::kinds::impeller::clearance::{Stand, Until, WORK, Walls};
 use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::floor_depth::within;
 use rodete::kinds::impeller::part::{Face, Part};
-use rodete::kinds::impeller::proof::cutting::Known;
 use rodete::kinds::impeller::proof::nose::Nose;
-use rodete::kinds::impeller::proof::{Geometry, judge};
 use rodete::kinds::impeller::sweep::Sweep;
+use rodete::kinds::impeller::{self, Impeller};
 use rodete::machine::axis::{Axis, Pose, Position};
 use rodete::machine::rotary::Rotary;
 use rodete::number::grid::Milli;
 use rodete::parameter::Value;
-use rodete::proof::check::Check;
-use rodete::proof::text::Characters;
 use rodete::text::Language;
 
 use crate::common;
@@ -47,7 +42,7 @@ const TOUCHING: f64 = 0.012;
 /// A clear cut with its plan and its programs.
 struct Cut {
     design: Design,
-    blade: Blade,
+    model: impeller::Model,
     plan: Plan,
     programs: Vec<Program>,
 }
@@ -61,7 +56,7 @@ impl Cut {
         let plan = Plan::new(&Job::of(&design), &design.clear.as_ref().unwrap().cut).unwrap();
         let origin = Origin { workbook: "", sha256: "", version: "", language: Language::En };
         let programs = programs(&design, &plan, &origin).unwrap().programs;
-        Self { blade: common::blade(&design), design, plan, programs }
+        Self { model: Impeller::model(&design).unwrap(), design, plan, programs }
     }
 
     fn program(&self, key: &str) -> &Program {
@@ -74,13 +69,7 @@ impl Cut {
 
     /// The worst verdict of each check on a text in the place of a program's; `None` where it cannot be read to its end.
     fn verdicts(&self, key: &str, text: &[String]) -> BTreeMap<&'static str, Option<Grade>> {
-        let geometry = Geometry { design: &self.design, blade: &self.blade, splitter: None, clear: Some(&self.plan) };
-        let (program, text) = (self.program(key), text.join("\n"));
-        let mut read = Interpreter::over(text.as_bytes(), program.setting());
-        let mut checks: Vec<Check> = judge(geometry, program, &mut read, &mut Known::new(geometry, Wants::default()));
-        let mut characters = Characters::new(program);
-        text.lines().for_each(|line| characters.line(line));
-        checks.push(characters.check());
+        let checks = common::checks::<Impeller>(&self.design, &self.model, self.program(key), &text.join("\n"));
         let mut worst = BTreeMap::new();
         for check in checks {
             let known = worst.entry(check.key()).or_insert(check.grade());

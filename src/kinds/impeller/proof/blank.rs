@@ -16,7 +16,7 @@
 use crate::finding::{Grade, Raise, Size};
 use crate::gcode::control::FAGOR_8055_T;
 use crate::gcode::in_force::{InForce, Speed, Spindle};
-use crate::gcode::interpreter::{Interpreter, Setting, Start, ToolOffset};
+use crate::gcode::interpreter::{Setting, Start, ToolOffset};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::design::{Design, Style};
@@ -26,11 +26,9 @@ use crate::kinds::impeller::proof::rules::{
 };
 use crate::limits::FOLLOWED_BLANK;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::rapids::Rapids;
 use crate::number::shown;
-use crate::proof;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
-use crate::proof::step::{Judge, Plan, Step};
+use crate::proof::step::{Judge, Step};
 use crate::removal::turning::alarm::{Alarm, Cause, TOUCH};
 use crate::removal::turning::deviation::{Deviation, Profile, Span, deviation};
 use crate::removal::turning::machine::{Chuck, Lathe};
@@ -71,11 +69,6 @@ pub fn judges<'a>(design: &'a Design) -> Vec<Box<dyn Judge + 'a>> {
         None => Box::new(TooLarge(design)),
     };
     vec![Box::new(Terms::new(design)), over]
-}
-
-/// Judges a text in the place of the blank's program.
-pub fn judge(design: &Design, program: &Program, text: &mut Interpreter<'_>) -> Vec<Check> {
-    proof::over(program, text, Plan::of(program), judges(design), due(design), Rapids::default()).checks
 }
 
 /// The checks that must be answered for the blank's program.

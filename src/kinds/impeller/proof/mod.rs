@@ -25,7 +25,7 @@ pub mod tip_path;
 pub mod tool_terms;
 pub mod track_step;
 
-use crate::gcode::interpreter::{Interpreter, Setting};
+use crate::gcode::interpreter::Setting;
 use crate::gcode::program::Program;
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::clear::cut::Which;
@@ -38,16 +38,13 @@ use crate::kinds::impeller::proof::passes::{PassCount, Passes};
 use crate::kinds::impeller::proof::stock::Clear;
 use crate::kinds::impeller::proof::tool_terms::ToolTerms;
 use crate::kinds::impeller::splitter::Splitter;
-use crate::machine::rapids::Rapids;
 use crate::number::grid::Milli;
-use crate::proof;
 use crate::proof::agreement::Agreement;
 use crate::proof::arcs::Arcs;
-use crate::proof::check::Check;
 use crate::proof::closure::{Closure, Turn};
 use crate::proof::feed::Feeds;
 use crate::proof::rollover::Rollover;
-use crate::proof::step::{self, Judge};
+use crate::proof::step::Judge;
 use crate::proof::travel::Axes;
 use crate::proof::turning::RotarySteps;
 use crate::text::{Text, t};
@@ -184,12 +181,6 @@ pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Pro
         Box::new(Arcs::default()),
         Box::new(Rollover(design.counting)),
     ]
-}
-
-/// Judges a text in the place of a program's own.
-pub fn judge(geometry: Geometry<'_>, program: &Program, text: &mut Interpreter<'_>, known: &mut Known) -> Vec<Check> {
-    let due = due(geometry.design, program);
-    proof::over(program, text, step::Plan::of(program), judges(geometry, known, program), due, Rapids::default()).checks
 }
 
 /// How many passes of each track a program should make.

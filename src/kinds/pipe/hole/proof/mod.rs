@@ -22,7 +22,6 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::Vector3;
 
 use crate::finding::{Raise, Size};
-use crate::gcode::interpreter::Interpreter;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::gcode::word::Distance;
@@ -33,15 +32,12 @@ use crate::kinds::pipe::hole::proof::crossing::Crossing;
 use crate::kinds::pipe::hole::proof::rules::{BevelOff, CutSlows, NotItsTime, SwingsAtOnce, TorchTooNear};
 use crate::kinds::pipe::hole::station::Groove;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::rapids::Rapids;
 use crate::machine::torch::{TorchAxes, TorchPose};
 use crate::number::grid::Milli;
 use crate::number::jet::{Jet, Vector, bow, cross, difference};
 use crate::number::root::golden;
 use crate::number::shown;
 use crate::number::trig::{asin, atan2, sin_cos};
-use crate::proof;
-use crate::proof::Judged;
 use crate::proof::agreement::Agreement;
 use crate::proof::check::{At, Check, Extreme, Question, mm, up};
 use crate::proof::enclosed::{Enclosed, Remedy, bound};
@@ -512,11 +508,4 @@ pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec
         Box::new(Torch(Some([&design.torch_on, &design.torch_off]))),
         Box::new(Rollover(design.control.rotary.delivered)),
     ]
-}
-
-/// Judges a text in the place of the program's own.
-#[must_use]
-pub fn judge(design: &Design, cut: &Cut, program: &Program, text: &mut Interpreter<'_>) -> Judged {
-    let mut curve = Curve::new();
-    proof::over(program, text, plan(design, cut), judges(design, cut, &mut curve), CHECKS, Rapids::default())
 }

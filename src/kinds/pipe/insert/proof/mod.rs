@@ -18,7 +18,7 @@ use std::f64::consts::TAU;
 use nalgebra::Vector2;
 
 use crate::finding::Grade;
-use crate::gcode::interpreter::{Interpreter, Setting};
+use crate::gcode::interpreter::Setting;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::{Program, Style};
 use crate::geometry::pipe_pair::Side;
@@ -31,14 +31,11 @@ use crate::kinds::pipe::insert::outline::Outline;
 use crate::kinds::pipe::insert::program::{approach, template_points};
 use crate::kinds::pipe::insert::proof::speed::CutSpeed;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::rapids::Rapids;
 use crate::number::grid::Milli;
 use crate::number::interval::Interval;
 use crate::number::jet::{Jet, at_most, bow};
 use crate::number::root::golden;
 use crate::number::trig::{atan2, hypot, sin_cos};
-use crate::proof;
-use crate::proof::Judged;
 use crate::proof::agreement::Agreement;
 use crate::proof::check::{At, Check, Extreme, Question, mm, up};
 use crate::proof::enclosed::{Enclosed, Remedy, bound};
@@ -511,18 +508,4 @@ pub fn judges<'a>(design: &'a Design, moves: &'a Moves, curve: &'a mut Curve) ->
         judges.push(Box::new(Rollover(design.control.rotary.delivered)));
     }
     judges
-}
-
-/// Judges a text in the place of the program's own.
-#[must_use]
-pub fn judge(design: &Design, cut: Option<&Cut>, program: &Program, text: &mut Interpreter<'_>) -> Judged {
-    let (moves, mut curve) = (Moves::new(design, cut), Curve::new());
-    proof::over(
-        program,
-        text,
-        moves.plan(design.mode),
-        judges(design, &moves, &mut curve),
-        due(design),
-        Rapids::default(),
-    )
 }
