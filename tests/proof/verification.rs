@@ -34,6 +34,7 @@ use rodete::number::grid::Milli;
 use rodete::parameter::Value;
 use rodete::parameter::field::Fields;
 use rodete::proof::agreement::Agreement;
+use rodete::proof::rules::NotAnswered;
 use rodete::proof::step::{Judge, Plan, Steps};
 use rodete::proof::text::Characters;
 use rodete::table::Entry;
@@ -354,6 +355,18 @@ fn a_full_circle_beyond_the_plan_is_caught_though_it_ends_where_it_begins() {
         agreement.see(&step);
     }
     assert_eq!(agreement.checks(program).remove(0).grade(), Some(Grade::Stop));
+}
+
+/// What is due of it is due, and nobody answers.
+#[test]
+fn a_program_that_is_not_known_is_judged_as_no_other() {
+    let Prepared { design, model, programs } = Prepared::new("tfg-2021", &[]);
+    let program = Program { key: "contour", ..programs[0].clone() };
+    let checks = common::checks::<Impeller>(&design, &model, &program, &program.text());
+    for due in Impeller::due(&design, &program) {
+        let answer = checks.iter().find(|check| check.key() == *due).expect(due);
+        assert!(answer.grade() == Some(Grade::Stop) && answer.finding().unwrap().is(NotAnswered::RULE), "{answer:?}");
+    }
 }
 
 #[test]

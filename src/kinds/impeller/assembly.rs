@@ -9,6 +9,7 @@ use crate::gcode::writer::Writer;
 use crate::kinds::impeller::clear::asked::Mill;
 use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::design::{Design, Style};
+use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Pose, Position};
 use crate::machine::tip_way::longest;
@@ -323,7 +324,7 @@ impl<'a> Assembly<'a> {
     /// Closes the program: the full layout goes back to its start, C to a whole turn or, where the rotary axes may be
     /// rollover, back to 0.
     #[must_use]
-    pub fn finish(mut self, key: &'static str, title: Text) -> Program {
+    pub fn finish(mut self, operation: Operation, title: Text) -> Program {
         let design = self.design;
         if design.style == Style::Full {
             self.writer.end_feed();
@@ -345,7 +346,7 @@ impl<'a> Assembly<'a> {
         }
         self.writer.block(end);
         Program {
-            key,
+            key: operation.key(),
             title,
             control: design.control,
             format: if design.style == Style::Full { NumberFormat::Fixed } else { NumberFormat::Trimmed },

@@ -9,6 +9,7 @@ use crate::gcode::program::Program;
 use crate::gcode::word::{NumberFormat, Word};
 use crate::gcode::writer::Writer;
 use crate::geometry::torus::Torus;
+use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::parameters as form;
 use crate::machine::axis::Position;
 use crate::number::grid::{Milli, OutOfFormat};
@@ -117,7 +118,7 @@ impl BlankTurning {
         writer.rapid([writer.diameter(self.X_e)?, size('Z', self.Z_e)?]);
         writer.block([Word::whole('M', 30)]);
         Ok(Program {
-            key: "blank",
+            key: Operation::Blank.key(),
             title: t("Torneado del bruto", "Turning of the blank"),
             control: writer.control(),
             format,

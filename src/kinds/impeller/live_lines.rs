@@ -7,6 +7,7 @@
 //! The thesis, section 4.4: the same sheet, with a macro that copied the lines out.
 
 use crate::gcode::program::{Part, Program};
+use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::tables::ToolPaths;
 use crate::machine::axis::{Axis, Position};
 use crate::table::{Column, Index, Law, Print, Table, Unit};
@@ -54,10 +55,10 @@ const SPLITTER: Course = Course {
 #[must_use]
 pub fn tables(passes: &ToolPaths, programs: &[Program]) -> Vec<Table> {
     let points = passes.obverse.len();
-    let of = |course: &Course, key: &str| {
-        programs.iter().find(|program| program.key == key).and_then(|program| course.table(program, points))
+    let of = |course: &Course, operation: Operation| {
+        programs.iter().find(|program| program.key == operation.key()).and_then(|program| course.table(program, points))
     };
-    [of(&BLADE, "blade"), of(&SPLITTER, "splitter")].into_iter().flatten().collect()
+    [of(&BLADE, Operation::Blade), of(&SPLITTER, Operation::Splitter)].into_iter().flatten().collect()
 }
 
 impl Course {

@@ -1,6 +1,7 @@
 //! What impellers are compared by, and what a new workbook suggests to vary.
 
 use crate::kind::measure::{From, Measure, Suggested, Varied};
+use crate::kinds::impeller::operation::Operation;
 use crate::table::Unit;
 use crate::text::t;
 
@@ -12,7 +13,7 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::of_programs(
         "time_s",
         Unit::Second,
-        From::Time(&["impeller", "rough", "finish"]),
+        From::Time(&[Operation::Whole.key(), Operation::Rough.key(), Operation::Finish.key()]),
         t("Duración del fresado de toda la pieza", "Time of milling the whole part"),
     ),
     Measure::of_programs(

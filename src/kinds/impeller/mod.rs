@@ -27,6 +27,7 @@ mod live_form;
 mod live_lines;
 mod measures;
 pub mod nearest;
+pub mod operation;
 pub mod outside;
 pub mod parameters;
 pub mod part;
@@ -71,6 +72,7 @@ use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::figures::figures;
 use crate::kinds::impeller::gap::Limits;
+use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::parameters::FORM;
 use crate::kinds::impeller::programs::{Tracks, programs};
 use crate::kinds::impeller::proof::cutting::Known;
@@ -261,13 +263,16 @@ impl Method for Impeller {
         Known::new(model.geometry(design), wants)
     }
 
-    fn fewer(design: &Design, program: &Program) -> Text {
-        match (&design.clear, program.key) {
-            (None, _) => t("un n menor", "a smaller n"),
-            (Some(_), "rough") => {
+    fn fewer(_: &Design, program: &Program) -> Text {
+        match Operation::of(program) {
+            Some(Operation::Rough) => {
                 t("una tol mayor, o menos niveles (una a_k mayor)", "a larger tol, or fewer levels (a larger a_k)")
             }
-            (Some(_), _) => t("una tol, una c_s o una delta mayor", "a larger tol, c_s or delta"),
+            Some(Operation::Finish) => t("una tol, una c_s o una delta mayor", "a larger tol, c_s or delta"),
+            // The blank's program is never too long.
+            Some(Operation::Blade | Operation::Splitter | Operation::Whole | Operation::Blank) | None => {
+                t("un n menor", "a smaller n")
+            }
         }
     }
 
@@ -460,10 +465,8 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
         list.extend(clear::tables::quantities(asked, plan));
     }
     list.extend(splitter.as_ref().map(crossings).into_iter().flatten());
-    if let Some(program) = programs
-        .iter()
-        .find(|program| program.format == NumberFormat::Fixed && ["blade", "rough"].contains(&program.key))
-    {
+    let first = |program: &Program| matches!(Operation::of(program), Some(Operation::Blade | Operation::Rough));
+    if let Some(program) = programs.iter().find(|program| program.format == NumberFormat::Fixed && first(program)) {
         list.push(
             quantity(
                 "Z_r",

@@ -13,6 +13,7 @@ use crate::gcode::program::Style;
 use crate::gcode::word::Distance;
 use crate::kinds::impeller::clear::fields as cut;
 use crate::kinds::impeller::fade::Fade;
+use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::rules::HeightCalledLength;
 use crate::parameter::field::{Field, Optional, Required, Usual, WithSheet};
 use crate::parameter::{Earlier, FieldKind, Form, Parameter, Section, Sheet, title_block};
@@ -539,7 +540,7 @@ pub static FORM: Form = Form {
     }],
     part: &PART,
     material: Some(&MATERIAL),
-    programs: &["blade", "splitter", "impeller", "blank", "rough", "finish"],
+    programs: &Operation::KEYS,
     sheets: &[
         Sheet {
             name: t("DATOS", "DATA"),

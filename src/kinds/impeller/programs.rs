@@ -14,6 +14,7 @@ use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::discretisation;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::header::{blank_header, header};
+use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::tables::ToolPaths;
 use crate::kinds::impeller::track::Track;
@@ -176,7 +177,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
         let mut assembly = Assembly::new(design, tracks.entry_obverse)?;
         cuts.blade(tracks, &mut assembly, Milli::ZERO);
         assembly.turn_on(part_of_turn(1, design.N)?);
-        assembly.finish("blade", t("Un álabe", "One blade"))
+        assembly.finish(Operation::Blade, t("Un álabe", "One blade"))
     };
     let mut milled = vec![blade];
     if cuts.splitter.is_some() {
@@ -185,7 +186,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
         let mut assembly = Assembly::new(design, tracks.entry_reverse.moved(Axis::C, half))?;
         cuts.splitter(tracks, &mut assembly, half);
         assembly.turn_on(half + part_of_turn(1, design.N)?);
-        milled.push(assembly.finish("splitter", t("Un álabe intermedio", "One splitter blade")));
+        milled.push(assembly.finish(Operation::Splitter, t("Un álabe intermedio", "One splitter blade")));
     }
     milled.push(impeller(design, tracks, &cuts)?);
 
@@ -197,7 +198,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
             unnumbered.push(program.key);
         }
         if design.style == Style::Full {
-            let full_from = tracks.full_from.filter(|_| program.key != "blade");
+            let full_from = tracks.full_from.filter(|_| program.key != Operation::Blade.key());
             let mut parts = header(design, program, Which::Rough, full_from, origin);
             parts.append(&mut program.parts);
             program.parts = parts;
@@ -231,7 +232,7 @@ fn impeller(design: &Design, tracks: &Tracks, cuts: &Cuts) -> Result<Program, Ou
         assembly.turn_to(tracks.entry_reverse, turn + turn);
         assembly.cross(tracks.entry_obverse.moved(Axis::C, turn + turn), &[Axis::Y]);
     }
-    Ok(assembly.finish("impeller", t("El rodete completo", "The whole impeller")))
+    Ok(assembly.finish(Operation::Whole, t("El rodete completo", "The whole impeller")))
 }
 
 /// The program that turns the blank.

@@ -2,6 +2,7 @@
 
 use crate::finding::{Finding, Place, Raise, Size};
 use crate::kinds::impeller::design::{Design, Style};
+use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::programs::Programs;
 use crate::kinds::impeller::rules::{
     AnnexIsRepeated, AnnexStartsAnywhere, AnnexWithoutFeed, BlankForFagor, CalibrationAgrees, CalibrationDiffers,
@@ -71,7 +72,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
         let told = NotNumbered { greatest: design.control.text.greatest_number };
         findings.push(told.at(Place::Block { program: key, line: 1 }));
     }
-    findings.push(BlankForFagor {}.at(Place::Block { program: "blank", line: 1 }));
+    findings.push(BlankForFagor {}.at(Place::Block { program: Operation::Blank.key(), line: 1 }));
     findings.extend(calibrated.map(|axis| calibration_remark(design, axis)));
     findings
 }

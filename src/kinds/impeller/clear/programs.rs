@@ -13,6 +13,7 @@ use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::header::header;
+use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::part::Face;
 use crate::kinds::impeller::programs::{Programs, blank, part_of_turn};
 use crate::machine::axis::{Axis, Position};
@@ -134,11 +135,11 @@ pub fn programs(design: &Design, plan: &Plan, origin: &Origin<'_>) -> Result<Pro
                 pass.run(&mut assembly, turn);
             }
         }
-        let (key, title) = match which {
-            Which::Rough => ("rough", t("Desbaste del rodete", "Roughing of the impeller")),
-            Which::Finish => ("finish", t("Acabado del rodete", "Finishing of the impeller")),
+        let (operation, title) = match which {
+            Which::Rough => (Operation::Rough, t("Desbaste del rodete", "Roughing of the impeller")),
+            Which::Finish => (Operation::Finish, t("Acabado del rodete", "Finishing of the impeller")),
         };
-        let mut program = assembly.finish(key, title);
+        let mut program = assembly.finish(operation, title);
         let numbers = program.blocks().saturating_mul(u64::from(design.block_step));
         if numbers > u64::from(program.control.text.greatest_number) {
             program.block_step = None;

@@ -32,6 +32,7 @@ use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::programs::SLOT;
 use crate::kinds::impeller::design::{Design, Style};
+use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::proof::clear::ClearCutting;
 use crate::kinds::impeller::proof::cutting::{Cutting, Known};
 use crate::kinds::impeller::proof::passes::{PassCount, Passes};
@@ -71,7 +72,7 @@ pub const SOURCE: Text = t(
 /// What a program is read with.
 #[must_use]
 pub fn setting(design: &Design, program: &Program) -> Setting {
-    if program.key == "blank" { blank::setting(design) } else { program.setting() }
+    if Operation::of(program) == Some(Operation::Blank) { blank::setting(design) } else { program.setting() }
 }
 
 /// What is asked of every program that mills.
@@ -131,48 +132,64 @@ const CLEAR_SPLITTERS: &[&str] = &[
 /// The checks that must be answered for a program.
 #[must_use]
 pub fn due(design: &Design, program: &Program) -> &'static [&'static str] {
-    match program.key {
-        "blank" => blank::due(design),
-        "rough" | "finish" if design.splitters => CLEAR_SPLITTERS,
-        "rough" | "finish" => CLEAR,
+    match Operation::of(program) {
+        Some(Operation::Blank) => blank::due(design),
+        Some(Operation::Rough | Operation::Finish) => {
+            if design.splitters {
+                CLEAR_SPLITTERS
+            } else {
+                CLEAR
+            }
+        }
         // Its tracks were measured in those of blade and splitter.
-        "impeller" => MILLING,
-        // All that is asked of any: a program that is not known here is stopped.
-        _ => FIRST,
+        Some(Operation::Whole) => MILLING,
+        // A program that is not known here is stopped: nobody judges it.
+        Some(Operation::Blade | Operation::Splitter) | None => FIRST,
     }
 }
 
-/// The judges of a program, with what is known from the programs before it.
+/// The judges of a program, with what is known from the programs before it; none of a program that is none of an impeller's, or
+/// of a clear cut that was not planned.
 #[must_use]
 pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Program) -> Vec<Box<dyn Judge + 'a>> {
     let design = geometry.design;
-    if program.key == "blank" {
-        return blank::judges(design);
-    }
-    let Known { tracks, clear_moves, finish_moves } = known;
-    if let (Some(plan), Some(asked)) = (geometry.clear, &design.clear) {
-        let (which, moves) = match program.key {
-            "rough" => (Which::Rough, clear_moves),
-            _ => (Which::Finish, finish_moves),
-        };
-        let mill = design.mill(which);
-        return vec![
-            Box::new(Agreement::of_the_tip(design.machine, program)),
-            Box::new(ToolTerms::new(design, mill)),
-            Box::new(ClearCutting::new(design, asked, plan, which)),
-            Box::new(Closure::new(turn(design, program))),
-            Box::new(Axes::new(&design.travel)),
-            Box::new(RotarySteps::default()),
-            Box::new(Feeds::new(design.machine, mill.F, design.F_max).slower(SLOT)),
-            Box::new(Clear::new(design, mill.d, moves)),
-            Box::new(Arcs::default()),
-            Box::new(Rollover(design.counting)),
-        ];
-    }
+    let (which, moves) = match Operation::of(program) {
+        None => return Vec::new(),
+        Some(Operation::Blank) => return blank::judges(design),
+        Some(operation @ (Operation::Blade | Operation::Splitter | Operation::Whole)) => {
+            return published(geometry, known, program, operation);
+        }
+        Some(Operation::Rough) => (Which::Rough, &mut known.clear_moves),
+        Some(Operation::Finish) => (Which::Finish, &mut known.finish_moves),
+    };
+    let (Some(plan), Some(asked)) = (geometry.clear, &design.clear) else { return Vec::new() };
+    let mill = design.mill(which);
     vec![
         Box::new(Agreement::of_the_tip(design.machine, program)),
-        Box::new(Passes::new(expected(design, program))),
-        Box::new(Closure::new(turn(design, program))),
+        Box::new(ToolTerms::new(design, mill)),
+        Box::new(ClearCutting::new(design, asked, plan, which)),
+        Box::new(Closure::new(Turn::Whole)),
+        Box::new(Axes::new(&design.travel)),
+        Box::new(RotarySteps::default()),
+        Box::new(Feeds::new(design.machine, mill.F, design.F_max).slower(SLOT)),
+        Box::new(Clear::new(design, mill.d, moves)),
+        Box::new(Arcs::default()),
+        Box::new(Rollover(design.counting)),
+    ]
+}
+
+/// The judges of a program along the published paths.
+fn published<'a>(
+    geometry: Geometry<'a>,
+    known: &'a mut Known,
+    program: &'a Program,
+    operation: Operation,
+) -> Vec<Box<dyn Judge + 'a>> {
+    let (design, Known { tracks, clear_moves, .. }) = (geometry.design, known);
+    vec![
+        Box::new(Agreement::of_the_tip(design.machine, program)),
+        Box::new(Passes::new(expected(design, operation))),
+        Box::new(Closure::new(turn(design, operation))),
         Box::new(Axes::new(&design.travel)),
         Box::new(RotarySteps::default()),
         Box::new(Feeds::new(design.machine, design.F, design.F_max)),
@@ -184,22 +201,29 @@ pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Pro
 }
 
 /// How many passes of each track a program should make.
-fn expected(design: &Design, program: &Program) -> PassCount {
+fn expected(design: &Design, operation: Operation) -> PassCount {
     let N = usize::try_from(design.N).unwrap_or(usize::MAX);
-    match program.key {
-        "blade" => [1, 1, 0, 0],
-        "splitter" => [0, 0, 1, 1],
-        _ if design.splitters => [N; 4],
-        _ => [N, N, 0, 0],
+    match operation {
+        Operation::Blade => [1, 1, 0, 0],
+        Operation::Splitter => [0, 0, 1, 1],
+        Operation::Whole => {
+            let splitters = if design.splitters { N } else { 0 };
+            [N, N, splitters, splitters]
+        }
+        // They run along no track.
+        Operation::Blank | Operation::Rough | Operation::Finish => [0; 4],
     }
 }
 
 /// The turn of C that a program should leave.
-fn turn(design: &Design, program: &Program) -> Turn {
-    match (design.style, program.key) {
-        (Style::Annex, "blade" | "splitter") => {
-            Turn::Exactly(Milli::round(360.0 / f64::from(design.N)).unwrap_or(Milli::ZERO))
-        }
-        _ => Turn::Whole,
+fn turn(design: &Design, operation: Operation) -> Turn {
+    match design.style {
+        Style::Full => Turn::Whole,
+        Style::Annex => match operation {
+            Operation::Blade | Operation::Splitter => {
+                Turn::Exactly(Milli::round(360.0 / f64::from(design.N)).unwrap_or(Milli::ZERO))
+            }
+            Operation::Whole | Operation::Blank | Operation::Rough | Operation::Finish => Turn::Whole,
+        },
     }
 }
