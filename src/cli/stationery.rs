@@ -12,7 +12,7 @@ use crate::escape::{excerpt, printable};
 use crate::finding::answer::answer;
 use crate::finding::{Finding, Place, Raise};
 use crate::kind::{NamedFile, Outcome};
-use crate::parameter::{Values, title_block};
+use crate::parameter::{Values, at, title_block};
 use crate::report::rules::{LogoNotRead, NamedFileChanged, TemplatesNotRead};
 use crate::report::stationery::{self, Logo, Template};
 use crate::store;
@@ -38,7 +38,7 @@ pub(super) fn logo(workbook: &Path, values: &Values) -> Result<Option<(Logo, Nam
     }
     let located = |finding| Box::new(values.locate(finding));
     let shown = || excerpt(name, SHOWN);
-    let place = || Place::Parameters(vec![title_block::LOGO.key()]);
+    let place = || at([title_block::LOGO.key()]);
     let not_read = |reason| located(LogoNotRead { name: shown(), reason }.at(place()));
     // Windows writes folders with a backslash; workbooks go from one machine to another.
     let path = name.replace('\\', "/");
@@ -68,7 +68,7 @@ pub(super) fn named(workbook: &Path, outcome: &Outcome, verified: &[NamedFile]) 
     };
     let changed = |then: &&NamedFile| then.name == name && now.as_ref().is_some_and(|now| *now != then.sha256);
     if verified.iter().any(|then| changed(&then)) {
-        let place = Place::Parameters(vec![title_block::LOGO.key()]);
+        let place = at([title_block::LOGO.key()]);
         findings.push(outcome.fields.locate(NamedFileChanged { name: excerpt(name, SHOWN) }.at(place)));
     }
     findings

@@ -186,14 +186,14 @@ fn for_program(
         let rows = values.lists.iter_mut().filter(|rows| rows.list == TOOLS_KEY).flat_map(|rows| &mut rows.rows);
         let faced =
             rows.filter(|row| !matches!(row.found(&tools::TYPE), Some(ToolType::Drill | ToolType::CentreDrill)));
-        faced.for_each(|row| drop(row.values.insert(tools::M.key(), Spindle::CounterClockwise.stated())));
+        faced.for_each(|row| drop(row.values.insert(tools::M.row.key, Spindle::CounterClockwise.stated())));
     }
     let mut put = |list: &'static str, sheet: &str, text: &text::Lines| {
         let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
         // A longer program does not go on a sheet.
         if lines.len() <= SHEET_BLOCKS {
             let row = |line: &&str| Row {
-                values: BTreeMap::from([(form::BLOCK.key(), (*line).to_owned().stated())]),
+                values: BTreeMap::from([(form::BLOCK.row.key, (*line).to_owned().stated())]),
                 cells: BTreeMap::new(),
             };
             values.lists.push(Rows { list, sheet: sheet.to_owned(), rows: lines.iter().map(row).collect() });

@@ -2,6 +2,7 @@
 
 pub mod answer;
 pub mod datum;
+pub mod key;
 pub mod rule;
 pub mod rules;
 #[cfg(test)]
@@ -11,6 +12,7 @@ use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
 pub use self::datum::{Datum, Said, Size, Typed};
+pub use self::key::Key;
 pub use self::rule::{AlarmFamily, Example, Raise, Rule};
 use crate::text::{Language, Text, t};
 
@@ -60,7 +62,7 @@ pub enum Place {
     /// Cells of the workbook.
     Cells(Vec<CellPlace>),
     /// Parameters by key; the schema turns them into [`Place::Cells`] with [`crate::parameter::Values::locate`].
-    Parameters(Vec<&'static str>),
+    Parameters(Vec<Key>),
     /// A row of a result table.
     Point {
         /// The table's key.

@@ -1,19 +1,21 @@
 //! The codes that a workbook puts into programs: M codes, and the block that takes the tool away.
 
-use crate::finding::{Finding, Place, Raise};
+use crate::finding::{Finding, Key, Raise};
 use crate::gcode::code::G;
 use crate::gcode::control::Control;
+use crate::gcode::fields::DIALECT;
 use crate::gcode::rules::codes::{
     EndMissing, EndsTooSoon, MachineCodeNotKnown, NoMachineCode, NotInRetract, RetractWithoutZ,
 };
 use crate::gcode::word::{Number, Word};
+use crate::parameter::at;
 
 /// What is wrong with the codes of a parameter: one that is no M code, that the control does not know, or that ends the
 /// program where it must not. With `closing` the last one must end it.
 #[must_use]
-pub fn refused_codes(dialect: &Control, key: &'static str, codes: &[Word], closing: bool) -> Vec<Finding> {
+pub fn refused_codes(dialect: &Control, key: Key, codes: &[Word], closing: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let both = || Place::Parameters(vec![key, "dialect"]);
+    let both = || at([key, DIALECT.key()]);
     for word in codes {
         let Number::Whole(number) = word.number else { continue };
         if word.letter != 'M' {
@@ -26,17 +28,17 @@ pub fn refused_codes(dialect: &Control, key: &'static str, codes: &[Word], closi
     }
     let ends = |word: &Word| matches!(word.number, Number::Whole(2 | 30)) && word.letter == 'M';
     if closing && !codes.last().is_some_and(ends) {
-        findings.push(EndMissing { key }.at(Place::Parameters(vec![key])));
+        findings.push(EndMissing { key }.at(at([key])));
     }
     findings
 }
 
-/// What is wrong with the block that takes the tool away: a code that the control does not know or rodete does not follow, one
-/// that changes how the blocks after it are read, one that ends the program, or axes without Z.
+/// What is wrong with the block of a parameter that takes the tool away: a code that the control does not know or rodete does
+/// not follow, one that changes how the blocks after it are read, one that ends the program, or axes without Z.
 #[must_use]
-pub fn refused_retract(dialect: &Control, words: &[Word]) -> Vec<Finding> {
+pub fn refused_retract(dialect: &Control, key: Key, words: &[Word]) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let place = || Place::Parameters(vec!["retract", "dialect"]);
+    let place = || at([key, DIALECT.key()]);
     for word in words {
         let Number::Whole(number) = word.number else { continue };
         let letter = word.letter;

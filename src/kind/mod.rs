@@ -21,7 +21,7 @@ use serde::Serialize;
 use self::rules::PositionOutOfFormat;
 use crate::figure::{Arc, Figure, Paper};
 use crate::finding::rules::ValueNotFinite;
-use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule};
+use crate::finding::{Exit, Finding, Grade, Key, Place, Raise, Refusal, Rule};
 use crate::gcode::control::Control;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
@@ -29,7 +29,7 @@ use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Limits, Measure, Suggested};
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
-use crate::parameter::{Case, Form};
+use crate::parameter::{Case, Form, at};
 use crate::proof::account::Account;
 use crate::proof::check::Check;
 use crate::scene::Scene;
@@ -382,11 +382,11 @@ pub(crate) fn not_finite(table: &Table, row: usize) -> Finding {
 }
 
 /// The stop for a position that no program may carry, at the parameters that make it.
-pub fn out_of_format(error: OutOfFormat, keys: Vec<&'static str>) -> Finding {
+pub fn out_of_format<const N: usize>(error: OutOfFormat, keys: [Key; N]) -> Finding {
     let list = |and: &str| match keys.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} {and} {last}", rest.join(", ")),
-        _ => keys.join(""),
+        Some((last, rest)) if !rest.is_empty() => format!("{} {and} {}", rest.join(", "), last.name()),
+        _ => keys.concat(),
     };
     let parameters = Text::new(list("y"), list("and"));
-    PositionOutOfFormat { position: error.0, parameters }.at(Place::Parameters(keys))
+    PositionOutOfFormat { position: error.0, parameters }.at(at(keys))
 }

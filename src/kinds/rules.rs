@@ -1,11 +1,12 @@
 //! Contradictions of programs that several kinds write.
 
+use crate::finding::Key;
 use crate::finding::rule::{book, rules};
 
 rules! {
     /// The rows of what several kinds write.
     RULES;
-    "P0101" FullStyleNeeds Stop { symbol: &'static str }
+    "P0101" FullStyleNeeds Stop { symbol: Key }
         es "falta {symbol}: style = full lo exige"
         en "{symbol} is missing: style = full requires it"
         remedy "escriba {symbol}, o elija style = annex", "fill in {symbol}, or choose style = annex";

@@ -1,7 +1,21 @@
 //! Travel of the linear and rotary axes in program coordinates.
 
+use crate::finding::Key;
+use crate::machine::axis::Axis;
+
 /// The travel of one axis: least and greatest position; `None` where it is not known and so not checked.
 pub type Travel = [Option<f64>; 2];
+
+/// The travel of an axis, with the parameters that say it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisTravel {
+    /// The axis.
+    pub axis: Axis,
+    /// Its travel.
+    pub ends: Travel,
+    /// The parameters of the lower and the upper end.
+    pub keys: [Key; 2],
+}
 
 /// Where an axis leaves its travel.
 #[derive(Clone, Copy, Debug, PartialEq)]

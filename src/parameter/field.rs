@@ -5,10 +5,10 @@
 
 use std::marker::PhantomData;
 
-use crate::finding::{CellPlace, Exit, Finding, Place, Raise, Refusal};
+use crate::finding::{CellPlace, Exit, Finding, Key, Raise, Refusal};
 use crate::parameter::list::{List, Row};
 use crate::parameter::rules::{Missing, Mistyped};
-use crate::parameter::{Choice, FieldKind, Form, Parameter, Value, Values};
+use crate::parameter::{Choice, FieldKind, Form, Parameter, Value, Values, at};
 use crate::table::Unit;
 use crate::text::{Language, Text, t};
 
@@ -225,8 +225,8 @@ impl<T: Typed, P: Presence> Field<T, P> {
 
     /// Its key in the form.
     #[must_use]
-    pub const fn key(&self) -> &'static str {
-        self.row.key
+    pub const fn key(&self) -> Key {
+        self.row.key()
     }
 
     /// Its key with a value, for a case.
@@ -379,7 +379,7 @@ impl Fields {
     #[must_use]
     pub fn get<T: Typed, P: Presence>(&self, field: &Field<T, P>) -> P::Of<T> {
         let own = self.form.parameters().any(|(_, own)| std::ptr::addr_eq(own, &field.row));
-        taken(field, self.values.values.get(field.key()), own)
+        taken(field, self.values.values.get(field.row.key), own)
     }
 
     /// The rows of a list's first sheet; none where it is not there.
@@ -439,7 +439,7 @@ impl Entry<'_> {
     #[must_use]
     pub fn get<T: Typed, P: Presence>(&self, field: &Field<T, P>) -> P::Of<T> {
         let own = self.list.columns.iter().any(|own| std::ptr::addr_eq(*own, &field.row));
-        taken(field, self.row.values.get(field.key()), own)
+        taken(field, self.row.values.get(field.row.key), own)
     }
 
     /// The cell of a column; none where the sheet has no such column.
@@ -459,7 +459,7 @@ fn taken<T: Typed, P: Presence>(field: &Field<T, P>, value: Option<&Value>, own:
 
 /// What is wrong with a value that a form has not read.
 fn unproved(parameter: &'static Parameter, value: Option<&Value>, asked: bool) -> Option<Finding> {
-    let (place, symbol) = (Place::Parameters(vec![parameter.key]), parameter.symbol());
+    let (place, symbol) = (at([parameter.key()]), parameter.key());
     match value {
         None => (parameter.required && asked).then(|| Missing { symbol }.at(place)),
         Some(value) => (!(parameter.admits)(value)).then(|| Mistyped { symbol }.at(place)),
@@ -469,6 +469,7 @@ fn unproved(parameter: &'static Parameter, value: Option<&Value>, asked: bool) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::finding::Place;
     use crate::parameter::list::{Naming, Rows};
     use crate::parameter::{Section, Sheet, t};
 
@@ -562,11 +563,10 @@ mod tests {
             let refusal = Fields::of(&FORM, values(given)).expect_err("no fields");
             refusal.findings.into_iter().map(|one| (one.rule().code, one.place)).collect()
         };
-        let at = |key| Place::Parameters(vec![key]);
-        assert_eq!(told(&[]), [("P0001", at("R")), ("P0001", at("way"))]);
+        assert_eq!(told(&[]), [("P0001", at([R.key()])), ("P0001", at([WAY.key()]))]);
         assert_eq!(
             told(&[("R", Value::Whole(2)), ("eps", Value::Real(f64::NAN)), ("way", Value::Choice("up"))]),
-            [("P0002", at("R")), ("P0002", at("eps")), ("P0002", at("way"))]
+            [("P0002", at([R.key()])), ("P0002", at([EPS.key()])), ("P0002", at([WAY.key()]))]
         );
     }
 

@@ -10,7 +10,7 @@ pub mod title_block;
 
 use std::collections::BTreeMap;
 
-use crate::finding::{CellPlace, Finding, Place};
+use crate::finding::{CellPlace, Finding, Key, Place};
 use crate::parameter::field::{Field, Optional, Required, Stated, Typed};
 use crate::parameter::list::{List, Row, Rows};
 use crate::table::Unit;
@@ -81,10 +81,16 @@ pub struct Parameter {
 }
 
 impl Parameter {
+    /// Its key, for a finding.
+    #[must_use]
+    pub const fn key(&self) -> Key {
+        Key::of_row(self.key)
+    }
+
     /// The symbol that stands in column A.
     #[must_use]
     pub fn symbol(&self) -> &'static str {
-        self.key.rsplit_once('/').map_or(self.key, |(_, symbol)| symbol)
+        self.key().symbol()
     }
 }
 
@@ -150,7 +156,7 @@ pub struct Earlier {
     /// Name and version, as in [`Form::schema`].
     pub schema: &'static str,
     /// The keys of parameters of the first sheet, each with the symbol that stood in column A then.
-    pub renamed: &'static [(&'static str, &'static str)],
+    pub renamed: &'static [(Key, &'static str)],
     /// What a person who has such a workbook must know, at the cells that it is of.
     pub told: fn(Place) -> Finding,
 }
@@ -159,7 +165,7 @@ impl Earlier {
     /// The symbol of a parameter then; `None` where it is the same.
     #[must_use]
     pub fn symbol(&self, key: &str) -> Option<&'static str> {
-        self.renamed.iter().find(|(renamed, _)| *renamed == key).map(|(_, symbol)| *symbol)
+        self.renamed.iter().find(|(renamed, _)| renamed.name() == key).map(|(_, symbol)| *symbol)
     }
 }
 
@@ -244,7 +250,7 @@ pub struct Values {
     /// The values by key; an optional parameter left empty is absent.
     pub values: BTreeMap<&'static str, Value>,
     /// The value cell of every parameter whose symbol was found, filled or not.
-    pub cells: BTreeMap<&'static str, CellPlace>,
+    pub cells: BTreeMap<Key, CellPlace>,
     /// The lists, in the order of their sheets; one whose sheet is missing or has no rows is absent.
     pub lists: Vec<Rows>,
 }
@@ -298,7 +304,7 @@ impl Values {
 
 /// The place of what is found of parameters, by their keys.
 #[must_use]
-pub fn at<const N: usize>(keys: [&'static str; N]) -> Place {
+pub fn at<const N: usize>(keys: [Key; N]) -> Place {
     Place::Parameters(keys.to_vec())
 }
 

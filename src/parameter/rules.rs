@@ -1,7 +1,7 @@
 //! What is found of the values of a form as a whole.
 
-use crate::finding::Example;
 use crate::finding::rule::rules;
+use crate::finding::{Example, Key};
 use crate::text::t;
 
 const READ: Example = Example::Never(t(
@@ -12,13 +12,13 @@ const READ: Example = Example::Never(t(
 rules! {
     /// The rows of forms.
     RULES;
-    "P0001" Missing Stop { symbol: &'static str }
+    "P0001" Missing Stop { symbol: Key }
         es "falta el valor obligatorio {symbol}"
         en "the required value {symbol} is missing"
         remedy "rellene su celda", "fill in its cell";
         why "Sin ese valor no se puede calcular el diseño.", "Without this value the design cannot be computed.";
         example READ;
-    "P0002" Mistyped Stop { symbol: &'static str }
+    "P0002" Mistyped Stop { symbol: Key }
         es "{symbol} tiene un valor que el formulario no admite"
         en "{symbol} has a value that the form does not accept"
         remedy "corrija su celda", "correct its cell";

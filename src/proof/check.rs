@@ -4,7 +4,7 @@
 //! was measured: silence passes nothing. What is not asked at all, or has nothing to be compared with, says so with
 //! [`Question::informs`].
 
-use crate::finding::{Finding, Grade, Place, Raise};
+use crate::finding::{Finding, Grade, Key, Place, Raise};
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
 use crate::number::shown;
@@ -120,7 +120,7 @@ pub struct Question {
     value: Text,
     limit: Text,
     at: Option<At>,
-    parameters: Option<Vec<&'static str>>,
+    parameters: Option<Vec<Key>>,
     seen: usize,
     measured: Option<f64>,
 }
@@ -159,8 +159,8 @@ impl Question {
     }
 
     /// The question with parameters as the place of what is found.
-    pub fn of_parameters(mut self, keys: Vec<&'static str>) -> Self {
-        self.parameters = Some(keys);
+    pub fn of_parameters<const N: usize>(mut self, keys: [Key; N]) -> Self {
+        self.parameters = Some(keys.to_vec());
         self
     }
 

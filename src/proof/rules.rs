@@ -1,7 +1,7 @@
 //! What judges say of the program of any kind, one row each: V0001 to V0099. The kinds' own rows follow: V0100 the impeller's,
 //! V0200 the branch's, V0300 the hole's, V0400 the blank's.
 
-use crate::finding::{Example, Size};
+use crate::finding::{Example, Key, Size};
 use crate::text::{Text, t};
 
 crate::finding::rule::rules! {
@@ -43,7 +43,7 @@ crate::finding::rule::rules! {
         why "Un programa incremental que no vuelve a su inicio se desplaza cada vez que se ejecuta.",
             "An incremental program that does not return to its start shifts at every run.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.170 Z9.517" };
-    "V0008" AxisLeavesTravel Stop { axis: char, position: Size, program: Text, line: usize, limit: Size, key: &'static str }
+    "V0008" AxisLeavesTravel Stop { axis: char, position: Size, program: Text, line: usize, limit: Size, key: Key }
         es "el eje {axis} llega a {position} en «{program}», desde la línea {line}; su límite es {limit}"
         en "axis {axis} goes to {position} in \"{program}\", from line {line} on; its limit is {limit}"
         remedy "compruebe {key}, la longitud de pivote y el cero pieza, o mecanice en otra máquina", "check {key}, the pivot length and the part zero, or use another machine";

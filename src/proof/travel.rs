@@ -1,9 +1,8 @@
 //! Axis travel: no position of a program may lie beyond the machine's limits. Program coordinates, mm and degrees.
 
-use crate::finding::{Raise, Size};
+use crate::finding::{Key, Raise, Size};
 use crate::gcode::program::Program;
-use crate::machine::axis::Axis;
-use crate::machine::travel::{Excess, Travel, excess};
+use crate::machine::travel::{AxisTravel, Excess, excess};
 use crate::number::shown;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::AxisLeavesTravel;
@@ -13,10 +12,7 @@ use crate::text::Text;
 /// What is known of one axis.
 #[derive(Clone, Copy, Debug)]
 struct AxisRange {
-    axis: Axis,
-    limit: Travel,
-    /// Parameters of the lower and the upper limit.
-    keys: [&'static str; 2],
+    travel: AxisTravel,
     /// Least and greatest position.
     ends: Option<[f64; 2]>,
     /// Where the limit was first left, and the greatest excess.
@@ -30,19 +26,10 @@ struct AxisRange {
 pub struct Axes([AxisRange; 4]);
 
 impl Axes {
-    /// The judge for the travel of X, Y, Z and B.
+    /// The judge for the travel of four axes.
     #[must_use]
-    pub fn new(limits: &[(char, Travel); 4]) -> Self {
-        let axes = [
-            (Axis::X, ["X_min", "X_max"]),
-            (Axis::Y, ["Y_min", "Y_max"]),
-            (Axis::Z, ["Z_min", "Z_max"]),
-            (Axis::B, ["B_min", "B_max"]),
-        ];
-        Self(axes.map(|(axis, keys)| {
-            let limit = limits.iter().find(|(letter, _)| *letter == axis.letter()).map_or([None, None], |one| one.1);
-            AxisRange { axis, limit, keys, ends: None, left: None, seen: 0 }
-        }))
+    pub fn new(axes: [AxisTravel; 4]) -> Self {
+        Self(axes.map(|travel| AxisRange { travel, ends: None, left: None, seen: 0 }))
     }
 }
 
@@ -50,11 +37,11 @@ impl Judge for Axes {
     fn see(&mut self, step: &Step<'_>) {
         for pose in step.ends() {
             for run in &mut self.0 {
-                let position = pose.get(run.axis);
+                let position = pose.get(run.travel.axis);
                 run.seen += 1;
                 let [low, high] = run.ends.get_or_insert([position; 2]);
                 (*low, *high) = (low.min(position), high.max(position));
-                let Some(found) = excess(run.limit, position) else { continue };
+                let Some(found) = excess(run.travel.ends, position) else { continue };
                 let size = |one: &Excess| (one.position - one.limit).abs();
                 let left = run.left.get_or_insert_with(|| (At::motion(&step.motion), found));
                 if size(&left.1) < size(&found) {
@@ -71,15 +58,16 @@ impl Judge for Axes {
 
 impl AxisRange {
     fn check(&self, program: &Program) -> Check {
-        let (letter, unit) = (self.axis.letter(), if self.axis.rotary() { "°" } else { " mm" });
+        let AxisTravel { axis, ends, .. } = self.travel;
+        let (letter, unit) = (axis.letter(), if axis.rotary() { "°" } else { " mm" });
         let range = |[low, high]: [Option<f64>; 2]| {
             let end = |end: Option<f64>| end.map_or_else(|| "–".to_owned(), |end| shown(end, 3));
             format!("{} … {}{unit}", end(low), end(high))
         };
         let name = Text::new(format!("Recorrido de {letter}"), format!("Travel of {letter}"));
         let value = range(self.ends.map_or([None, None], |ends| ends.map(Some)));
-        let known = self.limit.iter().any(Option::is_some);
-        let limit = if known { range(self.limit) } else { String::new() };
+        let known = ends.iter().any(Option::is_some);
+        let limit = if known { range(ends) } else { String::new() };
         let asked =
             Question::new("travel", name, program).showing(Text::same(value), Text::same(limit)).seen(self.seen);
         if !known {
@@ -87,7 +75,7 @@ impl AxisRange {
         }
         let asked = match self.left {
             None => asked,
-            Some((at, worst)) => asked.at(Some(at)).of_parameters(vec![self.key(&worst)]),
+            Some((at, worst)) => asked.at(Some(at)).of_parameters([self.key(&worst)]),
         };
         asked.unless(self.left.map(|(at, worst)| {
             let size = |value: f64| Size { value, unit: unit.trim_start(), decimals: 3 };
@@ -98,7 +86,7 @@ impl AxisRange {
     }
 
     /// The parameter of the limit that is left.
-    fn key(&self, worst: &Excess) -> &'static str {
-        self.keys[usize::from(worst.position > worst.limit)]
+    fn key(&self, worst: &Excess) -> Key {
+        self.travel.keys[usize::from(worst.position > worst.limit)]
     }
 }

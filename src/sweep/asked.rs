@@ -1,12 +1,12 @@
 //! From the sheet of variants to a plan, or to everything that is wrong with the sheet.
 
 use crate::escape::excerpt;
-use crate::finding::{CellPlace, Finding, Place, Raise, Typed};
+use crate::finding::{CellPlace, Finding, Key, Place, Raise, Typed};
 use crate::kind::Kind;
 use crate::kind::measure::{Level, Measure};
 use crate::number::decimal;
 use crate::parameter::field::{Chosen, Entry, Fields};
-use crate::parameter::{FieldKind, Form, Parameter, Value};
+use crate::parameter::{FieldKind, Form, Parameter, Value, at};
 use crate::sweep::form::{
     CONSTRAINTS, DESIGNS, DISTRIBUTION, FROM, INPUT, LEVEL, METHOD, MOST, NAME, OBJECTIVES, SAMPLES, SEED, STEP, TO,
     VALUES,
@@ -71,8 +71,8 @@ struct Reading<'a> {
 
 impl Reading<'_> {
     /// A finding at the cell of a setting.
-    fn wrong(&mut self, key: &'static str, row: &dyn Raise) {
-        let finding = self.fields.locate(row.at(Place::Parameters(vec![key])));
+    fn wrong(&mut self, key: Key, row: &dyn Raise) {
+        let finding = self.fields.locate(row.at(at([key])));
         self.findings.push(finding);
     }
 
@@ -97,7 +97,7 @@ impl Reading<'_> {
         for row in &rows {
             match self.input(row) {
                 Ok(input) if inputs.iter().any(|one| one.parameter.key == input.parameter.key) => {
-                    let symbol = input.parameter.symbol();
+                    let symbol = input.parameter.key();
                     self.findings.push(InputTwice { symbol }.at(Place::Cells(row.cell(&INPUT.row))));
                 }
                 Ok(input) => inputs.push(input),
@@ -127,7 +127,7 @@ impl Reading<'_> {
         let Some(parameter) = input(self.kind.form(), &name) else {
             return Err(Box::new(NoSuchInput { symbol: excerpt(&name, SHOWN) }.at(at(&[&INPUT.row]))));
         };
-        let symbol = parameter.symbol();
+        let symbol = parameter.key();
         if !varies(parameter) {
             return Err(Box::new(InputNotVaried { symbol }.at(at(&[&INPUT.row]))));
         }
@@ -167,7 +167,7 @@ impl Reading<'_> {
         distribution: Option<String>,
         at: &dyn Fn(&[&Parameter]) -> Place,
     ) -> Result<Levels, Box<Finding>> {
-        let symbol = parameter.symbol();
+        let symbol = parameter.key();
         let typed = |value: f64| Typed { value, unit: parameter.unit.label() };
         if from >= to {
             let told = RangeReversed { symbol, from: typed(from), to: typed(to) };
@@ -274,7 +274,7 @@ impl Reading<'_> {
     }
 
     /// The measure of a key that the level gives.
-    fn measure(&mut self, cell: &'static str, key: &str, level: Level) -> Option<&'static Measure> {
+    fn measure(&mut self, cell: Key, key: &str, level: Level) -> Option<&'static Measure> {
         let measures = self.kind.measures();
         let Some(measure) = measures.iter().find(|one| one.key == key) else {
             let known = measures.iter().filter(|one| one.level <= level).map(|one| one.key).collect::<Vec<_>>();

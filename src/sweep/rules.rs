@@ -1,8 +1,7 @@
 //! What is found of a sheet of variants: one row each.
 
-use crate::finding::Example;
-use crate::finding::Typed;
 use crate::finding::rule::{book, rules};
+use crate::finding::{Example, Key, Typed};
 use crate::text::{Text, t};
 
 rules! {
@@ -28,49 +27,49 @@ rules! {
         remedy "escriba un símbolo de la columna A de la hoja de datos, con las mismas mayúsculas", "write a symbol from column A of the sheet of the data, with the same capitals";
         why "Las mayúsculas cuentan: N y n son dos entradas.", "Capitals matter: N and n are two inputs.";
         example book!("impeller", "SWEEP!A16" = "Q");
-    "D0104" InputNotVaried Stop { symbol: &'static str }
+    "D0104" InputNotVaried Stop { symbol: Key }
         es "{symbol} es un texto y no puede variar"
         en "{symbol} is a text and cannot be varied"
         remedy "elija una entrada que sea un número o una palabra de una lista", "choose an input that is a number or a word of a list";
         why "De un texto no hay intervalo ni lista de palabras admitidas.", "A text has neither a range nor a list of allowed words.";
         example book!("impeller", "SWEEP!A16" = "part");
-    "D0105" InputTwice Stop { symbol: &'static str }
+    "D0105" InputTwice Stop { symbol: Key }
         es "{symbol} está dos veces"
         en "{symbol} is there twice"
         remedy "deje una sola fila de esa entrada", "leave one row of this input";
         why "Una entrada tiene un solo valor en cada diseño.", "An input has one value in each design.";
         example book!("impeller", "SWEEP!A18" = "R", "SWEEP!B18" = "22", "SWEEP!C18" = "25");
-    "D0106" RangeOrValues Stop { symbol: &'static str }
+    "D0106" RangeOrValues Stop { symbol: Key }
         es "{symbol} necesita desde y hasta, o una lista de valores, pero no ambas cosas"
         en "{symbol} needs from and to, or a list of values, and not both"
         remedy "rellene from y to, o values", "fill in from and to, or values";
         why "rodete no adivina qué valores se quieren.", "rodete does not guess which values are wanted.";
         example book!("impeller", "SWEEP!C16" = "");
-    "D0107" RangeReversed Stop { symbol: &'static str, from: Typed, to: Typed }
+    "D0107" RangeReversed Stop { symbol: Key, from: Typed, to: Typed }
         es "{symbol} va de {from} a {to}, y el segundo debe ser mayor"
         en "{symbol} goes from {from} to {to}, and the second must be the larger"
         remedy "intercambie los dos, o dé un solo valor en values", "swap the two, or give one value under values";
         why "Un intervalo va del menor al mayor.", "A range goes from the smaller to the larger value.";
         example book!("impeller", "SWEEP!B16" = "31");
-    "D0108" WrongStep Stop { symbol: &'static str, step: Typed, range: Typed }
+    "D0108" WrongStep Stop { symbol: Key, step: Typed, range: Typed }
         es "el paso de {symbol} es {step}, y debe ser mayor que 0 y como mucho {range}"
         en "the step of {symbol} is {step}, and must be above 0 and at most {range}"
         remedy "corrija el paso", "correct the step";
         why "El paso va de un valor al siguiente dentro del intervalo.", "The step goes from one value to the next within the range.";
         example book!("impeller", "SWEEP!D16" = "10");
-    "D0109" BeyondLimits Stop { symbol: &'static str, value: Typed, min: Typed, max: Typed }
+    "D0109" BeyondLimits Stop { symbol: Key, value: Typed, min: Typed, max: Typed }
         es "{symbol} llega a {value}, y el formulario admite de {min} a {max}"
         en "{symbol} reaches {value}, and the form allows {min} to {max}"
         remedy "quede dentro de lo que admite el formulario", "stay within what the form allows";
         why "Cada diseño se lee como si su valor estuviera en la celda de la entrada.", "Each design is read as if its value stood in the input's cell.";
         example book!("impeller", "SWEEP!B16" = "1");
-    "D0110" ValueUnread Stop { symbol: &'static str, text: String, expected: Text }
+    "D0110" ValueUnread Stop { symbol: Key, text: String, expected: Text }
         es "«{text}» no es un valor de {symbol}: debe ser {expected}"
         en "\"{text}\" is not a value of {symbol}: it must be {expected}"
         remedy "corrija el valor; los valores se separan con punto y coma, los decimales con punto", "correct the value; values are parted by semicolons, decimals by a point";
         why "Cada valor de la lista se lee como si estuviera en la celda de la entrada.", "Each value of the list is read as if it stood in the input's cell.";
         example book!("impeller", "SWEEP!E17" = "4; many");
-    "D0111" RangeNotWhole Stop { symbol: &'static str, value: Typed }
+    "D0111" RangeNotWhole Stop { symbol: Key, value: Typed }
         es "{symbol} es un número entero, y {value} no lo es"
         en "{symbol} is a whole number, and {value} is not"
         remedy "dé números enteros en desde, hasta y paso", "give whole numbers under from, to and step";
@@ -82,13 +81,13 @@ rules! {
         remedy "escriba uniform, o normal con media y desviación típica, como normal 2 0.05", "write uniform, or normal with mean and standard deviation, such as normal 2 0.05";
         why "La distribución dice cómo se muestrea el intervalo.", "The distribution says how the range is sampled.";
         example book!("impeller", "SWEEP!C6" = "sobol", "SWEEP!C7" = "64", "SWEEP!D16" = "", "SWEEP!F16" = "gauss");
-    "D0113" DistributionWithoutRange Stop { symbol: &'static str }
+    "D0113" DistributionWithoutRange Stop { symbol: Key }
         es "{symbol} tiene una distribución, pero no un intervalo que se muestree"
         en "{symbol} has a distribution, but no range that is sampled"
         remedy "quite la distribución; o quite el paso y elija latin o sobol", "remove the distribution; or remove the step and choose latin or sobol";
         why "Con paso o con valores, cada uno cuenta lo mismo.", "With a step or with values each counts the same.";
         example book!("impeller", "SWEEP!F16" = "uniform");
-    "D0114" StepNeeded Stop { symbol: &'static str }
+    "D0114" StepNeeded Stop { symbol: Key }
         es "con method = factorial, {symbol} necesita un paso o una lista de valores"
         en "with method = factorial, {symbol} needs a step or a list of values"
         remedy "dé un paso, o elija latin o sobol", "give a step, or choose latin or sobol";
@@ -148,7 +147,7 @@ rules! {
         remedy "bórrelas, o elija otro método", "delete them, or choose another method";
         why "Los diseños son los de la hoja de la lista.", "The designs are those on the sheet of the list.";
         example Example::Made { key: "sweep-list", how: t("method = list con una hoja DISEÑOS y filas de entradas", "method = list with a sheet DESIGNS and rows of inputs") };
-    "D0124" DesignCellEmpty Stop { symbol: &'static str }
+    "D0124" DesignCellEmpty Stop { symbol: Key }
         es "falta el valor de {symbol} en un diseño de la lista"
         en "a design of the list has no value of {symbol}"
         remedy "rellene la celda", "fill in the cell";

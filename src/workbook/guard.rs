@@ -6,6 +6,7 @@
 //! last place of a number is not seen: it moves nothing by 0.001 mm. The flags ask for the time and make nothing of it, so
 //! that a spreadsheet which keeps stored results computes them when it opens the file.
 
+use crate::finding::Key;
 use std::collections::BTreeMap;
 
 use rust_xlsxwriter::{
@@ -225,7 +226,7 @@ pub(super) fn files(sheet: &SheetCells) -> Vec<NamedFile> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stale {
     /// The keys of the inputs that differ.
-    pub inputs: Vec<&'static str>,
+    pub inputs: Vec<Key>,
     /// The sheets of the lists that differ.
     pub lists: Vec<String>,
     /// The files that were made, by their names.
@@ -249,8 +250,7 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, wr
         let copy = rows.get(parameter.name).map_or(Copy::Empty, |&row| held((row, 1)));
         !now.same(&copy) && written.inputs.get(parameter.key).is_none_or(|written| !written.same(&copy))
     };
-    let inputs: Vec<&'static str> =
-        parameters.filter(|parameter| differs(parameter)).map(|parameter| parameter.key).collect();
+    let inputs: Vec<Key> = parameters.filter(|parameter| differs(parameter)).map(|parameter| parameter.key()).collect();
     let last = sheet.rows.keys().next_back().map_or(0, |row| row + 1);
     let columns: Vec<(&str, &str)> = sheet
         .rows

@@ -130,7 +130,7 @@ fn columns(
         }
     }
     for lost in list.columns.iter().filter(|one| one.required && found.iter().all(|(other, _)| other.key != one.key)) {
-        findings.push(ColumnMissing { column: lost.symbol() }.at(Place::Sheet(sheet.name.clone())));
+        findings.push(ColumnMissing { column: lost.key() }.at(Place::Sheet(sheet.name.clone())));
     }
     found
 }
@@ -143,7 +143,7 @@ fn units(sheet: &SheetCells, row: u32, columns: &[(&'static Parameter, u32)], fi
         if unit::says(parameter.unit, written) {
             continue;
         }
-        let (column, unit) = (parameter.symbol(), parameter.unit.label());
+        let (column, unit) = (parameter.key(), parameter.unit.label());
         let (cell, shown) = (address::format((row, at)), excerpt(written, SHOWN));
         let place = Place::Cells(vec![sheet.place((row, at))]);
         let finding = match (unit, written) {

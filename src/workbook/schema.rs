@@ -131,7 +131,8 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         }
     }
     if let Some(earlier) = earlier {
-        let keys = earlier.renamed.iter().map(|(key, _)| *key).chain(["schema"]).collect();
+        let schema = form.parameters().find(|(_, one)| matches!(one.kind, FieldKind::Schema)).map(|(_, one)| one.key());
+        let keys = earlier.renamed.iter().map(|(key, _)| *key).chain(schema).collect();
         findings.push(values.locate((earlier.told)(Place::Parameters(keys)).with(earlier.schema, form.schema)));
     }
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
@@ -158,7 +159,7 @@ fn verified(
         named_files.extend(guard::files(&sheet));
     }
     let Some(guard::Stale { inputs, lists, files }) = stale else { return Ok((None, named_files)) };
-    let symbols = inputs.iter().map(|key| (*key).to_owned());
+    let symbols = inputs.iter().map(|key| key.name().to_owned());
     let inputs_told = symbols.chain(lists.iter().map(|sheet| excerpt(sheet, SHOWN))).collect::<Vec<_>>().join(", ");
     let programs = files.join(", ");
     let place = if inputs.is_empty() { Place::File } else { Place::Parameters(inputs) };
@@ -513,7 +514,7 @@ pub(super) fn take(
     unknown(sheet, &known, findings);
     for parameter in &parameters {
         if let Some(row) = found(parameter).first() {
-            values.cells.insert(parameter.key, sheet.place((*row, sheet.columns.value)));
+            values.cells.insert(parameter.key(), sheet.place((*row, sheet.columns.value)));
         }
     }
     let empty = parameters.iter().all(|one| found(one).iter().all(|row| !value::is_filled(sheet, *row)));
@@ -534,7 +535,7 @@ pub(super) fn take(
             }
             rows => {
                 let cells = rows.iter().take(10).map(|row| sheet.place((*row, sheet.columns.symbol))).collect();
-                let row = SymbolTwice { symbol: parameter.symbol(), count: rows.len() };
+                let row = SymbolTwice { symbol: parameter.key(), count: rows.len() };
                 findings.push(row.at(Place::Cells(cells)));
             }
         }
@@ -542,7 +543,7 @@ pub(super) fn take(
 }
 
 fn missing_row(parameter: &'static Parameter, sheet: &SheetCells) -> Finding {
-    let (name, expected, symbol) = (named(parameter), expected(parameter), parameter.symbol());
+    let (name, expected, symbol) = (named(parameter), expected(parameter), parameter.key());
     RowMissing { name, symbol, expected }.at(Place::Sheet(sheet.name.clone()))
 }
 

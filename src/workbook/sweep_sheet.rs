@@ -50,14 +50,14 @@ pub fn suggested(suggested: &Suggested, language: Language) -> Values {
     values.put(&OBJECTIVES, Some(suggested.objectives.to_owned()).filter(|text| !text.is_empty()));
     let row = |(symbol, varied): &(&'static str, Varied)| {
         let mut row = Row::default();
-        row.values.insert(INPUT.key(), (*symbol).to_owned().stated());
+        row.values.insert(INPUT.row.key, (*symbol).to_owned().stated());
         match varied {
             Varied::Steps(from, to, step) => {
-                for (key, number) in [(FROM.key(), from), (TO.key(), to), (STEP.key(), step)] {
+                for (key, number) in [(FROM.row.key, from), (TO.row.key, to), (STEP.row.key, step)] {
                     row.values.insert(key, number.stated());
                 }
             }
-            Varied::Values(list) => drop(row.values.insert(VALUES.key(), (*list).to_owned().stated())),
+            Varied::Values(list) => drop(row.values.insert(VALUES.row.key, (*list).to_owned().stated())),
         }
         row
     };
@@ -176,9 +176,9 @@ fn designs(form: &'static Form, sheet: &SheetCells, findings: &mut Vec<Finding>)
         match input(form, symbol) {
             None if symbol.is_empty() => findings.push(SymbolUnknown { symbol: "?".to_owned() }.at(place)),
             None => findings.push(NoSuchInput { symbol: excerpt(symbol, SHOWN) }.at(place)),
-            Some(one) if !varies(one) => findings.push(InputNotVaried { symbol: one.symbol() }.at(place)),
+            Some(one) if !varies(one) => findings.push(InputNotVaried { symbol: one.key() }.at(place)),
             Some(one) if columns.iter().any(|(other, _)| other.key == one.key) => {
-                findings.push(InputTwice { symbol: one.symbol() }.at(place));
+                findings.push(InputTwice { symbol: one.key() }.at(place));
             }
             Some(one) => columns.push((one, at)),
         }
@@ -192,7 +192,7 @@ fn designs(form: &'static Form, sheet: &SheetCells, findings: &mut Vec<Finding>)
                 Some(value) => values.push(value),
                 None if findings.len() == before => {
                     let place = Place::Cells(vec![sheet.place((*row, *at))]);
-                    findings.push(DesignCellEmpty { symbol: parameter.symbol() }.at(place));
+                    findings.push(DesignCellEmpty { symbol: parameter.key() }.at(place));
                 }
                 None => {}
             }

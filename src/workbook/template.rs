@@ -111,7 +111,7 @@ fn write_all<W: Write + Seek + Send>(
     let (mut names, mut made) = (SheetNames::beside(present), Vec::new());
     let form = kind.form();
     let find = |key: &str| values.iter().find(|(one, _)| *one == key).map(|(_, value)| value);
-    let part = match find(form.part.key()) {
+    let part = match find(form.part.row.key) {
         Some(Value::Line(part)) => part.as_str(),
         _ => "",
     };

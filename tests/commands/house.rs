@@ -120,6 +120,14 @@ fn the_store_changes_files_through_its_disk_alone() {
 }
 
 #[test]
+fn only_a_parameter_makes_its_key() {
+    let makes = |(path, code): (PathBuf, Vec<String>)| {
+        code.iter().any(|line| line.contains("Key::of_row(")).then(|| path.to_string_lossy().into_owned())
+    };
+    assert_eq!(sources("").into_iter().filter_map(makes).collect::<Vec<_>>(), ["parameter/mod.rs"]);
+}
+
+#[test]
 fn the_top_of_the_repository_holds_what_it_should() {
     for entry in fs::read_dir(root()).expect("the repository") {
         let name = entry.expect("an entry").file_name().to_string_lossy().into_owned();

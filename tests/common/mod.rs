@@ -6,6 +6,7 @@ pub mod rs274;
 pub mod turned;
 pub mod workbook;
 
+use rodete::finding::Place;
 use rodete::gcode::program::{Part, Program};
 use rodete::kind::method::{self, Method};
 use rodete::kind::{Kind, Outcome, Provenance, Wants};
@@ -101,6 +102,14 @@ pub fn with_text(program: &Program, text: &str) -> Program {
 pub fn checks<M: Method>(design: &M::Design, model: &M::Model, program: &Program, text: &str) -> Vec<Check> {
     let mut memo = M::memo(design, model, Wants::default());
     method::judged::<M>(design, model, &mut memo, program, &with_text(program, text)).checks
+}
+
+/// The parameters of a place, by their keys.
+pub fn parameters(place: &Place) -> Vec<&'static str> {
+    match place {
+        Place::Parameters(keys) => keys.iter().map(|key| key.name()).collect(),
+        place => panic!("{place:?}"),
+    }
 }
 
 /// The blade of a design.

@@ -3,7 +3,7 @@
 
 use crate::common;
 
-use common::{absolute, outcome, program, read_back};
+use common::{absolute, outcome, parameters, program, read_back};
 use rodete::finding::{Finding, Grade, Place};
 use rodete::gcode::control::Rotary;
 use rodete::gcode::interpreter::Setting;
@@ -38,7 +38,8 @@ fn refusals(changes: &[(&'static str, Value)]) -> Vec<Finding> {
 /// The cautions on how the programs begin; those on what they leave of the part are not looked at here.
 fn cautions(changes: &[(&'static str, Value)]) -> Vec<(Place, String)> {
     let begins = ["rotary", "distance", "retract", "start_codes", "coolant"];
-    let ours = |place: &Place| matches!(place, Place::Parameters(keys) if keys.iter().any(|key| begins.contains(key)));
+    let ours =
+        |place: &Place| matches!(place, Place::Parameters(keys) if keys.iter().any(|key| begins.contains(&key.name())));
     let found = outcome("full", changes).findings.into_iter();
     let found = found.filter(|finding| finding.grade == Grade::Caution && ours(&finding.place));
     found.map(|finding| (finding.place, finding.what.en.to_string())).collect()
@@ -119,7 +120,7 @@ fn increments_lead_to_the_rounded_positions_to_the_last_block() {
 fn positions_on_rollover_axes_are_refused_at_their_cells() {
     let findings = refusals(&[("distance", Value::Choice("G90"))]);
     let [finding] = findings.as_slice() else { panic!("{findings:?}") };
-    assert_eq!(finding.place, Place::Parameters(vec!["distance", "rotary", "dialect"]));
+    assert_eq!(parameters(&finding.place), ["distance", "rotary", "dialect"]);
     assert!(finding.what.en.starts_with("distance = G90 with rollover axes"), "{}", finding.what.en);
     assert!(finding.remedy.en.contains("rotary = linear"), "{}", finding.remedy.en);
     // A workbook without the cell is one of a control as it is delivered.
@@ -179,7 +180,7 @@ fn the_tool_is_taken_away_before_anything_moves() {
     }
     let assumed = cautions(&[]);
     let [(place, what)] = assumed.as_slice() else { panic!("{assumed:?}") };
-    assert_eq!(*place, Place::Parameters(vec!["retract"]));
+    assert_eq!(parameters(place), ["retract"]);
     assert!(
         what.starts_with("retract with G53 rests on an assumption: that machine zero is at the top of Z"),
         "{what}"
@@ -188,7 +189,7 @@ fn the_tool_is_taken_away_before_anything_moves() {
     let without = [("retract", line(""))];
     let missing = cautions(&without);
     let [(place, what)] = missing.as_slice() else { panic!("{missing:?}") };
-    assert_eq!(*place, Place::Parameters(vec!["retract"]));
+    assert_eq!(parameters(place), ["retract"]);
     assert!(what.starts_with("retract is empty: the first motion takes Z to its retract height"), "{what}");
     let text = program(&outcome("full", &without), "blade");
     assert!(text.contains("NO BLOCK TAKES THE TOOL AWAY"), "{text}");
@@ -206,7 +207,7 @@ fn a_block_that_takes_the_tool_away_is_refused_where_it_does_something_else() {
     ] {
         let findings = refusals(&[("dialect", Value::Choice(dialect)), ("retract", line(block))]);
         assert_eq!(findings.len(), 1, "{block}: {findings:?}");
-        assert_eq!(findings[0].place, Place::Parameters(vec!["retract", "dialect"]), "{block}");
+        assert_eq!(parameters(&findings[0].place), ["retract", "dialect"], "{block}");
         assert_eq!(findings[0].what.en, what, "{block}");
     }
     for (dialect, block) in [("linuxcnc", "G0 G53 Z0"), ("linuxcnc", "G28 Z0"), ("fagor-8070", "G0 Z100")] {
@@ -221,7 +222,7 @@ fn start_codes_without_the_published_clamps_are_told_and_coolant_is_switched_on_
     let told = cautions(&[("start_codes", line("M3 M13"))]);
     assert_eq!(told.len(), 2, "{told:?}");
     assert!(
-        told.iter().any(|(place, what)| *place == Place::Parameters(vec!["start_codes"])
+        told.iter().any(|(place, what)| parameters(place) == ["start_codes"]
             && what.starts_with("start_codes lacks M11: the published programs begin with M11 M13")),
         "{told:?}"
     );

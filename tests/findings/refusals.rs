@@ -27,7 +27,7 @@ fn expect(case: &str, changes: &[(&'static str, Value)], keys: &[&'static str], 
     let texts: Vec<_> = findings.iter().map(|finding| finding.what.en.as_ref()).collect();
     assert_eq!(texts, [what]);
     assert_eq!(findings[0].grade, Grade::Stop);
-    assert_eq!(findings[0].place, Place::Parameters(keys.to_vec()));
+    assert_eq!(common::parameters(&findings[0].place), keys);
     assert!(!findings[0].remedy.en.is_empty() && !findings[0].remedy.es.is_empty() && !findings[0].what.es.is_empty());
 }
 
@@ -226,7 +226,7 @@ fn a_splitter_with_nothing_left_is_refused() {
 fn an_axis_beyond_its_travel_stops_the_programs() {
     let mut values = common::values("full", &[real("B_max", 80.0), real("Z_min", -200.0)]);
     let cell = CellPlace { sheet: "DATA".to_owned(), cell: "C24".to_owned() };
-    values.cells.insert("B_max", cell.clone());
+    values.cells.insert(FORM.parameter("B_max").unwrap().key(), cell.clone());
     let outcome = kinds::run(&FORM, values, common::source()).unwrap();
     assert!(outcome.stopped() && outcome.programs.is_empty());
     let stops: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Stop).collect();
@@ -307,7 +307,7 @@ fn programs_without_feed_are_refused_where_the_control_needs_one() {
     assert_eq!(found.len(), 1, "{found:?}");
     assert_eq!(found[0].what.en, "style = annex has no feed F, and the dialect linuxcnc does not move without one");
     assert_eq!(found[0].remedy.en, "choose style = full");
-    assert_eq!(found[0].place, Place::Parameters(vec!["style", "dialect"]));
+    assert_eq!(common::parameters(&found[0].place), ["style", "dialect"]);
 }
 
 #[test]

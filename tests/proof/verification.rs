@@ -153,7 +153,7 @@ fn shipped_programs_pass_but_for_the_published_splitter() {
 fn the_usual_design_gives_nothing_to_judge_but_its_part_and_where_machine_zero_is() {
     let outcome = common::outcome("full", &[]);
     // What the plan leaves of the part has tests of its own.
-    let of_part = |place: &Place| matches!(place, Place::Parameters(keys) if keys.iter().any(|key| ["N", "e", "d_t", "a_p"].contains(key)));
+    let of_part = |place: &Place| matches!(place, Place::Parameters(keys) if keys.iter().any(|key| ["N", "e", "d_t", "a_p"].contains(&key.name())));
     let above = outcome.findings.iter().filter(|finding| finding.grade > Grade::Note && !of_part(&finding.place));
     let above: Vec<_> = above.collect();
     assert_eq!(above.len(), 1, "{above:?}");

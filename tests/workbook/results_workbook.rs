@@ -390,7 +390,10 @@ fn values_are_shown_to_the_digits_of_their_unit_and_kept_whole() {
 #[test]
 fn every_finding_stands_on_the_sheet_of_checks_even_when_the_work_is_stopped() {
     let mut outcome = common::outcome("full", &[]);
-    let mut high = NoRetract {}.at(Place::Parameters(vec!["F"])).graded(Grade::Stop).with("7000 mm/min", "6000 mm/min");
+    let mut high = NoRetract {}
+        .at(Place::Parameters(vec![FORM.parameter("F").unwrap().key()]))
+        .graded(Grade::Stop)
+        .with("7000 mm/min", "6000 mm/min");
     high.what = t("=el avance es alto", "=feed is high");
     outcome.findings.insert(0, high);
     let coded = ValueNotFinite {}.at(Place::File);

@@ -1,32 +1,33 @@
 //! Findings about the codes that a workbook puts into programs.
 
+use crate::finding::Key;
 use crate::finding::rule::{book, rules};
 
 rules! {
     /// The rows of machine codes and of the block that takes the tool away.
     RULES;
 
-    "C1002" NoMachineCode Stop { key: &'static str, letter: char, number: u32 }
+    "C1002" NoMachineCode Stop { key: Key, letter: char, number: u32 }
         es "{key} lleva {letter}{number}: aquí solo valen códigos M"
         en "{key} holds {letter}{number}: only M codes may stand here"
         remedy "quite el código G", "take the G code out";
         why "Un código G cambia cómo se leen los bloques que siguen, y el plan no cuenta con ello.",
             "A G code changes how the control reads the blocks after it, and the plan does not take that into account.";
         example book!("impeller", "start_codes" = "M3 G0");
-    "C1003" MachineCodeNotKnown Stop { control: &'static str, number: u32, key: &'static str }
+    "C1003" MachineCodeNotKnown Stop { control: &'static str, number: u32, key: Key }
         es "el dialecto {control} no conoce M{number}"
         en "the dialect {control} does not know M{number}"
         remedy "quite M{number} de {key}, o elija el dialecto del control", "take M{number} out of {key}, or choose the control's dialect";
         why "El control se para en un código que no conoce y deja la pieza a medio hacer.",
             "The control stops at a code that it does not know and leaves the part half made.";
         example book!("impeller", "dialect" = "linuxcnc", "retract" = "");
-    "C1004" EndsTooSoon Stop { key: &'static str, number: u32 }
+    "C1004" EndsTooSoon Stop { key: Key, number: u32 }
         es "{key} lleva M{number}, que termina el programa"
         en "{key} holds M{number}, which ends the program"
         remedy "quite M{number}", "take M{number} out";
         why "Lo que sigue al final de un programa no se ejecuta.", "The control does not run what comes after the end of a program.";
         example book!("impeller", "start_codes" = "M30");
-    "C1005" EndMissing Stop { key: &'static str }
+    "C1005" EndMissing Stop { key: Key }
         es "{key} no acaba con M2 ni M30: el programa no tendría final"
         en "{key} does not end with M2 or M30: the program would have no end"
         remedy "escriba M30 al final", "put M30 at the end";

@@ -112,7 +112,7 @@ fn full(language: Language) -> Vec<(&'static str, Value)> {
 fn clear(language: Language) -> Vec<(&'static str, Value)> {
     let mut values = full(language);
     // How the published splitters begin, and the part of the thesis.
-    values.retain(|entry| !["splitter_fade", "part", cut::METHOD.key()].contains(&entry.0));
+    values.retain(|entry| !["splitter_fade", "part", cut::METHOD.row.key].contains(&entry.0));
     let part = match language {
         Language::Es => "Rodete 50",
         Language::En => "Impeller 50",

@@ -17,6 +17,7 @@ use crate::kinds::impeller::rules::{
 };
 use crate::kinds::rules::{AnnexCarriesNoFeed, FullStyleNeeds};
 use crate::limits::PROGRAM_BLOCKS;
+use crate::machine::travel::AxisTravel;
 use crate::number::shown;
 use crate::parameter::at;
 
@@ -119,16 +120,11 @@ impl Design {
             let told = PivotInside { L: Size::mm(L), least: Size::mm(least) };
             findings.push(told.at(at([form::R_B.key(), form::H.key(), form::R.key()])).with(mm(L), mm(least)));
         }
-        for (axis, [low, high]) in self.travel {
-            if let (Some(low), Some(high)) = (low, high)
+        for AxisTravel { axis, ends, keys } in self.travel {
+            if let [Some(low), Some(high)] = ends
                 && low >= high
             {
-                let keys = match axis {
-                    'X' => [form::X_MIN.key(), form::X_MAX.key()],
-                    'Y' => [form::Y_MIN.key(), form::Y_MAX.key()],
-                    'Z' => [form::Z_MIN.key(), form::Z_MAX.key()],
-                    _ => [form::B_MIN.key(), form::B_MAX.key()],
-                };
+                let axis = axis.letter();
                 let told = TravelReversed { axis, low: Size::number(low, 3), high: Size::number(high, 3) };
                 findings.push(told.at(at(keys)).with(shown(low, 3), shown(high, 3)));
             }
@@ -157,7 +153,7 @@ impl Design {
             let place = at([form::DISTANCE.key(), form::ROTARY.key(), form::DIALECT.key()]);
             findings.push(AbsoluteOnRollover {}.at(place));
         }
-        findings.extend(refused_retract(self.control, &self.retract));
+        findings.extend(refused_retract(self.control, form::RETRACT.key(), &self.retract));
         findings.extend(refused_codes(self.control, form::COOLANT.key(), &self.coolant, false));
         findings.extend(refused_codes(self.control, form::START_CODES.key(), &self.start_codes, false));
         findings.extend(refused_codes(self.control, form::END_CODES.key(), &self.end_codes, true));

@@ -13,11 +13,12 @@ use crate::kinds::impeller::clear::fields as cut;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::tool_path::half_width;
+use crate::machine::axis::Axis;
 use crate::machine::calibration::Slots;
 use crate::machine::rapids::Rapids;
 use crate::machine::rotary::Rotary;
-use crate::machine::travel::Travel;
-use crate::parameter::field::Fields;
+use crate::machine::travel::AxisTravel;
+use crate::parameter::field::{Field, Fields, Optional};
 
 /// A design that may be computed. Lengths in mm, angles of B in degrees (as programmed).
 #[derive(Clone, Debug)]
@@ -51,7 +52,7 @@ pub struct Design {
     /// The rotary axes with L = R_B + H.
     pub machine: Rotary,
     /// Travel of X, Y, Z in mm and of B in degrees.
-    pub travel: [(char, Travel); 4],
+    pub travel: [AxisTravel; 4],
     /// F_max, greatest speed of an axis, mm/min or °/min.
     pub F_max: Option<f64>,
     /// How fast the machine is where it does not cut.
@@ -152,6 +153,11 @@ impl Design {
         let (R_B, H) = (fields.get(&form::R_B), fields.get(&form::H));
         let written = fields.get(&form::DIALECT);
         let control = written.control;
+        let linear = |axis, ends: [&'static Field<f64, Optional>; 2]| AxisTravel {
+            axis,
+            ends: ends.map(|end| fields.get(end)),
+            keys: ends.map(Field::key),
+        };
         let plain = Self {
             torus: Torus { R: fields.get(&form::R), r: fields.get(&form::MERIDIAN_R) },
             n: fields.get(&form::INTERVALS_N) as usize,
@@ -168,10 +174,14 @@ impl Design {
             H,
             machine: Rotary { L: R_B + H },
             travel: [
-                ('X', [fields.get(&form::X_MIN), fields.get(&form::X_MAX)]),
-                ('Y', [fields.get(&form::Y_MIN), fields.get(&form::Y_MAX)]),
-                ('Z', [fields.get(&form::Z_MIN), fields.get(&form::Z_MAX)]),
-                ('B', [Some(fields.get(&form::B_MIN)), Some(fields.get(&form::B_MAX))]),
+                linear(Axis::X, [&form::X_MIN, &form::X_MAX]),
+                linear(Axis::Y, [&form::Y_MIN, &form::Y_MAX]),
+                linear(Axis::Z, [&form::Z_MIN, &form::Z_MAX]),
+                AxisTravel {
+                    axis: Axis::B,
+                    ends: [&form::B_MIN, &form::B_MAX].map(|end| Some(fields.get(end))),
+                    keys: [form::B_MIN.key(), form::B_MAX.key()],
+                },
             ],
             F_max: fields.get(&form::F_MAX),
             rapids: Rapids { tool_change: fields.get(&TOOL_CHANGE), ..rapids(fields) },
@@ -193,7 +203,7 @@ impl Design {
             end_codes: fields.get(&form::END_CODES).0,
             block_step: fields.get(&form::BLOCK_STEP),
             blank: BlankTurning::of(fields),
-            method_given: fields.values().values.contains_key(cut::METHOD.key()),
+            method_given: fields.values().values.contains_key(cut::METHOD.row.key),
             clear: None,
             calibration: Self::slots(fields),
         };

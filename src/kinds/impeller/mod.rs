@@ -51,7 +51,7 @@ pub mod track;
 pub mod undercut;
 
 use crate::figure::Figure;
-use crate::finding::{Exit, Finding, Place, Raise, Rule};
+use crate::finding::{Exit, Finding, Raise, Rule};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
@@ -65,6 +65,7 @@ use crate::kinds;
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::kinds::impeller::clear::cut::Job;
+use crate::kinds::impeller::clear::fields as cut;
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::remarks as remarks_of;
 use crate::kinds::impeller::clear::rules::{PublishedLeavesMetal, TooManyClearBlocks};
@@ -73,7 +74,7 @@ use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::figures::figures;
 use crate::kinds::impeller::gap::Limits;
 use crate::kinds::impeller::operation::Operation;
-use crate::kinds::impeller::parameters::FORM;
+use crate::kinds::impeller::parameters::{self as form, FORM};
 use crate::kinds::impeller::programs::{Tracks, programs};
 use crate::kinds::impeller::proof::cutting::Known;
 use crate::kinds::impeller::proof::{Geometry, SOURCE};
@@ -86,7 +87,7 @@ use crate::machine::calibration::Axis as Calibrated;
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
-use crate::parameter::{Case, Form};
+use crate::parameter::{Case, Form, at};
 use crate::proof::step::Judge;
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
@@ -224,7 +225,7 @@ impl Method for Impeller {
     fn programs(design: &Design, model: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
         if let (Some(plan), Some(asked)) = (&model.clear, &design.clear) {
             let made = clear::programs::programs(design, plan, origin)
-                .map_err(|error| vec![out_of_format(error, vec!["R", "R_B", "H"])])?;
+                .map_err(|error| vec![out_of_format(error, [form::R.key(), form::R_B.key(), form::H.key()])])?;
             let long: Vec<Finding> = made
                 .programs
                 .iter()
@@ -242,7 +243,7 @@ impl Method for Impeller {
             Ok(tracks) => programs(design, tracks, origin),
             Err(error) => Err(*error),
         };
-        let made = made.map_err(|error| vec![out_of_format(error, vec!["R", "R_B", "H"])])?;
+        let made = made.map_err(|error| vec![out_of_format(error, [form::R.key(), form::R_B.key(), form::H.key()])])?;
         let mut findings = remarks(design, &made, model.calibration.as_ref().map(|(_, axis)| *axis));
         findings.extend(too_narrow(design, &model.limits));
         Ok(Written { programs: made.programs, findings })
@@ -254,7 +255,7 @@ impl Method for Impeller {
         }
         let mut findings = model.tracks.as_ref().map_or(Vec::new(), |tracks| shortfalls(design, tracks));
         if !design.method_given {
-            findings.push(PublishedLeavesMetal {}.at(Place::Parameters(vec!["method"])));
+            findings.push(PublishedLeavesMetal {}.at(at([cut::METHOD.key()])));
         }
         findings
     }

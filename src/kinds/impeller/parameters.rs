@@ -535,7 +535,7 @@ pub static FORM: Form = Form {
     schema: SCHEMA,
     earlier: &[Earlier {
         schema: "rodete-impeller 1",
-        renamed: &[("R_B", "R_p"), ("H", "L_t")],
+        renamed: &[(R_B.key(), "R_p"), (H.key(), "L_t")],
         told: |place| HeightCalledLength {}.at(place),
     }],
     part: &PART,

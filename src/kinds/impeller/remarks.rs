@@ -1,8 +1,9 @@
 //! What the impeller's job has to say: refusals and remarks for a person.
 
-use crate::finding::{Finding, Place, Raise, Size};
+use crate::finding::{Finding, Key, Place, Raise, Size};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::operation::Operation;
+use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::programs::Programs;
 use crate::kinds::impeller::rules::{
     AnnexIsRepeated, AnnexStartsAnywhere, AnnexWithoutFeed, BlankForFagor, CalibrationAgrees, CalibrationDiffers,
@@ -13,10 +14,11 @@ use crate::kinds::impeller::splitter::NoSplitter;
 use crate::kinds::impeller::start::start;
 use crate::machine::calibration::Axis as Calibrated;
 use crate::number::shown;
+use crate::parameter::at;
 use crate::text::t;
 
 pub(super) fn no_splitter(why: NoSplitter) -> Finding {
-    let place = Place::Parameters(vec!["splitters", "N", "e", "d_t"]);
+    let place = at([form::SPLITTERS.key(), form::N.key(), form::E.key(), form::D_T.key()]);
     match why {
         NoSplitter::NoCrossing => NothingCrosses {}.at(place),
         NoSplitter::AtFirstPoint => SplitterWithoutPoint {}.at(place),
@@ -25,46 +27,41 @@ pub(super) fn no_splitter(why: NoSplitter) -> Finding {
 }
 
 pub(super) fn no_calibration() -> Finding {
-    SlotsContradict {}.at(Place::Parameters(vec!["calibration/x0", "calibration/z0", "calibration/H"]))
+    SlotsContradict {}.at(at([form::CALIBRATION_X0.key(), form::CALIBRATION_Z0.key(), form::CALIBRATION_H.key()]))
 }
 
 /// What a person should know of the design and its programs.
 pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calibrated>) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
     if design.style == Style::Annex {
-        findings.push(AnnexWithoutFeed {}.at(at(&["style", "F", "S"])));
-        findings.push(AnnexStartsAnywhere {}.at(at(&["style"])));
+        findings.push(AnnexWithoutFeed {}.at(at([form::STYLE.key(), form::F.key(), form::S.key()])));
+        findings.push(AnnexStartsAnywhere {}.at(at([form::STYLE.key()])));
         if design.splitters {
             let half = Size { value: 180.0 / f64::from(design.N), unit: "°", decimals: 3 };
-            findings.push(AnnexIsRepeated { N: design.N, half }.at(at(&["style", "splitters"])));
+            findings.push(AnnexIsRepeated { N: design.N, half }.at(at([form::STYLE.key(), form::SPLITTERS.key()])));
         }
     }
     findings.extend(start(design));
-    let unchecked: Vec<&'static str> =
-        [("X_min", 0, 0), ("X_max", 0, 1), ("Y_min", 1, 0), ("Y_max", 1, 1), ("Z_min", 2, 0), ("Z_max", 2, 1)]
-            .into_iter()
-            .filter(|&(_, axis, end)| design.travel[axis].1[end].is_none())
-            .map(|(key, ..)| key)
-            .collect();
+    let ends = design.travel.iter().flat_map(|travel| travel.ends.into_iter().zip(travel.keys));
+    let unchecked: Vec<Key> = ends.filter(|(end, _)| end.is_none()).map(|(_, key)| key).collect();
     if !unchecked.is_empty() {
-        findings.push(TravelNotChecked { limits: unchecked.join(", ") }.at(at(&unchecked)));
+        findings.push(TravelNotChecked { limits: unchecked.join(", ") }.at(Place::Parameters(unchecked)));
     }
     if design.F_max.is_none() {
-        findings.push(SpeedNotChecked {}.at(at(&["F_max"])));
+        findings.push(SpeedNotChecked {}.at(at([form::F_MAX.key()])));
     }
     let moves = made.limited.by_axis;
     if moves > 0 {
         let most = Size::number(design.F_max.unwrap_or(0.0), 3);
-        findings.push(FeedReduced { moves, most }.at(at(&["F", "F_max"])));
+        findings.push(FeedReduced { moves, most }.at(at([form::F.key(), form::F_MAX.key()])));
     }
     let moves = made.limited.by_format;
     if moves > 0 {
         let (key, longer) = match design.clear {
-            None => ("n", t("un n menor", "a smaller n")),
-            Some(_) => ("tol", t("una tol mayor", "a larger tol")),
+            None => (form::INTERVALS_N.key(), t("un n menor", "a smaller n")),
+            Some(_) => (form::TOL.key(), t("una tol mayor", "a larger tol")),
         };
-        let told = FeedWordAtItsEnd { moves, longer }.at(at(&["F", key]));
+        let told = FeedWordAtItsEnd { moves, longer }.at(at([form::F.key(), key]));
         let greatest = shown(design.control.feed.law.greatest(), 3);
         findings.push(told.with(moves.to_string(), format!("0.0001 … {greatest}")));
     }
@@ -83,7 +80,7 @@ fn calibration_remark(design: &Design, axis: Calibrated) -> Finding {
     let difference = axis.R_B - design.R_B;
     let [found, R_B] = [axis.R_B, design.R_B].map(|height| Size { decimals: 4, ..Size::mm(height) });
     let B = Size { value: axis.B.to_degrees(), unit: "°", decimals: 5 };
-    let place = Place::Parameters(vec!["R_B"]);
+    let place = at([form::R_B.key()]);
     let told = if difference.abs() > 0.01 {
         CalibrationDiffers { found, B, R_B, better: Size::number(axis.R_B, 4) }.at(place)
     } else {

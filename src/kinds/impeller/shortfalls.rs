@@ -1,10 +1,11 @@
 //! What the plan of an impeller leaves or spoils, reported with figures and places: for a person to judge before the work.
 
-use crate::finding::{Finding, Place, Raise, Said, Size};
+use crate::finding::{Finding, Raise, Said, Size};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::floor_depth::{self, deepest};
 use crate::kinds::impeller::gap::Limits;
+use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::part::Part;
 use crate::kinds::impeller::programs::Tracks;
 use crate::kinds::impeller::ribs::ribs;
@@ -13,6 +14,7 @@ use crate::kinds::impeller::sweep::Sweep;
 use crate::kinds::impeller::track::Track;
 use crate::kinds::impeller::undercut::{self, Undercut, undercut};
 use crate::number::shown;
+use crate::parameter::at;
 use crate::text::{Language, Text, t};
 
 /// Below this nothing is said of a depth, mm: it is what the output grid moves the tool.
@@ -42,7 +44,7 @@ fn left_standing(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Findi
     let most = Size::number((ribs.share * 1000.0).ceil() / 10.0, 1);
     let across = at_most(ribs.width * design.torus.r / design.torus.R);
     let told = RibsLeft { most, from, width: at_most(ribs.width), across };
-    let place = Place::Parameters(vec!["d_t", "N", "e", "splitters"]);
+    let place = at([form::D_T.key(), form::N.key(), form::E.key(), form::SPLITTERS.key()]);
     Some(told.at(place).with(format!("{} %", most.said(Language::En)), "0 %"))
 }
 
@@ -54,7 +56,7 @@ fn too_deep(design: &Design, sweeps: &[Sweep]) -> Option<Finding> {
     let law = at_most(floor_depth::law(design.torus, design.a_p, design.e, design.d_t));
     let (most, point) = (at_most(deepest.most), Size::number(deepest.x, 1));
     let told = FloorTooDeep { most, track: deepest.track.name().clone(), point, law };
-    Some(told.at(Place::Parameters(vec!["d_t", "a_p", "e"])).with(most.said(Language::En), "0 mm"))
+    Some(told.at(at([form::D_T.key(), form::A_P.key(), form::E.key()])).with(most.said(Language::En), "0 mm"))
 }
 
 fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding> {
@@ -74,7 +76,12 @@ fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding>
     };
     let faces = Text::new(list(Language::Es, "punto"), list(Language::En, "point"));
     let most = at_most(most);
-    let told = IntoOwnFaces { most, faces, law }.at(Place::Parameters(vec!["a_p", "d_t", "n", "e"]));
+    let told = IntoOwnFaces { most, faces, law }.at(at([
+        form::A_P.key(),
+        form::D_T.key(),
+        form::INTERVALS_N.key(),
+        form::E.key(),
+    ]));
     Some(told.with(most.said(Language::En), "0 mm"))
 }
 
@@ -84,7 +91,7 @@ pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
         return None;
     }
     let (gap, least, tool) = (Size::mm(limits.gap.width), Size::mm(limits.least), Size::mm(design.d_t));
-    let at = Size::number(limits.gap.station * 100.0, 1);
+    let station = Size::number(limits.gap.station * 100.0, 1);
     let blades = match limits.N_max {
         Some(N) => Text::new(
             format!("N_max real = {N} (publicado: {})", published(design)),
@@ -104,11 +111,11 @@ pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
             format!("true e_max: none, {} blades leave no room however thin they are", design.N),
         ),
     };
-    let place = Place::Parameters(vec!["N", "e", "d_t"]);
+    let place = at([form::N.key(), form::E.key(), form::D_T.key()]);
     let told = if limits.gap.width < design.d_t {
-        ToolDoesNotPass { tool, gap, at, blades, thickness }.at(place)
+        ToolDoesNotPass { tool, gap, at: station, blades, thickness }.at(place)
     } else {
-        GapBelowPublished { gap, tool, least, at, blades, thickness }.at(place)
+        GapBelowPublished { gap, tool, least, at: station, blades, thickness }.at(place)
     };
     Some(told.with(gap.said(Language::En), least.said(Language::En)))
 }

@@ -1,23 +1,21 @@
 //! What a person must know before an impeller's program is started: rotary axes, clamps, spindle, coolant, and where the tool stands.
 
-use crate::finding::{Finding, Place, Raise};
+use crate::finding::{Finding, Raise};
 use crate::gcode::control::Rotary;
 use crate::gcode::word::{Distance, Number, Word};
 use crate::kinds::impeller::design::{Design, Style};
+use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::rules::{
     AnnexByIncrements, ClampsMissing, ClampsOfBuilder, IncrementsFromZero, NoCoolant, NoRetract, OnLinearAxes,
     OnLinearAxesUnproved, RetractIsAssumed, SpindleNotStarted, TurnsByIncrements,
 };
+use crate::parameter::at;
 
 /// The codes that the published programs release the clamps of the rotary axes with; the machine's builder defined them.
 const CLAMPS: [u32; 2] = [11, 13];
 
 fn holds(words: &[Word], letter: char, number: u32) -> bool {
     words.iter().any(|word| *word == Word::whole(letter, number))
-}
-
-fn at(keys: &[&'static str]) -> Place {
-    Place::Parameters(keys.to_vec())
 }
 
 /// The remarks on how the programs begin.
@@ -29,10 +27,10 @@ pub(super) fn start(design: &Design) -> Vec<Finding> {
         Rotary::Linear => {}
     }
     if !holds(&design.start_codes, 'M', 3) && !holds(&design.start_codes, 'M', 4) {
-        findings.push(SpindleNotStarted {}.at(at(&["start_codes"])));
+        findings.push(SpindleNotStarted {}.at(at([form::START_CODES.key()])));
     }
     if design.coolant.is_empty() {
-        findings.push(NoCoolant {}.at(at(&["coolant"])));
+        findings.push(NoCoolant {}.at(at([form::COOLANT.key()])));
     }
     if design.style == Style::Full {
         findings.extend(retract(design));
@@ -41,7 +39,7 @@ pub(super) fn start(design: &Design) -> Vec<Finding> {
 }
 
 fn rotary_axes(design: &Design) -> Finding {
-    let place = at(&["rotary", "distance"]);
+    let place = at([form::ROTARY.key(), form::DISTANCE.key()]);
     if design.style == Style::Annex {
         AnnexByIncrements {}.at(place)
     } else if design.turns_by_increments() {
@@ -62,7 +60,7 @@ fn clamps(design: &Design) -> Finding {
         .filter(|&number| !holds(&design.start_codes, 'M', number))
         .map(|number| format!("M{number}"))
         .collect();
-    let place = at(&["start_codes"]);
+    let place = at([form::START_CODES.key()]);
     if missing.is_empty() {
         ClampsOfBuilder {}.at(place)
     } else {
@@ -72,7 +70,7 @@ fn clamps(design: &Design) -> Finding {
 
 fn retract(design: &Design) -> Option<Finding> {
     if design.retract.is_empty() {
-        return Some(NoRetract {}.at(at(&["retract"])));
+        return Some(NoRetract {}.at(at([form::RETRACT.key()])));
     }
     let by_machine_zero = holds(&design.retract, 'G', 53);
     let heights = design.retract.iter().filter(|word| matches!(word.number, Number::Size(_))).count();
@@ -80,5 +78,5 @@ fn retract(design: &Design) -> Option<Finding> {
         Rotary::Rollover => by_machine_zero && heights > 0,
         Rotary::Linear => false,
     };
-    assumed.then(|| RetractIsAssumed {}.at(at(&["retract"])))
+    assumed.then(|| RetractIsAssumed {}.at(at([form::RETRACT.key()])))
 }

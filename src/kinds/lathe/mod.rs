@@ -37,7 +37,7 @@ use crate::kind::measure::{Limits, Measure, Suggested};
 use crate::kind::{Chapters, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants};
 use crate::kinds::lathe::figures::Drawn;
 use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
-use crate::kinds::lathe::parameters::{FORM, PROGRAM_KEY, SECOND_KEY};
+use crate::kinds::lathe::parameters::{self as form, FORM, PROGRAM_KEY, SECOND_KEY};
 use crate::kinds::lathe::profile::{compared, wanted};
 use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NothingInTheJaws};
 use crate::kinds::lathe::scene::Watching;
@@ -49,7 +49,7 @@ use crate::limits::PROGRAM_FINDINGS;
 use crate::machine::axis::Position;
 use crate::number::shown;
 use crate::parameter::field::Fields;
-use crate::parameter::{Case, Form};
+use crate::parameter::{Case, Form, at};
 use crate::proof::account::Account;
 use crate::removal::turning::alarm::{Alarm, Cause};
 use crate::removal::turning::deviation::Profile;
@@ -280,7 +280,7 @@ const HELD_WELL: (f64, f64) = (5.0, 0.25);
 /// How the jaws hold the part that was turned about: a stop where they do not, a caution where they hardly do.
 fn held(setup: &Setup) -> Finding {
     let Setup { lathe, stock, .. } = setup;
-    let place = Place::Parameters(vec!["Z_s", "L4"]);
+    let place = at([form::Z_S.key(), form::L4.key()]);
     let [left, right] = stock.held(lathe).map(|at| Size::number(at, 3));
     let Some(grip) = setup.part.as_deref().and_then(|part| stock.grip(lathe, part)) else {
         return NothingInTheJaws { left, right }.at(place);

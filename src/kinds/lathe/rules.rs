@@ -3,7 +3,7 @@
 //! Codes P4001 on are of values that contradict each other, L0205 to L0220 of what was followed.
 
 use crate::finding::rule::{book, rules};
-use crate::finding::{Example, Size};
+use crate::finding::{Example, Key, Size};
 use crate::text::{Text, t};
 
 /// A program between the usual first and last blocks for the bar of D 50: the roughing tool in front of it, and away again.
@@ -40,13 +40,13 @@ rules! {
         remedy "corrija d o D", "correct d or D";
         why "Entre el agujero y la superficie debe quedar pared.", "There must be a wall between the bore and the surface.";
         example book!("lathe", "d" = "60");
-    "P4004" SlideTravelReversed Stop { low: &'static str, least: Size, high: &'static str, greatest: Size }
+    "P4004" SlideTravelReversed Stop { low: Key, least: Size, high: Key, greatest: Size }
         es "{low} es {least} y debe ser menor que {high} = {greatest}"
         en "{low} is {least}; it must be less than {high} = {greatest}"
         remedy "corrija el recorrido", "correct the travel";
         why "Con los límites al revés no vale ninguna posición.", "With the limits reversed no position is allowed.";
         example book!("lathe", "X_min" = "100", "X_max" = "-100");
-    "P4005" BodyReversed Stop { low: &'static str, least: Size, high: &'static str, greatest: Size }
+    "P4005" BodyReversed Stop { low: Key, least: Size, high: Key, greatest: Size }
         es "{low} es {least} y debe ser menor que {high} = {greatest}"
         en "{low} is {least}; it must be less than {high} = {greatest}"
         remedy "corrija el cuerpo de la torreta", "correct the turret's body";
@@ -94,20 +94,20 @@ rules! {
         remedy "dé a cada herramienta su corrector", "give each tool its own offset";
         why "Un corrector lleva las medidas de una sola herramienta.", "An offset holds the sizes of one tool only.";
         example book!("lathe", "TOOLS!B7" = "1");
-    "P4012" ToolColumnMissing Stop { T: u32, symbol: &'static str }
+    "P4012" ToolColumnMissing Stop { T: u32, symbol: Key }
         es "la herramienta {T} necesita {symbol}"
         en "tool {T} needs {symbol}"
         remedy "la hoja no tiene la columna {symbol}: escriba su título y los valores",
             "the sheet has no column {symbol}: write its heading and the values";
         why "Sin esa medida no se conoce la forma de la herramienta.", "Without that size the tool's shape is not known.";
         example book!("lathe", "TOOLS!F4" = "", "TOOLS!F5" = "");
-    "P4013" ToolShapeMissing Stop { T: u32, symbol: &'static str }
+    "P4013" ToolShapeMissing Stop { T: u32, symbol: Key }
         es "la herramienta {T} necesita {symbol}"
         en "tool {T} needs {symbol}"
         remedy "elija la letra de forma de la norma ISO 1832", "choose the shape letter of ISO 1832";
         why "La letra da el ángulo de la placa.", "The letter gives the insert's angle.";
         example book!("lathe", "TOOLS!E6" = "");
-    "P4014" ToolSizeMissing Stop { T: u32, symbol: &'static str }
+    "P4014" ToolSizeMissing Stop { T: u32, symbol: Key }
         es "la herramienta {T} necesita {symbol}"
         en "tool {T} needs {symbol}"
         remedy "rellene la celda", "fill in the cell";

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::finding::{CellPlace, Finding, Place, Raise, Size};
+use crate::finding::{CellPlace, Finding, Key, Place, Raise, Size};
 use crate::gcode::control::Control;
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, ToolOffset, Tools};
@@ -18,8 +18,8 @@ use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::var_file::VarFile;
 use crate::machine::work_offset::{G28_FIRST, System};
-use crate::parameter::Parameter;
 use crate::parameter::field::{Entry, Field, Fields, Optional};
+use crate::parameter::{Parameter, at};
 use crate::removal::turning::machine::{Chuck, Lathe};
 use crate::removal::turning::simulation::Setup;
 use crate::removal::turning::stock::Stock;
@@ -82,7 +82,7 @@ impl Given {
     pub fn of(fields: &Fields) -> Result<Self, Vec<Finding>> {
         let mut findings = Vec::new();
         let (D, L, L4, L5) = (fields.get(&form::D), fields.get(&form::L), fields.get(&form::L4), fields.get(&form::L5));
-        let mut stop = |keys: &[&'static str], told: &dyn Raise| {
+        let mut stop = |keys: &[Key], told: &dyn Raise| {
             findings.push(fields.locate(told.at(Place::Parameters(keys.to_vec()))));
         };
         if L4 >= L {
@@ -110,7 +110,7 @@ impl Given {
             stop(&keys, &BodyReversed { low, least, high, greatest });
         }
         let (given, empty): (Vec<_>, Vec<_>) = BODY.into_iter().flatten().partition(|one| fields.get(one).is_some());
-        let empty: Vec<&'static str> = empty.into_iter().map(Field::key).collect();
+        let empty: Vec<Key> = empty.into_iter().map(Field::key).collect();
         if !given.is_empty() && !empty.is_empty() {
             stop(&empty, &BodyHalfGiven { lost: empty.join(", ") });
         }
@@ -176,7 +176,7 @@ impl Given {
             .filter(|(_, [_, Z])| fields.get(Z).is_none())
             .map(|(system, pair)| {
                 let empty = pair.into_iter().filter(|one| fields.get(one).is_none());
-                (system, empty.filter_map(|one| fields.values().cells.get(one.key()).cloned()).collect())
+                (system, empty.filter_map(|one| fields.values().cells.get(&one.key()).cloned()).collect())
             })
             .collect();
         Ok(Self {
@@ -282,7 +282,7 @@ impl Given {
 pub fn without_rule(fields: &Fields) -> Option<Finding> {
     let (control, point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
     let missing = point.is_none() && control.lexis.point.by_setting();
-    missing.then(|| fields.locate(PointRuleMissing {}.at(Place::Parameters(vec![form::POINT.key()]))))
+    missing.then(|| fields.locate(PointRuleMissing {}.at(at([form::POINT.key()]))))
 }
 
 /// The tools by place, and the control's offsets by number; what is wrong goes to `findings`.
@@ -350,11 +350,11 @@ fn sizes(tool: &TurningTool) -> Vec<&'static Parameter> {
 
 /// A value that a tool needs and that its row does not have: the cell is empty, or the sheet has no such column.
 fn lost(row: &Entry<'_>, column: &'static Parameter) -> Box<Finding> {
-    let (T, symbol) = (row.get(&tools::T).unwrap_or_default(), column.symbol());
+    let (T, symbol) = (row.get(&tools::T).unwrap_or_default(), column.key());
     let cell = row.cell(column);
     Box::new(if cell.is_empty() {
         ToolColumnMissing { T, symbol }.at(Place::Cells(row.cell(&tools::T.row)))
-    } else if column.key == tools::SHAPE.key() {
+    } else if symbol == tools::SHAPE.key() {
         ToolShapeMissing { T, symbol }.at(Place::Cells(cell))
     } else {
         ToolSizeMissing { T, symbol }.at(Place::Cells(cell))

@@ -1,27 +1,27 @@
 //! Contradictions of pipes: their sizes.
 
 use crate::finding::rule::{book, rules};
-use crate::finding::{Size, Typed};
+use crate::finding::{Key, Size, Typed};
 use crate::text::Text;
 
 rules! {
     /// The rows of a pipe's size.
     RULES;
-    "P2001" NoSchedule Stop { number: &'static str, nps: &'static str, diameter: &'static str, wall: &'static str }
+    "P2001" NoSchedule Stop { number: &'static str, nps: &'static str, diameter: Key, wall: Key }
         es "ASME B36.10 no tiene cédula {number} en el tamaño {nps}"
         en "ASME B36.10 has no schedule {number} in size {nps}"
         remedy "elija otra cédula, o escriba {diameter} y {wall}", "choose another schedule, or fill in {diameter} and {wall}";
         why "La norma no da espesor para ese par, y rodete no lo adivina.", "The standard gives no wall thickness for this pair, and rodete does not guess one.";
         example book!("pipe-insert", "branch_size" = "1/8 in", "branch_schedule" = "Sch 160");
     "P2002" TwoSizes Stop {
-        size: &'static str, nps: &'static str, number: &'static str, outside: Typed, thick: Typed, diameter: &'static str, wall: &'static str,
+        size: Key, nps: &'static str, number: &'static str, outside: Typed, thick: Typed, diameter: Key, wall: Key,
     }
         es "{size} {nps} cédula {number} es {outside} × {thick}, pero {diameter} o {wall} no coincide"
         en "{size} {nps} schedule {number} is {outside} × {thick}, but {diameter} or {wall} differs"
         remedy "deje vacíos {diameter} y {wall}, o el tamaño nominal", "empty {diameter} and {wall}, or the nominal size";
         why "Con dos medidas distintas no se sabe cuál es la del tubo.", "With two different sizes it is not clear which one the pipe has.";
         example book!("pipe-insert", "D_branch" = "90");
-    "P2003" SizeMissing Stop { size: &'static str, schedule: &'static str, diameter: &'static str, wall: &'static str }
+    "P2003" SizeMissing Stop { size: Key, schedule: Key, diameter: Key, wall: Key }
         es "falta el tamaño: {size} y {schedule}, o {diameter} y {wall}"
         en "the size is missing: {size} and {schedule}, or {diameter} and {wall}"
         remedy "rellene uno de los dos pares", "fill in one of the two pairs";

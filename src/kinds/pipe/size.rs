@@ -12,7 +12,7 @@
 //! NPS 22 and 30, 120 below NPS 4, 160 and XXS below NPS 1/2) and what only older charts have (60 of NPS 4, XXS of
 //! NPS 3-1/2).
 
-use crate::finding::{Finding, Raise, Size as Length};
+use crate::finding::{Finding, Key, Raise, Size as Length};
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, T_BRANCH, T_HEADER};
 use crate::kinds::pipe::insert::design::Pipe;
 use crate::kinds::pipe::rules::WallBeyondRadius;
@@ -148,7 +148,7 @@ pub const SCHEDULES: &[Choice] = &[
 /// The stops of pipes whose wall is no less than their radius.
 #[must_use]
 pub(super) fn solid(branch: Pipe, header: Pipe) -> Vec<Finding> {
-    let of = |pipe: Pipe, name: Text, keys: [&'static str; 2]| {
+    let of = |pipe: Pipe, name: Text, keys: [Key; 2]| {
         let (wall, radius) = (Length::mm(pipe.t), Length::mm(pipe.D / 2.0));
         (pipe.t >= pipe.D / 2.0).then(|| WallBeyondRadius { pipe: name, wall, radius }.at(at(keys)))
     };

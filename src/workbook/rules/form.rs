@@ -1,6 +1,7 @@
 //! Sheets, symbols and lists: that a form is whole.
 
 use super::{book, made};
+use crate::finding::Key;
 use crate::finding::rule::rules;
 use crate::text::Text;
 
@@ -87,13 +88,13 @@ rules! {
             "make a new workbook with \"rodete new\" and copy the values into it";
         why "En otra versión un mismo símbolo puede significar otra cosa.", "In another version the same symbol may mean something else.";
         example book!("impeller", "schema" = "rodete-impeller 3");
-    "W0515" SymbolTwice Stop { symbol: &'static str, count: usize }
+    "W0515" SymbolTwice Stop { symbol: Key, count: usize }
         es "{count} filas tienen el símbolo {symbol}"
         en "{count} rows have the symbol {symbol}"
         remedy "deje una sola fila {symbol}", "keep only one row {symbol}";
         why "No se sabe cuál de los valores vale.", "It is not clear which value counts.";
         example book!("impeller", "r:symbol" = "R");
-    "W0516" RowMissing Stop { name: Text, symbol: &'static str, expected: Text }
+    "W0516" RowMissing Stop { name: Text, symbol: Key, expected: Text }
         es "falta la fila {name}"
         en "the row {name} is missing"
         remedy "añada una fila con {symbol} en la columna A y {expected} en la columna C",
@@ -150,13 +151,13 @@ rules! {
         remedy "deje un solo \"{heading}\"", "keep only one \"{heading}\"";
         why "No se sabe cuál de los dos vale.", "It is not clear which of the two counts.";
         example made!("heading-twice", "dos columnas T en la hoja TOOLS de un libro de torno", "two columns T on the sheet TOOLS of a lathe workbook");
-    "W0606" ColumnMissing Stop { column: &'static str }
+    "W0606" ColumnMissing Stop { column: Key }
         es "falta la columna \"{column}\""
         en "the column \"{column}\" is missing"
         remedy "escriba \"{column}\" en la fila de títulos", "write \"{column}\" in the row of headings";
         why "Sin esa columna faltaría un valor en cada fila.", "Without that column every row would lack a value.";
         example made!("no-column", "la hoja TOOLS de un libro de torno sin el título Q_z", "the sheet TOOLS of a lathe workbook without the heading Q_z");
-    "W0607" ColumnUnitEmpty Stop { column: &'static str, unit: &'static str, cell: String }
+    "W0607" ColumnUnitEmpty Stop { column: Key, unit: &'static str, cell: String }
         es "{column} se da en {unit}, pero {cell} está vacía"
         en "{column} is given in {unit}, but {cell} is empty"
         remedy "convierta los valores a {unit} y escriba {unit} en {cell}",
@@ -165,7 +166,7 @@ rules! {
             "Without the unit, the values may be in another one.";
         example made!("column-unit-empty", "la hoja TOOLS de un libro de torno con la unidad de Q_z borrada",
             "the sheet TOOLS of a lathe workbook with the unit of Q_z cleared");
-    "W0608" ColumnUnitOther Stop { column: &'static str, unit: &'static str, cell: String, written: String }
+    "W0608" ColumnUnitOther Stop { column: Key, unit: &'static str, cell: String, written: String }
         es "{column} se da en {unit}, pero {cell} dice \"{written}\""
         en "{column} is given in {unit}, but {cell} says \"{written}\""
         remedy "convierta los valores a {unit} y escriba {unit} en {cell}",
@@ -173,7 +174,7 @@ rules! {
         why "rodete compara las unidades y no las convierte: una pulgada leída como milímetro da otra pieza.",
             "rodete compares units and does not convert them: an inch read as a millimetre makes another part.";
         example made!("column-unit", "la hoja TOOLS de un libro de torno con Q_z en inch", "the sheet TOOLS of a lathe workbook with Q_z in inch");
-    "W0609" ColumnUnitWhereNone Stop { column: &'static str, cell: String, written: String }
+    "W0609" ColumnUnitWhereNone Stop { column: Key, cell: String, written: String }
         es "{column} no tiene unidad, pero {cell} dice \"{written}\""
         en "{column} has no unit, but {cell} says \"{written}\""
         remedy "vacíe la celda {cell}", "empty cell {cell}";

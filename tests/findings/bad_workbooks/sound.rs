@@ -176,7 +176,7 @@ fn a_workbook_without_the_rows_of_optional_parameters_opens_and_fades_as_publish
     let filled = impeller(&without.zip()).unwrap();
     assert!(filled.findings.is_empty(), "{:?}", filled.findings);
     for key in &optional {
-        assert!(!filled.values.values.contains_key(key) && !filled.values.cells.contains_key(key), "{key}");
+        assert!(!filled.values.values.contains_key(key) && !filled.values.cells.contains_key(*key), "{key}");
     }
     assert_eq!(common::whole(&filled.values, "N"), Some(4));
 

@@ -31,7 +31,7 @@ use rodete::table::{Column, Index, Law, Print, Quantity, Table, Unit};
 use rodete::text::{Text, t};
 
 use crate::design::BoltCircle;
-use crate::form::{CASES, FORM};
+use crate::form::{CASES, DEPTH, FORM, PITCH};
 use crate::proof::HolesAtAngles;
 
 /// The kind.
@@ -86,7 +86,8 @@ impl Method for Kind {
     }
 
     fn programs(circle: &BoltCircle, (): &(), origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
-        let program = program::program(circle, origin).map_err(|error| vec![out_of_format(error, vec!["D", "h"])])?;
+        let program =
+            program::program(circle, origin).map_err(|error| vec![out_of_format(error, [PITCH.key(), DEPTH.key()])])?;
         Ok(Written { programs: vec![program], findings: Vec::new() })
     }
 

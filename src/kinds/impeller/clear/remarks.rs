@@ -1,6 +1,6 @@
 //! What there is to say of a clear cut: refusals, and remarks for a person.
 
-use crate::finding::{Finding, Place, Raise, Said, Size};
+use crate::finding::{Finding, Key, Place, Raise, Said, Size};
 use crate::kinds::impeller::clear::asked::{Asked, rounding};
 use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
@@ -12,21 +12,18 @@ use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
 use crate::kinds::impeller::clear::told::{By, Dropped, ToolTold};
 use crate::kinds::impeller::design::{Design, Style};
-use crate::kinds::impeller::parameters::NUMBERS;
+use crate::kinds::impeller::parameters::{self as form, NUMBERS};
 use crate::kinds::impeller::part::{HUB, RIM};
 use crate::kinds::impeller::solids::Stock;
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::shown;
+use crate::parameter::at;
 use crate::text::{Language, Text, t};
 
 /// The least that must be left of ε beside the rounding, mm.
 const LEFT: f64 = 0.001;
 /// Below this change of the feed nothing is said.
 const UNSAID: f64 = 0.02;
-
-fn at(keys: &[&'static str]) -> Place {
-    Place::Parameters(keys.to_vec())
-}
 
 /// A finding with its value and the limit that the value misses.
 fn missed(found: Finding, value: impl Said, limit: impl Said) -> Finding {
@@ -37,45 +34,52 @@ fn missed(found: Finding, value: impl Said, limit: impl Said) -> Finding {
 pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked) -> Vec<Finding> {
     let mut findings = Vec::new();
     if design.style == Style::Annex {
-        findings.push(ClearNeedsFull {}.at(at(&["method", "style"])));
+        findings.push(ClearNeedsFull {}.at(at([fields::METHOD.key(), form::STYLE.key()])));
     }
     let (d_f, T_f, D_f) = asked.given;
     if let Some(d_f) = d_f {
         for (symbol, missing) in [(fields::T_F.key(), T_f.is_none()), (fields::OFFSET_F.key(), D_f.is_none())] {
             if missing {
-                findings.push(FinishingToolIncomplete { symbol }.at(at(&[symbol, "d_f"])));
+                findings.push(FinishingToolIncomplete { symbol }.at(at([symbol, fields::D_F.key()])));
             }
         }
         if T_f == Some(design.T) {
-            findings.push(OneNumberForTwoTools { T: design.T }.at(at(&["T_f", "T"])));
+            findings.push(OneNumberForTwoTools { T: design.T }.at(at([fields::T_F.key(), form::T.key()])));
         }
         if d_f > design.d_t {
             let (finish, rough) = (Size::mm(d_f), Size::mm(design.d_t));
             let told = FinishingWiderThanRoughing { finish, rough };
-            findings.push(missed(told.at(at(&["d_f", "d_t"])), finish, rough));
+            findings.push(missed(told.at(at([fields::D_F.key(), form::D_T.key()])), finish, rough));
         }
     }
-    let corners = [(fields::CORNER.key(), asked.cut.rough), (fields::CORNER_F.key(), asked.cut.finish)];
-    for (symbol, tool) in corners.into_iter().take(if d_f.is_some() { 2 } else { 1 }) {
+    let corners = [
+        (fields::CORNER.key(), form::D_T.key(), asked.cut.rough),
+        (fields::CORNER_F.key(), fields::D_F.key(), asked.cut.finish),
+    ];
+    for (symbol, diameter, tool) in corners.into_iter().take(if d_f.is_some() { 2 } else { 1 }) {
         if tool.flat_radius() < 0.0 {
             let (r_c, half) = (Size::mm(tool.r_c), Size::mm(tool.a()));
-            let place = at(&[symbol, if symbol == fields::CORNER.key() { "d_t" } else { "d_f" }]);
+            let place = at([symbol, diameter]);
             findings.push(missed(CornerBeyondRadius { symbol, r_c, half }.at(place), r_c, half));
         }
     }
     if design.number(Which::Finish) > NUMBERS {
         let (number, most) = (design.program, NUMBERS);
-        findings.push(missed(NoNumberLeft { number, most }.at(at(&["program"])), number, most - 1));
+        findings.push(missed(NoNumberLeft { number, most }.at(at([form::NUMBER.key()])), number, most - 1));
     }
     let least = rounding(design.machine.L, design.torus.R) + LEFT;
     if asked.tolerance < least {
         let least = Size::mm((least * 1000.0).ceil() / 1000.0);
         let tol = Size { decimals: 4, ..Size::mm(asked.tolerance) };
-        findings.push(missed(ToleranceBelowResolution { tol, least }.at(at(&["tol"])), tol, least));
+        findings.push(missed(ToleranceBelowResolution { tol, least }.at(at([form::TOL.key()])), tol, least));
     }
     if asked.cut.s >= design.a_p {
         let (s, a_p) = (Size::mm(asked.cut.s), Size::mm(design.a_p));
-        findings.push(missed(AllowanceUsesUpDepth { s, a_p }.at(at(&["s_w", "a_p"])), s, a_p));
+        findings.push(missed(
+            AllowanceUsesUpDepth { s, a_p }.at(at([fields::ALLOWANCE.key(), form::A_P.key()])),
+            s,
+            a_p,
+        ));
     }
     findings
 }
@@ -93,33 +97,51 @@ pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
     );
     let uncut = Size::number((why.uncut * 1000.0).ceil() / 10.0, 1);
     let key = match why.tool {
-        Which::Rough => "d_t",
-        Which::Finish => "d_f",
+        Which::Rough => form::D_T.key(),
+        Which::Finish => fields::D_F.key(),
     };
     let d = Size::mm(why.d);
     let told = ToolDoesNotFit { tool: tool_name(why.tool), d, largest, uncut };
     let passes = why.largest.map(|d| Size { decimals: 2, ..Size::mm(d) });
     let limit = passes.map(|passes| passes.said(Language::En).into_owned());
-    told.at(at(&[key, "N", "e"])).with(d.said(Language::En), limit.unwrap_or_default())
+    told.at(at([key, form::N.key(), form::E.key()])).with(d.said(Language::En), limit.unwrap_or_default())
 }
 
 /// A program with more blocks than any may have.
 pub(in crate::kinds::impeller) fn too_long(program: Text, blocks: u64) -> Option<Finding> {
     let told = TooManyClearBlocks { program, blocks, most: CLEAR_BLOCKS };
-    (blocks > CLEAR_BLOCKS).then(|| missed(told.at(at(&["tol", "c_s", "delta", "a_k"])), blocks, CLEAR_BLOCKS))
+    (blocks > CLEAR_BLOCKS).then(|| {
+        missed(
+            told.at(at([form::TOL.key(), fields::SCALLOP.key(), fields::FEED_CHANGE.key(), fields::LEVEL.key()])),
+            blocks,
+            CLEAR_BLOCKS,
+        )
+    })
 }
 
 /// The tools, and the cells of their stick-outs.
-const STICK_OUTS: [(Which, &str); 2] = [(Which::Rough, "l_t"), (Which::Finish, "l_f")];
+fn stick_outs() -> [(Which, Key); 2] {
+    [(Which::Rough, fields::STICK_OUT.key()), (Which::Finish, fields::STICK_OUT_F.key())]
+}
 
 /// What stops a plan that was made.
 pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
     if plan.told.no_splitter {
-        findings.push(NoRoomForClearSplitter {}.at(at(&["splitters", "d_f", "N", "e"])));
+        findings.push(NoRoomForClearSplitter {}.at(at([
+            form::SPLITTERS.key(),
+            fields::D_F.key(),
+            form::N.key(),
+            form::E.key(),
+        ])));
     }
-    for (which, key) in STICK_OUTS {
-        let cells: &[&'static str] = if asked.given.0.is_some() { &[key, "d_h"] } else { &["l_t", "l_f", "d_h"] };
+    for (which, key) in stick_outs() {
+        let holder = fields::HOLDER.key();
+        let cells = if asked.given.0.is_some() {
+            vec![key, holder]
+        } else {
+            stick_outs().into_iter().map(|(_, key)| key).chain([holder]).collect()
+        };
         findings.extend(too_long(tool_name(which), plan.all_blocks(which) as u64));
         let Some(stage) = asked.cut.stage(which) else { continue };
         let stock = Stock { torus: design.torus, length: design.blank.L_b };
@@ -128,7 +150,7 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
         if found < 0.0 {
             let enough = enough(of(plan, which).stick_out);
             let clearance = Size::mm((-found * 1000.0).ceil() / 1000.0);
-            let (tool, from, place) = (tool_name(which), Size::mm(stage.from), at(cells));
+            let (tool, from, place) = (tool_name(which), Size::mm(stage.from), Place::Parameters(cells));
             let told = if found.is_finite() {
                 HolderHitsBlank { tool, clearance, enough }.at(place)
             } else {
@@ -163,7 +185,7 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     let mut findings = Vec::new();
     // One tool for both is told of once: its greater stick-out, its greater change.
     let two = asked.given.0.is_some();
-    let tools = STICK_OUTS.into_iter().filter(|(which, _)| plan.of(*which).next().is_some());
+    let tools = stick_outs().into_iter().filter(|(which, _)| plan.of(*which).next().is_some());
     let told_of = tools.clone().take(if two { 2 } else { 1 });
     let greatest = |which: Which, value: fn(&ToolTold) -> f64| {
         tools.clone().filter(|(one, _)| !two || *one == which).map(|(one, _)| value(of(plan, one))).fold(0.0, f64::max)
@@ -171,21 +193,25 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     for (which, key) in told_of {
         if asked.cut.stage(which).is_none() {
             let enough = enough(greatest(which, |tool| tool.stick_out));
-            findings.push(StickOutThatIsEnough { tool: tool_name(which), enough }.at(at(&[key])));
+            findings.push(StickOutThatIsEnough { tool: tool_name(which), enough }.at(at([key])));
         }
         let change = greatest(which, |tool| tool.feed_error);
         if change > UNSAID {
             let change = Size::number((change * 1000.0).ceil() / 10.0, 1);
-            findings.push(FeedChangesInBlock { tool: tool_name(which), change }.at(at(&["delta"])));
+            findings.push(FeedChangesInBlock { tool: tool_name(which), change }.at(at([fields::FEED_CHANGE.key()])));
         }
     }
     let share = |v: f64, digits| Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), digits);
     let root = &told.root;
     let (over, height, width) = (at_most(root.over), at_most(root.height), at_most(root.width));
     let (here, there) = (share(root.v, 0), share(root.width_v, 0));
-    findings.push(RestAtTheRoot { over, height, here, width, there }.at(at(&["d_f"])));
+    findings.push(RestAtTheRoot { over, height, here, width, there }.at(at([fields::D_F.key()])));
     if asked.cut.finish.r_c > 0.0 && root.height >= job.part.a_p {
-        findings.push(FacesUnfinished { share: share(root.v, 0) }.at(at(&["r_c", "r_cf", "a_p"])));
+        findings.push(FacesUnfinished { share: share(root.v, 0) }.at(at([
+            fields::CORNER.key(),
+            fields::CORNER_F.key(),
+            form::A_P.key(),
+        ])));
     }
     if let Some(allowed) = asked.root {
         // The ways are exact there; blocks leave them by the tolerance.
@@ -200,19 +226,22 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
                 )
             },
         );
-        findings.push(LargestForTheRoot { height: Size::mm(allowed), tool, left: height }.at(at(&["h_r", "d_f"])));
+        findings.push(
+            LargestForTheRoot { height: Size::mm(allowed), tool, left: height }
+                .at(at([fields::ROOT.key(), fields::D_F.key()])),
+        );
     }
     if told.finish_from > 0.0 {
         let from = Size::number((told.finish_from * 1000.0).ceil() / 10.0, 1);
         let uncut = Size::number((told.uncut * 1000.0).ceil() / 10.0, 1);
-        findings.push(CutPartly { from, uncut }.at(at(&["partly", "d_f", "d_t"])));
+        findings.push(CutPartly { from, uncut }.at(at([fields::PARTLY.key(), fields::D_F.key(), form::D_T.key()])));
     }
     if told.rough_from > told.finish_from {
         let from = Size::number((told.rough_from * 1000.0).ceil() / 10.0, 1);
-        findings.push(FinishingToolRoughs { from }.at(at(&["partly", "d_t"])));
+        findings.push(FinishingToolRoughs { from }.at(at([fields::PARTLY.key(), form::D_T.key()])));
     }
     let (most, beside, here) = (at_most(told.floor.most), at_most(told.floor.beside), share(told.floor.v, 0));
-    let floor = at(&["c_s", "d_f"]);
+    let floor = at([fields::SCALLOP.key(), fields::D_F.key()]);
     findings.push(if told.floor.most <= asked.cut.scallop + asked.tolerance {
         RidgesOfTheFloor { most, beside, share: here }.at(floor)
     } else {
@@ -226,7 +255,7 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     if let Some(longest) = longest {
         let [from, to] = longest.v.map(|v| share(v, 0));
         let left_out = PassesLeftOut { count: left.len(), what: longest.cutting.name(), from, to };
-        findings.push(left_out.at(at(&["d_t", "d_f", "splitters"])));
+        findings.push(left_out.at(at([form::D_T.key(), fields::D_F.key(), form::SPLITTERS.key()])));
     }
     findings
 }

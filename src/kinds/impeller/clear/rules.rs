@@ -1,7 +1,7 @@
 //! What a person should know of a clear cut: P1201 to P1299.
 
-use crate::finding::Size;
 use crate::finding::rule::{book, rules};
+use crate::finding::{Key, Size};
 use crate::text::Text;
 
 rules! {
@@ -13,7 +13,7 @@ rules! {
         remedy "elija style = full, o method = published", "choose style = full, or method = published";
         why "Los programas de clear llevan avance, herramienta y dos archivos.", "The programs of clear carry feed, tool and two files.";
         example book!("impeller", "style" = "annex");
-    "P1202" FinishingToolIncomplete Stop { symbol: &'static str }
+    "P1202" FinishingToolIncomplete Stop { symbol: Key }
         es "falta {symbol}: la fresa de acabado d_f necesita su número T_f y su corrector D_f"
         en "{symbol} is missing: the finishing tool d_f needs its number T_f and its offset D_f"
         remedy "escriba {symbol}, o deje d_f vacía para acabar con la misma herramienta", "fill in {symbol}, or leave d_f empty to finish with the same tool";
@@ -103,7 +103,7 @@ rules! {
         remedy "elija method = clear, que corta la pieza diseñada; published es para repetir los programas publicados", "choose method = clear, which cuts the part as designed; published is for repeating the published programs";
         why "El método publicado no desbasta ni acaba el fondo.", "The published method neither roughs the channel nor finishes the floor.";
         example book!("impeller", "method" = "");
-    "P1217" CornerBeyondRadius Stop { symbol: &'static str, r_c: Size, half: Size }
+    "P1217" CornerBeyondRadius Stop { symbol: Key, r_c: Size, half: Size }
         es "el radio de esquina {symbol} de {r_c} es mayor que el radio de su fresa: {half}"
         en "the corner radius {symbol} of {r_c} is larger than the radius of its tool: {half}"
         remedy "escriba {half} para una fresa esférica, menos para una tórica, 0 para una frontal", "give {half} for a ball end mill, less for a bull-nose one, 0 for a flat one";

@@ -20,6 +20,7 @@ use crate::gcode::interpreter::{Setting, Start, ToolOffset};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::design::{Design, Style};
+use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::proof::rules::{
     BlankNotFollowed, CutTooDeep, MetalLeft, MetalMissing, NoSpeedLimit, NoSpeedLimitAsPublished, RapidInMetal,
     SpeedLimitDiffers, TermsDiffer,
@@ -166,7 +167,7 @@ impl<'a> Terms<'a> {
             return asked
                 .holds(false, |place| SpeedLimitDiffers { found: shown_found, wanted: shown_wanted }.at(place));
         }
-        let asked = if found.is_some() { asked } else { asked.of_parameters(vec!["S_m"]) };
+        let asked = if found.is_some() { asked } else { asked.of_parameters([form::S_M.key()]) };
         asked.holds(found.is_some(), |place| match self.design.style {
             Style::Full => NoSpeedLimit {}.at(place),
             Style::Annex => NoSpeedLimitAsPublished {}.at(place),
@@ -352,7 +353,7 @@ impl Judge for TooLarge<'_> {
         let name = t("Simulado sobre el bruto", "Simulated on the stock");
         let diameter = Text::same(mm(2.0 * self.0.torus.R));
         let asked = Question::new("blank-followed", name, program).showing(diameter, Text::same(mm(FOLLOWED_BLANK)));
-        vec![asked.of_parameters(vec!["R"]).seen(1).holds(false, |place| BlankNotFollowed {}.at(place))]
+        vec![asked.of_parameters([form::R.key()]).seen(1).holds(false, |place| BlankNotFollowed {}.at(place))]
     }
 }
 

@@ -9,6 +9,7 @@ use crate::kind::Wants;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::figures::Curve;
 use crate::kinds::impeller::ideal::Ideal;
+use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::proof::Geometry;
 use crate::kinds::impeller::proof::flanks::{self, Clearances, Neighbours, Way};
 use crate::kinds::impeller::proof::floor::rim;
@@ -203,13 +204,15 @@ impl Cutting<'_, '_> {
         let path = Question::new("tip-path", name, program).showing(at_most(&total), limit);
         let path = match design.tol {
             None => path.of(&total).informs(),
-            Some(tol) => path.of_parameters(vec!["tol", "n"]).within(&total, tol, |found, place| {
-                let (deviation, program) = (size(up(found.value())), program.title.clone());
-                match n {
-                    Some(n) => TipOffTolerance { deviation, program, tolerance, n }.at(place),
-                    None => TipOffAtAnyN { deviation, program, tolerance }.at(place),
-                }
-            }),
+            Some(tol) => {
+                path.of_parameters([form::TOL.key(), form::INTERVALS_N.key()]).within(&total, tol, |found, place| {
+                    let (deviation, program) = (size(up(found.value())), program.title.clone());
+                    match n {
+                        Some(n) => TipOffTolerance { deviation, program, tolerance, n }.at(place),
+                        None => TipOffAtAnyN { deviation, program, tolerance }.at(place),
+                    }
+                })
+            }
         };
         let name = t("Punta entre bloques: hacia el metal", "Tip between blocks: into the metal");
         let limit = Text::same(if design.tol.is_none() { mm(INTO_METAL) } else { String::new() });
@@ -226,7 +229,7 @@ impl Cutting<'_, '_> {
         } else if metal.value() <= INTO_METAL {
             into.within(&metal, INTO_METAL, deep)
         } else {
-            into.of_parameters(vec!["n"]).within(&metal, INTO_METAL, deep)
+            into.of_parameters([form::INTERVALS_N.key()]).within(&metal, INTO_METAL, deep)
         };
         let mut checks = vec![path, into];
         if let Some(n) = wanted {

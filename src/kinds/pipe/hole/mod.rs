@@ -21,7 +21,7 @@ pub mod station;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Place, Raise, Rule, Said, Size};
+use crate::finding::{Finding, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
@@ -30,11 +30,12 @@ use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Wants, out_of_format};
+use crate::kinds::pipe::form::{D_HEADER, DIALECT};
 use crate::kinds::pipe::hole::bounds::too_high;
 use crate::kinds::pipe::hole::cut::{Cut, TooHigh, cut};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::figures::{figures, template};
-use crate::kinds::pipe::hole::parameters::{D_MAX, FORM, G0, GAMMA};
+use crate::kinds::pipe::hole::parameters::{D_MAX, FORM, G0, GAMMA, H, HOLD_OFF, HOLD_ON, LEAD_IN, Z_S};
 use crate::kinds::pipe::hole::program::{distance, full, hold};
 use crate::kinds::pipe::hole::proof::Curve;
 use crate::kinds::pipe::hole::rules::{
@@ -207,7 +208,7 @@ impl Method for Hole {
 
 /// The refusal of a position that no program may carry.
 fn no_room(error: OutOfFormat) -> Vec<Finding> {
-    vec![out_of_format(error, vec!["D_header", "Z_s"])]
+    vec![out_of_format(error, [D_HEADER.key(), Z_S.key()])]
 }
 
 /// The refusal of a place where the torch would have to be too high.
@@ -297,21 +298,20 @@ fn quantities(
 /// What a person should know of the design and its program.
 fn remarks(design: &Design, held: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
     if held && hold(design, true).is_none() {
-        findings.push(HeightNotHeld {}.at(at(&["hold_on", "hold_off", "dialect"])));
+        findings.push(HeightNotHeld {}.at(at([HOLD_ON.key(), HOLD_OFF.key(), DIALECT.key()])));
     }
     if design.lead_in == 0.0 {
-        findings.push(NoLeadIn {}.at(at(&["lead_in"])));
+        findings.push(NoLeadIn {}.at(at([LEAD_IN.key()])));
     }
     // Without a groove the whole edge is cut upright at once.
     if design.h > 0.0 && design.gamma > 0.0 {
-        findings.push(LandCutApart {}.at(at(&["h"])));
+        findings.push(LandCutApart {}.at(at([H.key()])));
     }
     findings.push(match distance(design) {
-        Distance::Incremental => HoleByIncrements {}.at(at(&["dialect"])),
-        Distance::Absolute => HoleOnLinearAxes {}.at(at(&["dialect"])),
+        Distance::Incremental => HoleByIncrements {}.at(at([DIALECT.key()])),
+        Distance::Absolute => HoleOnLinearAxes {}.at(at([DIALECT.key()])),
     });
-    findings.push(TurnsAboutTip {}.at(at(&["dialect"])));
+    findings.push(TurnsAboutTip {}.at(at([DIALECT.key()])));
     findings
 }

@@ -1,7 +1,7 @@
 //! Contradictions of a bevelled hole.
 
-use crate::finding::Size;
 use crate::finding::rule::{book, rules};
+use crate::finding::{Key, Size};
 
 rules! {
     /// The rows of a bevelled hole.
@@ -48,7 +48,7 @@ rules! {
         remedy "elija una entrada más corta", "choose a shorter lead-in";
         why "La antorcha perforaría al otro lado, cerca de la pieza.", "The torch would pierce on the other side, near the part.";
         example book!("pipe-hole", "lead_in" = "200");
-    "P3008" HoldUnpaired Stop { given: &'static str, missing: &'static str }
+    "P3008" HoldUnpaired Stop { given: Key, missing: Key }
         es "{given} sin {missing}: los dos códigos van juntos para bloquear y soltar el control de altura"
         en "{given} without {missing}: holding and releasing the height control takes both codes"
         remedy "escriba {missing}, o deje vacíos los dos", "fill in {missing}, or leave both empty";

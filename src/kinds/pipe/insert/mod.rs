@@ -32,7 +32,7 @@ pub mod rules;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Place, Raise, Rule, Size};
+use crate::finding::{Finding, Raise, Rule, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
@@ -43,11 +43,12 @@ use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Wants, out_of_format};
 use crate::kinds;
+use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, THETA, TORCH_ON};
 use crate::kinds::pipe::insert::bounds::{Rest, Worst};
 use crate::kinds::pipe::insert::cut::{Cut, cut};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::figures::{figures, template};
-use crate::kinds::pipe::insert::parameters::FORM;
+use crate::kinds::pipe::insert::parameters::{CONTACT, EXPERT_BRANCH_R, F, FORM, KERF, LEAD_IN, MODE, R_DEV, STYLE, Z};
 use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, published};
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
 use crate::kinds::pipe::insert::rules::{
@@ -60,7 +61,7 @@ use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::number::shown;
 use crate::parameter::field::Fields;
-use crate::parameter::{Case, Form};
+use crate::parameter::{Case, Form, at};
 use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
@@ -228,7 +229,7 @@ impl Method for Insert {
 
 /// The refusal of a position that no program may carry.
 fn no_room(error: OutOfFormat) -> Vec<Finding> {
-    vec![out_of_format(error, vec!["D_branch", "D_header", "Z"])]
+    vec![out_of_format(error, [D_BRANCH.key(), D_HEADER.key(), Z.key()])]
 }
 
 /// The formula of a radius of the branch: the one that is typed, else that of a surface, in the words of either language.
@@ -375,14 +376,13 @@ fn place(worst: &Worst) -> Text {
 
 /// How the branch comes to rest.
 fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
-    let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
     let phi = |worst: &Worst| Size::number(worst.phi.to_degrees(), 1);
     let contact = match design.contact {
         Contact::Envelope => {
             let [inner, outer] = rest.gaps.map(|gap| Size::mm(told(gap.most)));
             let kerf = Size::mm(told(design.cut_back()));
             let [inner_phi, outer_phi] = rest.gaps.map(|gap| phi(&gap));
-            return Some(GapsOfEnvelope { inner, inner_phi, outer, outer_phi, kerf }.at(at(&["contact"])));
+            return Some(GapsOfEnvelope { inner, inner_phi, outer, outer_phi, kerf }.at(at([CONTACT.key()])));
         }
         Contact::Inside => t("interior", "inside"),
         Contact::Outside => t("exterior", "outside"),
@@ -397,42 +397,41 @@ fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
     };
     let (deep, grind) = (Size::mm(told(rest.inside.most)), Size::mm(told(rest.grind.most)));
     let caution = WallInsideHeader { contact, edge, deep, phi: phi(&rest.inside), grind };
-    (rest.inside.most > SEATED).then(|| caution.at(at(&["contact", "theta", "e"])))
+    (rest.inside.most > SEATED).then(|| caution.at(at([CONTACT.key(), THETA.key(), E.key()])))
 }
 
 /// What a person should know of the design and its program.
 fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
     let outside = design.branch.D / 2.0;
     if design.typed_r && design.contact == Contact::Inside && (design.r - outside).abs() < 1e-9 {
         let (r, D, off) = (Size::mm(design.r), Size::mm(design.branch.D), Size::mm(design.r_dev - outside));
-        findings.push(OutsideForInside { r, D, off }.at(at(&["r", "D_branch", "r_dev"])));
+        findings.push(OutsideForInside { r, D, off }.at(at([EXPERT_BRANCH_R.key(), D_BRANCH.key(), R_DEV.key()])));
     }
     findings.extend(seat(design, rest));
     let below = -design.template().extent()[0];
     if below > 1e-9 {
         let told = CurveBehindEdge { below: Size::mm(below), least: Size::mm(design.Z + below) };
-        findings.push(told.at(at(&["Z"])));
+        findings.push(told.at(at([Z.key()])));
     }
     match design.style {
         Style::Annex => {
-            findings.push(AnnexAsPublished {}.at(at(&["style", "F", "torch_on"])));
+            findings.push(AnnexAsPublished {}.at(at([STYLE.key(), F.key(), TORCH_ON.key()])));
             if design.kerf > 0.0 {
-                findings.push(AnnexWithoutKerf {}.at(at(&["kerf", "style"])));
+                findings.push(AnnexWithoutKerf {}.at(at([KERF.key(), STYLE.key()])));
             }
         }
-        Style::Full if design.kerf == 0.0 => findings.push(KerfZero {}.at(at(&["kerf"]))),
+        Style::Full if design.kerf == 0.0 => findings.push(KerfZero {}.at(at([KERF.key()]))),
         Style::Full => {}
     }
     if design.style == Style::Full && design.lead_in == 0.0 {
-        findings.push(NoLeadIn {}.at(at(&["lead_in"])));
+        findings.push(NoLeadIn {}.at(at([LEAD_IN.key()])));
     }
     if design.mode == Mode::Rotary {
-        findings.push(KerfOnOutside { outside: Size::mm(outside) }.at(at(&["mode"])));
+        findings.push(KerfOnOutside { outside: Size::mm(outside) }.at(at([MODE.key()])));
         findings.push(match distance(design) {
-            Distance::Incremental => PipeByIncrements {}.at(at(&["dialect"])),
-            Distance::Absolute => PipeOnLinearAxis {}.at(at(&["dialect"])),
+            Distance::Incremental => PipeByIncrements {}.at(at([DIALECT.key()])),
+            Distance::Absolute => PipeOnLinearAxis {}.at(at([DIALECT.key()])),
         });
     }
     findings

@@ -22,6 +22,8 @@
 
 use crate::finding::{Raise, Size};
 use crate::gcode::program::Program;
+use crate::kinds::pipe::form::E;
+use crate::kinds::pipe::hole::parameters::GAMMA;
 use crate::kinds::pipe::hole::proof::rules::BeamsCross;
 use crate::kinds::pipe::hole::station::Groove;
 use crate::number::interval::Interval;
@@ -95,7 +97,7 @@ impl Crossing {
             Text::same(format!("≥ {} mm", shown((lambda / most * 1e2).floor() / 1e2, 2)))
         };
         let asked = Question::new("crossing", name, program).showing(value, Text::same(mm(lambda)));
-        let asked = self.found.put(asked.of_parameters(vec!["gamma", "e"]), 0).measuring(most);
+        let asked = self.found.put(asked.of_parameters([GAMMA.key(), E.key()]), 0).measuring(most);
         let size = |value: f64| Size { value, unit: "mm", decimals: 2 };
         asked.holds(most < 1.0, |place| {
             BeamsCross {

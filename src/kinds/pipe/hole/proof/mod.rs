@@ -17,6 +17,7 @@
 mod crossing;
 pub mod rules;
 
+use crate::kinds::pipe::hole::parameters::{ARC_TOLERANCE, F_MAX, G0, GAMMA, Z_S};
 use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::Vector3;
@@ -194,7 +195,7 @@ impl Judge for BeamOnRoot<'_> {
         let most = (angle * 1e3 - 1e-6).ceil() / 1e3;
         let value = Text::same(format!("≤ {}°", shown(most, 3)));
         let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
-        let asked = errors.put(asked.of_parameters(vec!["gamma"]), 1);
+        let asked = errors.put(asked.of_parameters([GAMMA.key()]), 1);
         let bevel = asked
             .holds(angle <= BEVEL, |place| BevelOff { angle: Size { value: most, unit: "°", decimals: 2 } }.at(place));
         vec![beam, branch, bevel, self.crossing.check(program)]
@@ -261,7 +262,7 @@ impl Judge for Clearance<'_> {
         let down = -up(-least);
         let asked = Question::new("clearance", name, program);
         let asked = asked.showing(Text::same(format!("≥ {}", mm(down))), Text::same(mm(limit)));
-        let asked = self.near.put(asked.of_parameters(vec!["g0", "arc_tolerance", "Z_s"]), 0).measuring(least);
+        let asked = self.near.put(asked.of_parameters([G0.key(), ARC_TOLERANCE.key(), Z_S.key()]), 0).measuring(least);
         vec![asked.holds(least >= limit, |place| {
             let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
             TorchTooNear { distance: size(down), g0: size(self.design.g0) }.at(place)
@@ -373,7 +374,7 @@ impl CutSpeed<'_> {
             return asked.at(Some(at)).holds(false, |place| NotItsTime { line: at.line, speed }.at(place));
         }
         let Some((speed, at)) = self.slowed else { return asked.passes() };
-        let asked = asked.at(Some(at)).of_parameters(vec!["F_max", "gamma"]);
+        let asked = asked.at(Some(at)).of_parameters([F_MAX.key(), GAMMA.key()]);
         let speed = Size { value: speed, unit: "mm/min", decimals: 0 };
         asked.holds(false, |place| CutSlows { speed, line: at.line }.at(place))
     }

@@ -13,6 +13,7 @@
 pub mod rules;
 mod speed;
 
+use crate::kinds::pipe::insert::parameters::{ARC_TOLERANCE, N};
 use std::f64::consts::TAU;
 
 use nalgebra::Vector2;
@@ -216,7 +217,7 @@ impl Judge for PathOnCurve<'_> {
             Question::new(key, name, program).showing(value, limit)
         };
         let name = t("Trayectoria contra la curva exacta", "Path against the exact curve");
-        let path = asked("path", name, 0, tolerance).of_parameters(vec!["arc_tolerance", "N"]);
+        let path = asked("path", name, 0, tolerance).of_parameters([ARC_TOLERANCE.key(), N.key()]);
         let remedy = if design.mode == Mode::Flat { Remedy::GreaterN } else { Remedy::Fault };
         let words = t("los arcos se apartan de la curva exacta", "the arcs leave the exact curve by");
         let path = self.errors.within(path, 0, tolerance, words, remedy);
