@@ -177,6 +177,12 @@ rules! {
         remedy "", "";
         why "LinuxCNC guarda el archivo entero al cerrarse.", "LinuxCNC saves the whole file when it closes.";
         example line!("offsets" "linuxcnc.var" "--set" "G55 X2"; "linuxcnc.var" = "5220 1");
+    "U0133" NothingMoves Caution {}
+        es "el programa no hace ningún movimiento: no hay nada que comprobar en él"
+        en "the program makes no motion: there is nothing in it to verify"
+        remedy "compruebe que el programa completo está en el archivo", "check that the whole program is in the file";
+        why "Un archivo cortado se lee sin errores hasta donde llega.", "A file that was cut off reads without errors as far as it goes.";
+        example line!("verify" "part.ngc"; "part.ngc" = "G21 G90|M2");
     "U0141" NoSuchCode Stop { code: String }
         es "{code} no es un código de rodete"
         en "{code} is not a rodete code"

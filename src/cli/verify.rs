@@ -9,11 +9,12 @@ use super::args::Verify;
 use super::locale::spoken;
 use super::made_from;
 use super::program::{Consulted, Shared, told_from};
+use super::rules::NothingMoves;
 use super::terminal::Terminal;
 use super::turning::is_workbook;
 use super::verdict::{Ending, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
-use crate::finding::{Exit, Finding, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::tools_headed;
 use crate::gcode::interpreter::{Bytes, Interpreter, Refused, Rotary, findings};
@@ -170,6 +171,9 @@ fn follow(
     remarks.extend(made_from);
     if !named {
         remarks.push(told_from(dialect));
+    }
+    if read.account.program.is_none() && total == 0 {
+        remarks.push(NothingMoves {}.at(Place::File));
     }
     read.verdict.findings = findings(faults, total, remarks);
     drop(interpreter);

@@ -95,6 +95,20 @@ fn each_alarm_is_raised_at_its_line_and_no_other_is() {
     }
 }
 
+#[test]
+fn a_program_that_moves_nothing_is_a_stop_unless_a_block_of_it_is_rejected() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p.nc");
+    for (text, told) in
+        [("O0001\nN5 G21 G40 G97 G99\nT0101\nS500 M3\nG4 X1.\nN10 M30\n", true), ("O0001\nG1 X4,5\nM30\n", false)]
+    {
+        fs::write(&path, text).unwrap();
+        let (document, exit) = simulate(&path, "fanuc-lathe-a", &["--stock", "D30xL60"]);
+        let found = document["findings"].as_array().unwrap().iter().any(|one| one["code"] == "L0229");
+        assert_eq!((found, exit), (told, 3), "{text}: {}", document["findings"]);
+    }
+}
+
 /// A new workbook of a case, in a folder of its own.
 fn workbook(case: &str) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();

@@ -6,7 +6,7 @@ use std::io::{Cursor, Read};
 
 use calamine::{Reader, Xlsx};
 use rodete::figure::Ink;
-use rodete::finding::{CellPlace, Place, Refusal};
+use rodete::finding::{CellPlace, Exit, Finding, Grade, Place, Refusal};
 use rodete::kind::{Provenance, Shown};
 use rodete::kinds;
 use rodete::kinds::lathe::cases::CASES;
@@ -184,6 +184,21 @@ fn what_a_program_comes_to_is_what_its_simulation_says_cycles_of_two_blocks_amon
         let keys: Vec<_> = outcome.figures.iter().map(|figure| figure.key).collect();
         assert_eq!(keys, ["cover", "half-section", "setup", "path"]);
     }
+}
+
+#[test]
+fn a_workbook_whose_program_moves_nothing_is_a_stop() {
+    let bytes = book(0, Language::En, |lists| {
+        let rows = list(lists, PROGRAM_KEY);
+        rows.truncate(3);
+        for (row, block) in rows.iter_mut().zip(["O0001", "N5 G21 G40 G97 G99", "N10 M30"]) {
+            row.values.insert("program/BLOCK", Value::Line(block.to_owned()));
+        }
+    });
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
+    let outcome = kinds::run(&FORM, read(&bytes).unwrap(), source).unwrap();
+    let stops: Vec<_> = outcome.findings.iter().filter(|one| one.grade == Grade::Stop).map(Finding::code).collect();
+    assert_eq!((stops, outcome.exit(), outcome.programs.len()), (vec!["L0229"], Exit::Refused, 0));
 }
 
 #[test]

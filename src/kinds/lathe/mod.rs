@@ -39,7 +39,7 @@ use crate::kinds::lathe::figures::Drawn;
 use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
 use crate::kinds::lathe::parameters::{self as form, FORM, PROGRAM_KEY, SECOND_KEY};
 use crate::kinds::lathe::profile::{compared, wanted};
-use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NothingInTheJaws};
+use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NoMotion, NothingInTheJaws};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::sketch::Held;
@@ -455,6 +455,9 @@ fn follow<'a>(
     one.program.parts = source.whole(one.files.iter().map(String::as_str));
     faults.extend(interpreter.remarks());
     faults.extend(assumed(given, &source.main.text));
+    if one.account.program.is_none() && last.is_none() && !one.endless && !one.uncut {
+        faults.push(NoMotion {}.at(Place::File));
+    }
     if let Some(place) = last {
         one.lost = true;
         if unjudged {

@@ -1,6 +1,6 @@
 //! Findings about a turning workbook, and about the simulation of its programs besides the alarms.
 //!
-//! Codes P4001 on are of values that contradict each other, L0205 to L0220 of what was followed.
+//! Codes P4001 on are of values that contradict each other, L0205 to L0220 and from L0229 on of what was followed.
 
 use crate::finding::rule::{book, rules};
 use crate::finding::{Example, Key, Size};
@@ -270,4 +270,10 @@ rules! {
         remedy "", "";
         why "El metal que sobra se puede repasar; el que falta deja la pieza inservible.", "Metal that is left can be turned again; missing metal scraps the part.";
         example book!("lathe", "PROFILE!A6" = "'1", "PROFILE!B6" = "20", "PROFILE!C6" = "-3", "PROFILE!A7" = "'1", "PROFILE!B7" = "20", "PROFILE!C7" = "-29");
+    "L0229" NoMotion Stop {}
+        es "el programa no hace ningún movimiento: no se ha simulado nada"
+        en "the program makes no motion: nothing was simulated"
+        remedy "compruebe que el programa completo está en la hoja", "check that the whole program is on the sheet";
+        why "Si no se ha visto ningún movimiento, que no haya alarmas no dice nada.", "Where no motion was seen, the absence of alarms says nothing.";
+        example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120", program: "O0001|G21 G40 G97 G99|M30", machine: &[] };
 }

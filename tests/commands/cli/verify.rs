@@ -127,6 +127,18 @@ fn a_program_is_followed_through_its_offsets() {
 }
 
 #[test]
+fn a_program_that_moves_nothing_is_cautioned_and_not_refused() {
+    let folder = folder();
+    for (name, text, told) in [("words.ngc", "G21 G90\nM2\n", true), ("moves.ngc", "G21 G90\nG0 X1\nM2\n", false)] {
+        std::fs::write(folder.path().join(name), text).expect("a program");
+        let (program, exit) = document(&folder, &[name]);
+        let findings = program["findings"].as_array().expect("findings");
+        let caution = findings.iter().find(|one| one["code"] == "U0133");
+        assert_eq!((caution.map(|one| one["grade"].as_str()), exit), (told.then_some(Some("caution")), 0), "{name}");
+    }
+}
+
+#[test]
 fn an_arc_reaches_beyond_its_ends() {
     let folder = with_program("arc.ngc", b"G21 G90 F100\nG0 X10 Y0\nG3 X-10 Y0 I-10 J0\nG3 X10 Y0 I10 J0 Z5 P2\nM2\n");
     let (program, _) = document(&folder, &["arc.ngc"]);
