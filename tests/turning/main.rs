@@ -8,5 +8,6 @@ mod fagor_cycles;
 mod lathe;
 mod nose;
 mod removal;
+mod threads;
 mod turning;
 mod turning_cycles;

@@ -87,6 +87,13 @@ pub enum Cause {
         /// Another in this pass, or that of an earlier one, rpm.
         before: f64,
     },
+    /// A deeper pass of a thread does not begin in the groove of the passes before.
+    OffGroove {
+        /// How far along the thread it begins from there, mm.
+        off: f64,
+        /// What an infeed along a flank of the insert would come to, mm.
+        most: f64,
+    },
     /// A constant surface speed without a speed limit asks for more than the spindle's maximum.
     NoGreatestSpeed {
         /// The speed asked for, rpm; infinite on the axis.
@@ -256,6 +263,7 @@ impl Cause {
             Self::ThreadSpeed { speed, before } => {
                 Box::new(row::ThreadSpeed { speed: Size::rpm(speed), before: Size::rpm(before) })
             }
+            Self::OffGroove { off, most } => Box::new(row::OffGroove { off: Size::mm(off), most: Size::mm(most) }),
             Self::ThreadTooDeep { depth, most } => {
                 Box::new(row::ThreadTooDeep { depth: Size::mm(depth), most: Size::mm(most) })
             }
@@ -320,6 +328,7 @@ impl Alarm {
             Cause::OtherOffset { offset, own } => (format!("D{offset}"), format!("D{own}")),
             Cause::ThreadTooDeep { depth, most } => (mm(depth), format!("≤ {}", mm(most))),
             Cause::ShortRunIn { length, least } => (mm(length), format!("≥ {}", mm(least))),
+            Cause::OffGroove { off, most } => (mm(off), format!("≤ {}", mm(most))),
             Cause::CoarseFeed { feed, most } => (mm(feed), format!("≤ {}", mm(most))),
             Cause::Lead { lead, leads: [low, high] } => (mm(lead), format!("{} – {}", shown(low, 3), mm(high))),
             Cause::LeadDiffers { lead, before } => (mm(lead), mm(before)),

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::alarm::{Alarm, Cause};
 use super::step::Step;
-use crate::gcode::in_force::{InForce, Speed};
+use crate::gcode::in_force::InForce;
 use crate::gcode::motion::{Feed, FeedMode, MotionKind};
 use crate::machine::axis::Axis;
 
@@ -13,11 +13,7 @@ use crate::machine::axis::Axis;
 /// 200 in mm per revolution. Our choice.
 const FEEDS: [f64; 2] = [0.001, 3.0];
 
-/// Spindle speeds that differ by no more than this share count as equal. Fanuc Series 0i-T operator's manual, threading: the spindle
-/// speed must stay the same from roughing to finishing, because the lag of the tool depends on it; hence G97.
-const SAME_SPEED: f64 = 1e-3;
-
-/// Watches the offset of the tool, its feed and the speed of threads over the steps of a program.
+/// Watches the offset of the tool and its feed over the steps of a program.
 #[derive(Clone, Debug, Default)]
 pub struct InForceWatch {
     /// The offset of each tool's own, by its place.
@@ -28,10 +24,6 @@ pub struct InForceWatch {
     stands: bool,
     /// Tools with implausible feeds that were reported.
     fed: BTreeSet<(u32, u64)>,
-    /// The tool of the thread in hand, and the speed of its first pass.
-    thread: Option<(u32, f64)>,
-    /// Tools whose change of speed in a thread was reported.
-    threads: BTreeSet<u32>,
 }
 
 impl InForceWatch {
@@ -57,13 +49,7 @@ impl InForceWatch {
             MotionKind::Rapid | MotionKind::Dwell(_) => return,
         };
         let mut causes = Vec::new();
-        match feed {
-            Some(feed) => {
-                self.thread = None;
-                causes.extend(self.fed(step, feed));
-            }
-            None => causes.extend(self.threaded(step)),
-        }
+        causes.extend(feed.and_then(|feed| self.fed(step, feed)));
         if let Some(pair) = self.other_offset(control)
             && let Some(&own) = self.own.get(&control.tool)
             && self.told.insert(pair)
@@ -101,21 +87,5 @@ impl InForceWatch {
         let implausible = step.cuts() && value > 0.0 && (most < low || least > high);
         (implausible && self.fed.insert((step.control.tool, value.to_bits())))
             .then_some(Cause::ImplausibleFeed { feed, limits: FEEDS })
-    }
-
-    /// The alarm of a thread in which the spindle changes its speed with the diameter, in a pass or from one pass to the next.
-    fn threaded(&mut self, step: &Step) -> Option<Cause> {
-        if !step.cuts() || !matches!(step.control.speed, Speed::Surface(_)) {
-            return None;
-        }
-        let tool = step.control.tool;
-        let first = match self.thread {
-            Some((other, speed)) if other == tool => speed,
-            _ => step.speed[0],
-        };
-        self.thread = Some((tool, first));
-        let differs = |speed: &&f64| (**speed - first).abs() > SAME_SPEED * first;
-        let speed = *step.speed.iter().find(differs)?;
-        self.threads.insert(tool).then_some(Cause::ThreadSpeed { speed, before: first })
     }
 }

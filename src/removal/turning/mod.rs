@@ -30,6 +30,7 @@ mod start;
 pub mod step;
 pub mod stock;
 mod surface_origin;
+mod threads;
 pub mod tool;
 pub mod turret;
 pub mod workpiece;

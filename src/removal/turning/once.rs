@@ -1,33 +1,22 @@
 //! Alarms that last: each is reported once, when it begins.
 
-use super::alarm::{Cause, TOUCH};
+use super::alarm::{Alarm, Cause, TOUCH};
 use super::motion_totals::Tally;
 use super::path::Piece;
 use super::spindle::{extent, revolutions};
+use super::threads::{Pass, Threads};
 use super::tool::{Cutter, TurningTool};
 use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::motion::{FeedMode, MotionKind, Thread};
 use crate::number::trig::{hypot, sin, tan};
-
-/// A pass of a thread.
-#[derive(Clone, Copy, Debug)]
-struct ThreadPass {
-    /// Where it went along z, and along r.
-    z: [f64; 2],
-    r: [f64; 2],
-    lead: f64,
-}
 
 /// Remembers which lasting alarms hold.
 #[derive(Clone, Debug, Default)]
 pub struct Watch {
     /// The alarm's number and the tool.
     holding: Vec<(u16, u32)>,
-    passes: Vec<ThreadPass>,
+    threads: Threads,
 }
-
-/// Passes of threads farther apart than this across are different threads, mm: more than any thread is deep.
-const APART: f64 = 6.0;
 
 /// The maximum feed per revolution, as a share of the nose radius: the ridges between two turns are then arcs of the nose,
 /// f²/(8 R) high. A common rule; our choice.
@@ -71,28 +60,6 @@ impl Watch {
             }
             None => false,
         }
-    }
-
-    /// Notes a pass of a thread; returns the lead of an earlier pass in the same place if it differs.
-    pub fn lead(&mut self, [from, to]: Piece, lead: f64) -> Option<f64> {
-        let [z, r] = [0, 1].map(|axis| [from[axis].min(to[axis]), from[axis].max(to[axis])]);
-        let meets = |one: [f64; 2], two: [f64; 2], apart: f64| one[0] < two[1] + apart && two[0] < one[1] + apart;
-        let near = |pass: &&mut ThreadPass| {
-            // Along the thread they must share more than a lead, so that a run-out does not count.
-            let along = if z[1] - z[0] >= r[1] - r[0] { (-lead, APART) } else { (APART, -lead) };
-            meets(pass.z, z, along.0) && meets(pass.r, r, along.1)
-        };
-        if let Some(pass) = self.passes.iter_mut().find(near) {
-            if (pass.lead - lead).abs() > 1e-6 {
-                return Some(pass.lead);
-            }
-            for (held, new) in [(&mut pass.z, z), (&mut pass.r, r)] {
-                *held = [held[0].min(new[0]), held[1].max(new[1])];
-            }
-            return None;
-        }
-        self.passes.push(ThreadPass { z, r, lead });
-        None
     }
 
     /// The alarms of a cut about the tool's edge: the side of its nose, its feed, a thread's depth.
@@ -152,26 +119,33 @@ impl Watch {
     }
 
     /// How many passes of threads a new one is compared with.
-    pub const fn passes(&self) -> usize {
-        self.passes.len()
+    pub fn passes(&self) -> usize {
+        self.threads.passes()
     }
 
-    /// The alarms of a thread's pass as programmed, with the tool's place in the turret and its cutter.
+    /// The alarms of passes that left the groove of their thread; see [`Threads::off_groove`].
+    pub fn off_groove(&self) -> Vec<Alarm> {
+        self.threads.off_groove()
+    }
+
+    /// The alarms of a thread's pass as programmed, with the tool and its place in the turret; `begins` where it does not go on
+    /// from another block of the thread.
     pub(super) fn thread(
         &mut self,
         thread: Thread,
         [start, end]: Piece,
-        (place, cutter): (u32, Option<&Cutter>),
-        cuts: bool,
+        (place, tool): (u32, Option<&TurningTool>),
+        (begins, cuts): (bool, bool),
         tally: &mut Tally,
     ) {
-        if revolutions(thread, extent([start, end])).is_none() {
+        let Some(turns) = revolutions(thread, extent([start, end])) else {
             tally.raise(Cause::NoLead, start, None);
             return;
-        }
-        let Some(cutter) = cutter else { return };
+        };
+        let turned = self.threads.turn(&thread, turns, begins);
+        let Some(tool) = tool else { return };
         let lead = thread.lead;
-        match *cutter {
+        match tool.cutter {
             Cutter::Threader { leads, .. } => {
                 let other = lead < leads[0] - 1e-9 || lead > leads[1] + 1e-9;
                 if self.begins(Cause::Lead { lead, leads }, other, place) {
@@ -184,8 +158,8 @@ impl Watch {
                 }
             }
         }
-        if cuts && let Some(before) = self.lead([start, end], lead) {
-            tally.raise(Cause::LeadDiffers { lead, before }, start, None);
+        if cuts {
+            self.threads.judge(&Pass { thread, way: [start, end], turned, place, tool }, tally);
         }
     }
 }

@@ -210,7 +210,7 @@ rules! {
     "L0145" ThreadSpeed Caution alarm Lathe 145 { speed: Size, before: Size }
         es "El giro del husillo cambia entre las pasadas de la rosca: las pasadas no entran en el mismo filete"
         en "The spindle speed changes between the passes of the thread: the passes do not enter the same groove"
-        remedy "Rosque con G97 y S en rpm", "Cut threads with G97 and S in rpm";
+        remedy "Rosque con G97, y con la misma S en todas las pasadas", "Cut threads with G97, and with the same S in all passes";
         why "El carro tarda en alcanzar su velocidad: con otro giro la pasada entra en otro ángulo.",
             "The carriage takes time to reach its speed: at another spindle speed the pass enters at another angle.";
         example program!("T0404|G50 S2500|G96 S100 M3|M8|G0 X54. Z6.|G92 X49.5 Z-20. F2.|X49.|X48.6|G0 X60.|X100. Z50.|M30");
@@ -228,6 +228,14 @@ rules! {
         why "El paso es menor que F hasta que el carro alcanza su velocidad.",
             "The lead is less than F until the carriage has reached its speed.";
         example blocks!("X40.|G1 Z-30. F.2|X54.|G0 X100. Z50.|T0404|G97 S900 M3|M8|G0 X54. Z1.|X38.2|G32 Z-15. F1.5|G0 X54.|Z50.");
+    "L0148" OffGroove Caution alarm Lathe 148 { off: Size, most: Size }
+        es "Esta pasada, más honda, no empieza en el filete de las anteriores: corta un flanco de la rosca"
+        en "This deeper pass does not begin in the groove of the passes before: it cuts a flank of the thread"
+        remedy "Comience cada pasada en el mismo punto, o a pasos enteros de él; si penetra por el flanco, no la desplace más de lo que avanza el flanco de la placa",
+            "Begin each pass at the same point, or whole leads from it; with flank infeed, shift it no farther than the flank of the insert goes";
+        why "El carro arranca siempre en el mismo ángulo del husillo: a una parte del paso de allí empieza otro filete.",
+            "The carriage always starts at the same angle of the spindle: part of a lead from there another groove begins.";
+        example program!("T0404|G97 S500 M3|M8|G0 X54. Z8.|G92 X49.2 Z-15. F2.|X48.6|G0 Z7.|G92 X48.2 Z-15. F2.|G0 X100. Z50.|M30");
     "L0151" NoGreatestSpeed Caution alarm Lathe 151 { asked: Size, most: Size }
         es "Velocidad de corte constante sin límite de giro: cerca del eje el husillo llega a su máximo"
         en "Constant surface speed without a speed limit: near the axis the spindle runs up to its maximum"

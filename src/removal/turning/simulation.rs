@@ -206,21 +206,22 @@ impl Simulation {
         self.part.volume()
     }
 
-    /// The alarms that can be reported only of the part as it is when the program has ended: where an edge has taken away again
-    /// what the nose had made, and no later motion has taken that surface.
+    /// The alarms that can be reported only when the program has ended: where an edge has taken away again what the nose had
+    /// made, and no later motion has taken that surface; and passes of a thread that no later pass brings into its groove.
     #[must_use]
     pub fn lasting(&self) -> Vec<Alarm> {
-        self.chain.alarms(self.labels().into_iter())
+        [self.chain.alarms(self.labels().into_iter()), self.watch.off_groove()].concat()
     }
 
-    /// The same where what the program made has been turned about and a second program has ended: of its marks those that are
+    /// The same where what the program made has been turned about and a second program has ended: of the marks those that are
     /// on what the second one left. With `None` those alone that are on what it did not begin with: what had fallen off, or
     /// what stayed in the chuck.
     #[must_use]
     pub fn lasting_in(&self, second: Option<&Self>) -> Vec<Alarm> {
         let rest = if self.fallen.is_empty() { self.part.fallen() } else { &self.part.labelled_rings() };
         let left = second.map(Self::labels).unwrap_or_default();
-        self.chain.alarms(self.part.gone().chain(labels(rest)).chain(left))
+        let marks = self.chain.alarms(self.part.gone().chain(labels(rest)).chain(left));
+        [marks, self.watch.off_groove()].concat()
     }
 
     /// The labels of everything: in the chuck, or fallen off.
@@ -309,7 +310,7 @@ impl Simulation {
         let begins = !self.led.is_some_and(|led| led.tool == control.tool && near(led.at, start));
         let removed =
             if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
-        self.judge(control, &pieces, &contact, &mut tally);
+        self.judge(control, &pieces, begins, &contact, &mut tally);
         if begins && contact.real && motion.kind != MotionKind::Rapid {
             self.watch.run_in(control.tool, &pieces, &mut tally);
         }
@@ -478,7 +479,7 @@ impl Simulation {
     }
 
     /// What the motion's contact with metal, and what is in force, give rise to.
-    fn judge(&mut self, control: &InForce, pieces: &[Piece], contact: &Contact, tally: &mut Tally) {
+    fn judge(&mut self, control: &InForce, pieces: &[Piece], begins: bool, contact: &Contact, tally: &mut Tally) {
         let Some(&[start, end]) = pieces.last() else { return };
         let start = pieces.first().map_or(start, |piece| piece[0]);
         let kind = tally.motion.kind;
@@ -498,7 +499,8 @@ impl Simulation {
         }
         if let MotionKind::Thread(thread) = kind {
             self.part.spend(watch.passes());
-            watch.thread(thread, [start, end], (control.tool, ready.map(|ready| &ready.tool.cutter)), cuts, tally);
+            let tool = (control.tool, ready.map(|ready| &ready.tool));
+            watch.thread(thread, [start, end], tool, (begins, cuts), tally);
         }
         let turning = SpindleUse::new(control, lathe);
         let asked = [start, end].map(|at| turning.asked(at[1] + tally.shift[1])).into_iter().fold(0.0, f64::max);

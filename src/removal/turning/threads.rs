@@ -1,0 +1,214 @@
+//! Passes of threads: what must stay the same from one pass of a thread to the next.
+
+use super::alarm::{Alarm, Cause, TOUCH};
+use super::motion_totals::Tally;
+use super::path::Piece;
+use super::tool::{Cutter, TurningTool};
+use crate::gcode::motion::Thread;
+use crate::number::trig::tan;
+
+/// Passes of threads farther apart than this across are different threads, mm: more than any thread is deep.
+const APART: f64 = 6.0;
+
+/// Spindle speeds that differ by no more than this share count as equal. Fanuc Series 0i-T operator's manual, threading: the spindle
+/// speed must stay the same from roughing to finishing, because the lag of the tool depends on it; hence G97.
+const SAME_SPEED: f64 = 1e-3;
+
+/// How far from the groove of the passes before, along the thread, a pass may begin, mm.
+///
+/// # Derivation
+/// Positions in inches have four decimals, and so has the lead: of a thread of 14 turns an inch, a pass five leads away is up to
+/// 0.006 mm off. On a flank at 30° to the depth, 0.01 mm along the thread is 0.017 mm of depth. Our choice.
+const OFF_GROOVE: f64 = 0.01;
+
+/// A pass of a thread, or a block of one.
+pub(super) struct Pass<'a> {
+    /// Its thread.
+    pub thread: Thread,
+    /// Where it starts and ends, `[z, r]`.
+    pub way: Piece,
+    /// How many revolutions the spindle has made when it begins, since the angle 0 at which its first block would begin.
+    pub turned: f64,
+    /// The tool's place in the turret.
+    pub place: u32,
+    /// The tool.
+    pub tool: &'a TurningTool,
+}
+
+/// Where a pass lies; mm.
+#[derive(Clone, Copy, Debug)]
+struct Groove {
+    /// Where along the thread it would be at the spindle's angle 0.
+    phase: f64,
+    /// How far it goes in the direction in which the tip points.
+    depth: f64,
+}
+
+/// One start of a thread: passes in one groove.
+#[derive(Clone, Debug)]
+struct Start {
+    passes: Vec<Groove>,
+    /// The first pass that is off the groove of those before.
+    off: Option<Alarm>,
+}
+
+/// What a tool has cut of a thread, in one direction.
+#[derive(Clone, Debug)]
+struct Cut {
+    place: u32,
+    forward: bool,
+    thread: Thread,
+    /// The speed of the spindle in the first pass, rpm.
+    speed: f64,
+    /// Another speed was reported.
+    told: bool,
+    /// The position along the thread at which depths are compared, mm.
+    along: f64,
+    /// How far along the thread a flank of the insert goes for each mm of depth.
+    flank: f64,
+    starts: Vec<Start>,
+}
+
+impl Cut {
+    /// How far along the thread two passes are apart beyond what lies within the shallower one's groove, and both lengths; mm.
+    ///
+    /// Grooves whole leads apart are one, unless the lead changes.
+    fn apart(&self, one: Groove, other: Groove) -> [f64; 3] {
+        let Thread { lead, change, .. } = self.thread;
+        let by = other.phase - one.phase;
+        let off = if change == 0.0 { by - lead * (by / lead).round() } else { by }.abs();
+        let most = (other.depth - one.depth).abs() * self.flank;
+        [off - most, off, most]
+    }
+
+    /// Notes a pass; `alarm` makes the alarm of one that is deeper than all before and in the groove of none. One that is no
+    /// deeper may be another start.
+    fn take(&mut self, pass: Groove, alarm: impl FnOnce(Cause) -> Alarm) {
+        let numbered = self.starts.iter().enumerate();
+        let before = numbered.flat_map(|(at, start)| start.passes.iter().map(move |&groove| (at, groove)));
+        let nearest = before
+            .clone()
+            .map(|(at, groove)| (at, self.apart(groove, pass)))
+            .min_by(|(_, [one, ..]), (_, [other, ..])| one.total_cmp(other));
+        let deepest = before.map(|(_, groove)| groove.depth).fold(f64::MIN, f64::max);
+        match nearest {
+            Some((at, [beyond, off, most])) if beyond <= OFF_GROOVE || pass.depth > deepest + TOUCH => {
+                let start = &mut self.starts[at];
+                start.passes.push(pass);
+                if beyond > OFF_GROOVE && start.off.is_none() {
+                    start.off = Some(alarm(Cause::OffGroove { off, most }));
+                }
+            }
+            _ => self.starts.push(Start { passes: vec![pass], off: None }),
+        }
+    }
+
+    /// The alarms of starts whose deepest pass does not take in all the others.
+    fn off_groove(&self) -> impl Iterator<Item = Alarm> + '_ {
+        self.starts.iter().filter_map(|start| {
+            let deepest = start.passes.iter().copied().max_by(|one, other| one.depth.total_cmp(&other.depth))?;
+            start.off.filter(|_| start.passes.iter().any(|&pass| self.apart(pass, deepest)[0] > OFF_GROOVE))
+        })
+    }
+}
+
+/// A thread.
+#[derive(Clone, Debug)]
+struct Known {
+    /// Where its passes went along z, and along r.
+    z: [f64; 2],
+    r: [f64; 2],
+    lead: f64,
+    cuts: Vec<Cut>,
+}
+
+/// The threads of a program.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Threads {
+    known: Vec<Known>,
+    /// Revolutions of the spindle up to the end of the last block, since the angle 0 at which its pass would have begun.
+    turned: f64,
+}
+
+impl Threads {
+    /// Counts the revolutions of a block; returns those before it. A pass begins at its own angle, and its further blocks go on.
+    pub fn turn(&mut self, thread: &Thread, turns: f64, begins: bool) -> f64 {
+        let before = if begins { thread.angle / 360.0 } else { self.turned };
+        self.turned = before + turns;
+        before
+    }
+
+    /// How much a new pass is compared with.
+    pub fn passes(&self) -> usize {
+        let cuts = self.known.iter().flat_map(|known| &known.cuts);
+        self.known.len() + cuts.flat_map(|cut| &cut.starts).map(|start| start.passes.len()).sum::<usize>()
+    }
+
+    /// Notes a pass in metal, and raises the alarms of another lead or spindle speed than in the passes before.
+    pub fn judge(&mut self, pass: &Pass<'_>, tally: &mut Tally) {
+        let ([from, to], lead) = (pass.way, pass.thread.lead);
+        let [z, r] = [0, 1].map(|axis| [from[axis].min(to[axis]), from[axis].max(to[axis])]);
+        let meets = |one: [f64; 2], two: [f64; 2], apart: f64| one[0] < two[1] + apart && two[0] < one[1] + apart;
+        let near = |known: &Known| {
+            // Along the thread they must share more than a lead, so that a run-out does not count.
+            let along = if z[1] - z[0] >= r[1] - r[0] { (-lead, APART) } else { (APART, -lead) };
+            meets(known.z, z, along.0) && meets(known.r, r, along.1)
+        };
+        let at = self.known.iter().position(near).unwrap_or_else(|| {
+            self.known.push(Known { z, r, lead, cuts: Vec::new() });
+            self.known.len() - 1
+        });
+        let known = &mut self.known[at];
+        if (known.lead - lead).abs() > 1e-6 {
+            tally.raise(Cause::LeadDiffers { lead, before: known.lead }, from, None);
+            return;
+        }
+        for (held, new) in [(&mut known.z, z), (&mut known.r, r)] {
+            *held = [held[0].min(new[0]), held[1].max(new[1])];
+        }
+        known.take(pass, tally);
+    }
+
+    /// The alarms of deeper passes off the groove of the passes before, which can be reported only when the program has ended:
+    /// with an infeed along either flank in turn, a pass is off the one before and the last one takes in both.
+    pub fn off_groove(&self) -> Vec<Alarm> {
+        self.known.iter().flat_map(|known| &known.cuts).flat_map(Cut::off_groove).collect()
+    }
+}
+
+impl Known {
+    fn take(&mut self, pass: &Pass<'_>, tally: &mut Tally) {
+        let &Pass { thread, way: [from, to], turned, place, tool } = pass;
+        let along = usize::from((to[1] - from[1]).abs() > (to[0] - from[0]).abs());
+        let across = 1 - along;
+        let forward = to[along] > from[along];
+        let speeds = [from, to].map(|at| tally.turning.at(at[1] + tally.shift[1]));
+        let same = |cut: &Cut| cut.place == place && cut.forward == forward;
+        let at = self.cuts.iter().position(same).unwrap_or_else(|| {
+            let flank = match tool.cutter {
+                Cutter::Threader { angle, .. } => tan(angle.to_radians() / 2.0),
+                _ => 0.0,
+            };
+            let (speed, along, starts) = (speeds[0], to[along], Vec::new());
+            self.cuts.push(Cut { place, forward, thread, speed, told: false, along, flank, starts });
+            self.cuts.len() - 1
+        });
+        let cut = &mut self.cuts[at];
+        let before = cut.speed;
+        let differs = |speed: &f64| (speed - before).abs() > SAME_SPEED * before;
+        if let Some(speed) = speeds.into_iter().find(differs)
+            && !cut.told
+        {
+            cut.told = true;
+            tally.raise(Cause::ThreadSpeed { speed, before }, from, None);
+        }
+        let into = tool.tip.vector()[across];
+        if into != 0.0 {
+            let part = (cut.along - from[along]) / (to[along] - from[along]);
+            let depth = into.signum() * (from[across] + (to[across] - from[across]) * part);
+            let turned = thread.lead * turned;
+            let phase = from[along] + if forward { -turned } else { turned };
+            cut.take(Groove { phase, depth }, |cause| tally.alarm(cause, from, None));
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! What must stay the same from one pass of a thread to the next.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::fs;
+use std::process::Command;
+
+use serde_json::Value;
+
+/// The document and exit code of a simulation on a bar of D 30, between the usual first and last blocks of a thread.
+fn simulated(program: &str) -> (Value, i32) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p.nc");
+    fs::write(&path, program.replace('|', "\n")).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_rodete"))
+        .arg("simulate")
+        .arg(&path)
+        .args(["--dialect", "fanuc-lathe-a", "--decimal-point", "calculator", "--stock", "D30xL60", "--json"])
+        .output()
+        .unwrap();
+    (serde_json::from_slice(&output.stdout).unwrap(), output.status.code().unwrap())
+}
+
+/// The alarms of passes of a thread, as number and line.
+fn raised(blocks: &str) -> Vec<String> {
+    let (document, exit) = simulated(&format!("G21 G40 G97 G99|T0404 S600 M3|{blocks}|G0 X150. Z100. M9|M30"));
+    assert_eq!(exit, 0, "{blocks}: {:?}", document["findings"]);
+    let alarms = document["alarms"].as_array().unwrap();
+    alarms.iter().map(|alarm| format!("{}@{}", alarm["number"], alarm["line"])).collect()
+}
+
+#[test]
+fn a_spindle_speed_that_changes_between_passes_of_a_thread_under_g97_is_cautioned() {
+    for (blocks, expected) in [
+        ("G0 X34. Z6. M8|G92 X29. Z-25. F2.|X28.5|G0 S900|G92 X28. Z-25. F2.", vec!["145@7"]),
+        ("G0 X29. Z6. M8|G32 Z-20. F2.|G0 X34.|Z6.|S1200|X28.4|G32 Z-20. F2.|G0 X34.", vec!["145@9"]),
+        (
+            "G0 X34. Z6. M8|G76 P010060 Q100 R0.05|G76 X27.546 Z-25. P1227 Q400 F2.|S300|G76 P010060 Q100 R0.05|G76 X27.446 Z-25. P1277 Q400 F2.",
+            vec!["145@8"],
+        ),
+        // Between them the thread is deburred with the same tool: it is the same thread.
+        ("G0 X34. Z6. M8|G92 X29. Z-25. F2.|G1 X30. F.2|G0 X34.|Z6. S500|G92 X28.5 Z-25. F2.", vec!["145@8"]),
+        // Another thread may have another speed.
+        (
+            "G0 X34. Z6. M8|G92 X29. Z-25. F2.|G0 X150. Z100.|T0101 S900|G0 X22. Z3.|G1 Z-12. F.2|X31.|G0 Z3.|X16.|G1 Z-12.|X31.|G0 X150. Z100.|T0404 S300|G0 X20. Z6.|G92 X15. Z-9. F2.",
+            vec![],
+        ),
+        ("G0 X34. Z6. M8|G92 X29. Z-25. F2.|X28.5|G0 S600|G92 X28. Z-25. F2.", vec![]),
+    ] {
+        assert_eq!(raised(blocks), expected, "{blocks}");
+    }
+}
+
+#[test]
+fn a_deeper_pass_that_begins_in_another_groove_is_cautioned() {
+    for (blocks, expected) in [
+        ("G0 X34. Z6. M8|G92 X29. Z-25. F2.|X28.5|G0 Z5.|G92 X28. Z-25. F2.|X27.6", vec!["148@7"]),
+        ("G0 X34. Z6. M8|G92 X29. Z-25. F2.|G0 Z6.1|G92 X28.9 Z-25. F2.", vec!["148@6"]),
+        ("G0 X29. Z6. M8|G32 Z-20. F2.|G0 X34.|Z6.5|X28.4|G32 Z-20. F2.|G0 X34.", vec!["148@8"]),
+        // A block of a thread goes on in its revolutions; the run-in of the second pass is longer by half a lead.
+        ("G0 X29. Z7. M8|G32 Z3. F2.|Z-20.|G0 X34.|Z8.|X28.4|G32 Z3. F2.|Z-20.|G0 X34.", vec!["148@10"]),
+        // Whole leads away it is the same groove.
+        ("G0 X34. Z6. M8|G92 X29. Z-25. F2.|G0 Z8.|G92 X28. Z-25. F2.|G0 Z6.|G92 X27.6 Z-25. F2.", vec![]),
+        ("G0 X29. Z7. M8|G32 Z3. F2.|Z-20.|G0 X34.|Z9.|X28.4|G32 Z3. F2.|Z-20.|G0 X34.", vec![]),
+        // Two starts, by Z and by the angle Q: the second one repeats the depths of the first.
+        (
+            "G0 X34. Z8. M8|G76 P010060 Q100 R0.05|G76 X28. Z-25. P1000 Q400 F3.|G0 Z9.5|G76 X28. Z-25. P1000 Q400 F3.",
+            vec![],
+        ),
+        ("G0 X34. Z8. M8|G92 X29.2 Z-25. F3. Q0|G92 X29.2 Z-25. F3. Q180000|X28.4 Q0|X28.4 Q180000", vec![]),
+        // Half a turn of Q and half a lead of Z are the same groove again.
+        ("G0 X34. Z8. M8|G92 X29.2 Z-25. F3.|G0 Z6.5|G92 X28.4 Z-25. F3. Q180000", vec![]),
+        ("G0 X34. Z8. M8|G92 X29.2 Z-25. F3.|G0 Z8.|G92 X28.4 Z-25. F3. Q90000", vec!["148@6"]),
+        // Along one flank, and from either flank in turn: the last pass takes in those before.
+        ("G0 X34. Z6. M8|G92 X29. Z-25. F2.|G0 Z5.856|G92 X28.5 Z-25. F2.|G0 Z5.711|G92 X28. Z-25. F2.", vec![]),
+        ("G0 X34. Z6.28 M8|G92 X29. Z-25. F2.|G0 Z5.86|G92 X28.5 Z-25. F2.|G0 Z6.|G92 X28. Z-25. F2.", vec![]),
+        ("G0 X34. Z6.28 M8|G92 X29. Z-25. F2.|G0 Z5.86|G92 X28.5 Z-25. F2.", vec!["148@6"]),
+    ] {
+        assert_eq!(raised(blocks), expected, "{blocks}");
+    }
+}
