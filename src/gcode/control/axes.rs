@@ -99,6 +99,16 @@ pub enum Across {
     Unknown,
 }
 
+/// What a negative R of an arc says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NegativeRadius {
+    /// The arc of more than half a circle.
+    LongArc,
+    /// Nothing: the block is rejected. Fanuc 16/18-C for Lathe, operator's manual p. 67: with R "an arc with a sector angle of
+    /// 180° or wider cannot be specified".
+    Refused,
+}
+
 /// The words of an arc.
 #[derive(Clone, Copy, Debug)]
 pub struct ArcWords {
@@ -106,4 +116,6 @@ pub struct ArcWords {
     pub letters: Letters,
     /// The centre word of the axis across the plane.
     pub across: Across,
+    /// A negative R.
+    pub negative: NegativeRadius,
 }

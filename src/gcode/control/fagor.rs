@@ -6,8 +6,8 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedLaw,
     FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed,
-    NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
-    SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing, Written,
+    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary,
+    RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing, Written,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
@@ -97,7 +97,7 @@ const FAGOR_8055_BASE: Control = Control {
     start: Start { motion: G::Cancel, feed: FeedMode::PerMinute, plane: Plane::XY, retract: Retract::Initial },
     order: Order::Rs274,
     axes: AxisWords { x: AcrossWord::Radius, increments: Increments::ByMode },
-    arcs: ArcWords { letters: Letters::of("IJKRP"), across: Across::Pitch },
+    arcs: ArcWords { letters: Letters::of("IJKRP"), across: Across::Pitch, negative: NegativeRadius::LongArc },
     rotary: RotaryRule { delivered: Rotary::Rollover, rollover: Rollover::Numbered },
     feed: FeedRule {
         law: FeedLaw::Resultant,

@@ -12,9 +12,9 @@ use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedLaw,
-    FeedPath, FeedRule, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner,
-    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
-    SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
+    FeedPath, FeedRule, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NegativeRadius,
+    NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
+    SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
@@ -65,7 +65,7 @@ pub static FANUC_LATHE_A: Control = Control {
     start: Start { motion: G::Rapid, feed: FeedMode::PerRevolution, plane: Plane::ZX, retract: Retract::Initial },
     order: Order::Fanuc,
     axes: AxisWords { x: AcrossWord::Diameter, increments: Increments::ByLetters },
-    arcs: ArcWords { letters: Letters::of("IKR"), across: Across::Foreign },
+    arcs: ArcWords { letters: Letters::of("IKR"), across: Across::Foreign, negative: NegativeRadius::Refused },
     rotary: RotaryRule { delivered: Rotary::Linear, rollover: Rollover::Numbered },
     feed: FeedRule {
         law: FeedLaw::Resultant,

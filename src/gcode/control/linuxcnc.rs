@@ -6,8 +6,8 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedLaw,
     FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed,
-    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
-    SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
+    NegativeRadius, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
+    SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
@@ -48,7 +48,7 @@ pub static LINUXCNC: Control = Control {
     start: Start { motion: G::Cancel, feed: FeedMode::PerMinute, plane: Plane::XY, retract: Retract::R },
     order: Order::Rs274,
     axes: AxisWords { x: AcrossWord::Radius, increments: Increments::ByMode },
-    arcs: ArcWords { letters: Letters::of("IJKRP"), across: Across::Foreign },
+    arcs: ArcWords { letters: Letters::of("IJKRP"), across: Across::Foreign, negative: NegativeRadius::LongArc },
     rotary: RotaryRule { delivered: Rotary::Linear, rollover: Rollover::Wrapped },
     feed: FeedRule {
         law: FeedLaw::InverseTime,

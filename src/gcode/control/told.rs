@@ -5,9 +5,9 @@
 use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, CommentForm,
     Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedLaw, FeedPath, FeedRule,
-    HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner, OffsetRule,
-    Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule,
-    Start, TextForm, ToolCall, ToolChange, Turns, Writing,
+    HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NegativeRadius, NoseCorner,
+    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
+    SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -54,7 +54,7 @@ impl Control {
             start: Start { motion, feed: feed_at_start, plane, retract },
             order,
             axes: AxisWords { x, increments },
-            arcs: ArcWords { letters: arc_letters, across },
+            arcs: ArcWords { letters: arc_letters, across, negative: negative_radius },
             rotary: RotaryRule { delivered, rollover },
             feed: FeedRule { law, codes: _, missing, change: feed_change, path },
             spindle: SpindleRule { turns, limit },
@@ -122,6 +122,7 @@ impl Control {
             t("palabra de centro a través del plano (K en G17)", "centre word across the plane (K in G17)"),
             across.told(),
         );
+        row(t("R negativo de un arco", "negative R of an arc"), negative_radius.told());
         row(t("ejes giratorios como se entrega", "rotary axes as delivered"), turned(delivered.told()));
         row(t("palabra absoluta de un eje rollover", "absolute word of a rollover axis"), turned(rollover.told()));
         row(t("F de ejes lineales y giratorios juntos", "F of linear and rotary axes together"), turned(law.told()));
@@ -294,6 +295,10 @@ told! {
         Self::Foreign => "no es de ningún arco del plano", "belongs to no arc of the plane";
         Self::Pitch => "el paso de una hélice, mayor que 0; se rechaza", "the pitch of a helix, above 0; rejected";
         Self::Unknown => "no se sabe; un 0 en un arco que no sale de su plano es una precaución", "not known; 0 in an arc that does not leave its plane is a caution";
+    }
+    NegativeRadius {
+        Self::LongArc => "el arco de más de 180°", "the arc of more than 180°";
+        Self::Refused => "se rechaza", "rejected";
     }
     Rotary {
         Self::Linear => "cuentan más allá de una vuelta", "count on beyond a turn";

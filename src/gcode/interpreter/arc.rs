@@ -9,7 +9,7 @@ use std::f64::consts::{SQRT_2, TAU};
 
 use crate::finding::Size;
 use crate::gcode::code::G;
-use crate::gcode::control::Across;
+use crate::gcode::control::{Across, NegativeRadius};
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::refused::{Refused, Result};
@@ -17,8 +17,8 @@ use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Arc, MotionKind, Plane};
 use crate::gcode::rules::geometry::{
     AbsoluteCentreHalf, ArcOfNoRadius, ArcTwoForms, ArcWithoutCentre, CentreWordForeign, CentreWordOfOtherPlane,
-    EndOffCircle, HelixPitch, HelixPitchNotPositive, RadiusOfFullCircle, RadiusTooSmall, RadiusWithoutEnd,
-    TurnsNotWhole,
+    EndOffCircle, HelixPitch, HelixPitchNotPositive, RadiusNegative, RadiusOfFullCircle, RadiusTooSmall,
+    RadiusWithoutEnd, TurnsNotWhole,
 };
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
@@ -124,6 +124,12 @@ impl Reader<'_, '_> {
         let end = [to.get(a), to.get(b)];
         let centre = match self.block.get(letter::R) {
             Some(R) => {
+                match self.memory.control.arcs.negative {
+                    NegativeRadius::Refused if R < 0.0 => {
+                        return Err(Refused::of(&RadiusNegative { radius: R }, &[self.block.column(letter::R)]));
+                    }
+                    NegativeRadius::Refused | NegativeRadius::LongArc => {}
+                }
                 let named = [a, b].into_iter().any(|axis| self.block.has(AXES[axis as usize]));
                 // U and W of a lathe stand for X and Z.
                 let incremental =

@@ -394,4 +394,11 @@ rules! {
         why "Un eje ajustado de otra manera gira por el otro lado, con la herramienta en la pieza.",
             "An axis set up otherwise turns the other way, with the tool in the work.";
         example Example::program("linuxcnc", "G21 G90 F100|G1 A200|M2", "2");
+    "G0456" RadiusNegative Stop { radius: f64 }
+        es "R{radius} es negativo: con R este control no hace arcos de 180° o más"
+        en "R{radius} is negative: with R this control makes no arcs of 180° or more"
+        remedy "dé el centro con I y K", "give the centre with I and K";
+        why "En otros controles un R negativo es el arco largo; este se para con una alarma.",
+            "On other controls a negative R is the long arc; this one stops with an alarm.";
+        example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X40. Z0.|G2 X60. Z-10. R-10.|M30", "3:15");
 }

@@ -21,7 +21,7 @@ fn g0_and_feed_per_revolution_are_in_force_at_the_start() {
 #[test]
 fn arcs_take_centres_and_radii() {
     // A quarter circle from X40 Z0 to X60 Z−10: its centre is X40 Z−10 for G3 (convex), X60 Z0 for G2 (concave); I and K count
-    // from the start, I as a radius. R below 0 takes the greater part: the centre on the other side.
+    // from the start, I as a radius.
     let start = "G1 X40. Z0\n";
     let arcs = [
         ("G3 X60. Z-10. I0 K-10.", "G3 X60 Z-10 C40,-10 F0.2"),
@@ -29,7 +29,6 @@ fn arcs_take_centres_and_radii() {
         ("G3 U20. W-10. R10.", "G3 X60 Z-10 C40,-10 F0.2"),
         ("G2 X60. Z-10. I10. K0", "G2 X60 Z-10 C60,0 F0.2"),
         ("G2 X60. W-10. R10.", "G2 X60 Z-10 C60,0 F0.2"),
-        ("G2 X60. Z-10. R-10.", "G2 X60 Z-10 C40,-10 F0.2"),
     ];
     for (arc, wanted) in arcs {
         moves(&format!("{start}{arc}"), &["G1 X40 Z0 F0.2", wanted]);
