@@ -157,7 +157,7 @@ impl<'a> Shared<'a> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
         match self.control.dialect.as_deref().and_then(Control::named) {
             Some(dialect) => (true, dialect),
-            None => (false, guess(file.fill_buf().unwrap_or_default(), &ending)),
+            None => (false, guess(file.fill_buf().unwrap_or_default(), &ending, self.workbook.is_some())),
         }
     }
 

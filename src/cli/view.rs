@@ -123,7 +123,7 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
     Ok(match control.dialect.as_deref().and_then(Control::named) {
         Some(dialect) => dialect.turns(),
         // A lathe's workbook is given for a turning program alone.
-        None => machine == Some(true) || guess(head, &ending).turns(),
+        None => machine == Some(true) || guess(head, &ending, false).turns(),
     })
 }
 

@@ -9,12 +9,18 @@ use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 /// The header of a program that rodete wrote names it. `.ngc` is LinuxCNC. A first line `%name,MX--,` is a Fagor 8055, or 8055 T
 /// where a block has G96 with S; `%number-name` is a Fagor 8070. An M code from M10 to M18
 /// or M20 to M29, which LinuxCNC does not have and a machine's builder gives a Fagor (clamps of rotary axes), is a Fagor
-/// 8055. A T of four digits, place and offset as in `T0101`, is a Fanuc lathe of system A. Everything else is LinuxCNC.
+/// 8055. A Fanuc lathe of system A is told by a T of place and offset, `T0101`, or `T101` in a text without M6; by `G50 S`; and by
+/// G71, G72 or G73 with P, Q and U or W. U and W alone tell nothing: they are axes of LinuxCNC. Everything else is LinuxCNC.
+///
+/// With a lathe's workbook (`turned`), what no header names is a control that turns; see [`guess_turning`].
 #[must_use]
-pub fn guess(head: &[u8], ending: &str) -> &'static Control {
+pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
     let text = String::from_utf8_lossy(head);
     if let Some(dialect) = text.lines().find_map(headed) {
         return dialect;
+    }
+    if turned {
+        return guess_turning(head);
     }
     if ending.eq_ignore_ascii_case("ngc") {
         return &LINUXCNC;
@@ -28,7 +34,8 @@ pub fn guess(head: &[u8], ending: &str) -> &'static Control {
             return &FAGOR_8070;
         }
     }
-    if text.lines().any(place_and_offset) {
+    let short = || text.lines().any(short_place_and_offset) && !text.lines().any(|line| has(&code(line), "M", "6"));
+    if text.lines().any(|line| place_and_offset(line) || speed_limit(line) || roughs(line)) || short() {
         return &FANUC_LATHE_A;
     }
     if text.lines().any(builders_code) { &FAGOR_8055 } else { &LINUXCNC }
@@ -69,8 +76,36 @@ pub fn tools_headed(head: &[u8]) -> BTreeSet<u32> {
 /// True where a line has G96 and S: constant surface speed, which no milling program has.
 fn surface_speed(line: &str) -> bool {
     let code = code(line);
-    let g96 = code.split("G96").nth(1).is_some_and(|rest| !rest.starts_with(|one: char| one.is_ascii_digit()));
-    g96 && code.split('S').skip(1).any(|rest| rest.starts_with(|one: char| one.is_ascii_digit()))
+    has(&code, "G", "96") && word(&code, 'S')
+}
+
+/// True where a line has G50 and S, the limit of the spindle's speed of a Fanuc lathe.
+fn speed_limit(line: &str) -> bool {
+    let code = code(line);
+    has(&code, "G", "50") && word(&code, 'S')
+}
+
+/// True where a line has the second block of a roughing cycle of a Fanuc lathe: the first and the last block of its contour, and the
+/// finishing allowance.
+fn roughs(line: &str) -> bool {
+    let code = code(line);
+    ["71", "72", "73"].into_iter().any(|number| has(&code, "G", number))
+        && word(&code, 'P')
+        && word(&code, 'Q')
+        && (word(&code, 'U') || word(&code, 'W'))
+}
+
+/// True where a line without comment and blanks has a letter with a number, with or without a leading zero.
+fn has(code: &str, letter: &str, number: &str) -> bool {
+    code.split(letter).skip(1).any(|rest| {
+        let end = rest.find(|one: char| !one.is_ascii_digit() && one != '.').unwrap_or(rest.len());
+        rest[..end].trim_start_matches('0') == number
+    })
+}
+
+/// True where a line without comment and blanks has a letter with a number.
+fn word(code: &str, letter: char) -> bool {
+    code.split(letter).skip(1).any(|rest| rest.starts_with(|one: char| one.is_ascii_digit() || "+-.".contains(one)))
 }
 
 /// A line without its comment and its blanks.
@@ -81,6 +116,14 @@ fn code(line: &str) -> String {
 /// True where a line has a T with four digits.
 fn place_and_offset(line: &str) -> bool {
     code(line).split('T').skip(1).any(|rest| rest.chars().take_while(char::is_ascii_digit).count() == 4)
+}
+
+/// True where a line has a T of three digits for a place and its own offset, as T101.
+fn short_place_and_offset(line: &str) -> bool {
+    code(line).split('T').skip(1).any(|rest| {
+        let digits: Vec<u8> = rest.bytes().take_while(u8::is_ascii_digit).collect();
+        matches!(digits[..], [place, b'0', offset] if place == offset)
+    })
 }
 
 /// True where a line has a T with a D or a point behind its number.
@@ -119,11 +162,24 @@ mod tests {
             ("O0001\nN10 G50 S2500\nN20 T0101 M41\n", "nc", "fanuc-lathe-a"),
             ("O0001\nN20 T0101\n", "ngc", "linuxcnc"),
             ("T12 M6 (T0101)\nG0 X1\n", "nc", "linuxcnc"),
+            ("O00012\nG18 G20 G99\nT101\nG0 X1.8 Z.1\n", "nc", "fanuc-lathe-a"),
+            ("T101\nG0 X1 Y2\nT202 M06\n", "nc", "linuxcnc"),
+            ("T150\nG0 X1\n", "nc", "linuxcnc"),
+            ("G50 S2500\nT1\n", "nc", "fanuc-lathe-a"),
+            ("(G50 S2500)\nG500 S1\n", "nc", "linuxcnc"),
+            ("G71 U2. R1.\nG71 P10 Q20 U.4 W.1 F.3\n", "nc", "fanuc-lathe-a"),
+            ("G71 P10 Q20 U.4 W.1 F.3\n", "ngc", "linuxcnc"),
+            ("G71 Q100 X20 Z0 D1\nG70 Q100 P2 U1\n", "nc", "linuxcnc"),
+            ("G0 U1 W2\n", "nc", "linuxcnc"),
             ("(M11)\nG0 X1\nM2\n", "nc", "linuxcnc"),
             ("G0 X1 M3 M19\nM2\n", "nc", "linuxcnc"),
         ] {
-            assert_eq!(guess(head.as_bytes(), ending).name, name, "{head}");
+            assert_eq!(guess(head.as_bytes(), ending, false).name, name, "{head}");
         }
+        // With a lathe's workbook a program turns, unless its header names another control.
+        assert_eq!(guess(b"G0 X1\n", "ngc", true).name, "fanuc-lathe-a");
+        assert_eq!(guess(b"T1 D1\n", "nc", true).name, "fagor-8055-t");
+        assert_eq!(guess(b"(RODETE 0.1.0 - DIALECT FAGOR-8070)\n", "nc", true).name, "fagor-8070");
     }
 
     #[test]
