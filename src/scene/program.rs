@@ -115,6 +115,11 @@ pub struct Program {
     arcs: Vec<u32>,
     #[serde(serialize_with = "column::points")]
     arc_shapes: Vec<[f64; 4]>,
+    /// Motions of two pieces that bend, with the part of the motion's time at which they do.
+    #[serde(serialize_with = "column::wholes")]
+    bends: Vec<u32>,
+    #[serde(serialize_with = "column::singles")]
+    bend_parts: Vec<f32>,
     /// It is known where the machine stands before the next motion.
     #[serde(skip)]
     pub known: bool,
@@ -163,6 +168,8 @@ impl Program {
             jump_poses: Vec::new(),
             arcs: Vec::new(),
             arc_shapes: Vec::new(),
+            bends: Vec::new(),
+            bend_parts: Vec::new(),
             known: false,
             frame,
             before: None,
@@ -219,6 +226,23 @@ impl Program {
         #[expect(clippy::cast_possible_truncation, reason = "for playing")]
         self.seconds.push(seconds as f32);
         self.before = Some((motion.to, self.shift));
+    }
+
+    /// Bends the straight motion that was added last, at a pose and a part of its time, above 0 and below 1: a rapid motion in which
+    /// each axis keeps its own rate until it is there.
+    pub fn bend(&mut self, at: &Pose, part: f64) {
+        debug_assert!(self.frame.straight(), "the tool's axis stands");
+        let point = self.placed(at).point.into();
+        if let Some(pieces) = self.pieces.last_mut()
+            && *pieces == 1
+        {
+            *pieces = 2;
+            let end = self.points.len() - 1;
+            self.points.insert(end, point);
+            self.bends.push(whole(self.kind.len() - 1));
+            #[expect(clippy::cast_possible_truncation, reason = "for playing")]
+            self.bend_parts.push(part as f32);
+        }
     }
 
     /// Adds a block without motion that stands at a line, 0 before the first: what it puts into force, and where the
@@ -411,6 +435,18 @@ mod tests {
         assert_eq!(program.points, [[11.0, 2.0, 3.0], [1.0, 12.0, 3.0]]);
         assert_eq!(program.arc_shapes[0][..3], [0.0, 1.0, 2.0]);
         assert_eq!(program.states.last().unwrap().shift, [1.0, 2.0, 3.0]);
+    }
+
+    #[test]
+    fn a_motion_that_bends_has_the_point_of_its_bend_and_the_part_of_its_time_there() {
+        let mut program = program("G21 G90\nG0 X1\nG0 X10 Z5\nM2\n", Chain::Milling, [1.0, 0.0, 0.0]);
+        let mut at = Pose::default();
+        at.set(Axis::X, 6.0);
+        at.set(Axis::Z, 5.0);
+        program.bend(&at, 0.4);
+        assert_eq!(program.points, [[2.0, 0.0, 0.0], [7.0, 0.0, 5.0], [11.0, 0.0, 5.0]]);
+        assert_eq!((program.pieces.as_slice(), program.bends.as_slice()), ([1, 2].as_slice(), [1].as_slice()));
+        assert_eq!(program.bend_parts, [0.4]);
     }
 
     #[test]

@@ -47,6 +47,10 @@ class Run {
     this.arcAt = new Int32Array(this.count).fill(-1);
     wholes(data.arcs).forEach((motion, index) => (this.arcAt[motion] = index));
     this.arcs = numbers(data.arc_shapes);
+    // The part of its time at which a motion bends, 0 for the others.
+    this.bend = new Float64Array(this.count);
+    const parts = singles(data.bend_parts);
+    wholes(data.bends).forEach((motion, index) => (this.bend[motion] = parts[index]));
     const seconds = singles(data.seconds);
     this.times = new Float64Array(this.count + 1);
     for (let at = 0; at < this.count; at++) this.times[at + 1] = this.times[at] + seconds[at];
@@ -128,7 +132,10 @@ class Run {
       at[c] = from[c] + (point(0)[c] - from[c]) * part;
       return at;
     }
-    const along = part * count, piece = Math.min(Math.floor(along), count - 1), share = along - piece;
+    const along = part * count, bend = this.bend[motion];
+    const piece = bend > 0 ? (part < bend ? 0 : 1) : Math.min(Math.floor(along), count - 1);
+    // The pieces of a motion take the same time, but for one that bends.
+    const share = bend > 0 ? (piece === 0 ? part / bend : (part - bend) / (1 - bend)) : along - piece;
     const one = piece === 0 ? from : point(piece - 1), other = point(piece);
     return [0, 1, 2].map((axis) => one[axis] + (other[axis] - one[axis]) * share);
   }
@@ -237,7 +244,8 @@ class Run {
         continue;
       }
       for (let step = 1, point = this.first[motion]; step <= count; step++, point++) {
-        add(this.points.subarray(3 * point, 3 * point + 3), motion + step / count, this.kind[motion]);
+        const part = this.bend[motion] > 0 && step === 1 ? this.bend[motion] : step / count;
+        add(this.points.subarray(3 * point, 3 * point + 3), motion + part, this.kind[motion]);
       }
     }
     return path;

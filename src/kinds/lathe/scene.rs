@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::finding::Place;
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::Standstill;
-use crate::gcode::motion::Motion;
+use crate::gcode::motion::{Motion, MotionKind};
 use crate::kinds::lathe::Seen;
 use crate::kinds::lathe::text::SheetProgram;
 use crate::limits::SHOWN_ALARMS;
@@ -36,6 +36,8 @@ pub struct Watching {
 struct Known {
     /// Lines of the list before those of each subprogram's file.
     before: BTreeMap<String, usize>,
+    /// The number in the list of each motion: blocks without one have theirs there too.
+    motions: Vec<usize>,
     /// Numbers and lines of the alarms that are listed.
     alarms: BTreeSet<(u16, usize)>,
 }
@@ -134,6 +136,13 @@ impl Watching {
         let index = program.motions();
         // Lines of subprograms have been numbered on.
         program.push(&motion, &InForce { file: 0, ..step.control });
+        known.motions.push(index);
+        if let (MotionKind::Rapid, &[from, bend, to]) = (motion.kind, step.way.as_slice()) {
+            let mut at = motion.to;
+            at.set(Axis::Z, bend[0] - program.shift[2]);
+            at.set(Axis::X, bend[1] - program.shift[0]);
+            program.bend(&at, bent(from, bend, to));
+        }
         if step.removed.parted > 0.0 {
             self.parted = Some(index);
         }
@@ -149,7 +158,8 @@ impl Watching {
 
     fn late(&mut self, number: usize, alarm: &Alarm, file: Option<&str>) {
         let (Some(program), Some(known)) = (self.programs.get_mut(number), self.known.get_mut(number)) else { return };
-        known.raise(alarm, known.line(file, alarm.line), alarm.motion, program);
+        let Some(&index) = known.motions.get(alarm.motion) else { return };
+        known.raise(alarm, known.line(file, alarm.line), index, program);
     }
 }
 
@@ -164,6 +174,12 @@ impl Known {
             program.remarks.push(remark(alarm, line, index));
         }
     }
+}
+
+/// The part of the time of a rapid motion at its bend: one axis is there already, the other has gone as much of its way.
+fn bent(from: [f64; 2], bend: [f64; 2], to: [f64; 2]) -> f64 {
+    let gone = |axis: usize| (bend[axis] - from[axis]) / (to[axis] - from[axis]);
+    gone(0).min(gone(1))
 }
 
 fn remark(alarm: &Alarm, line: usize, index: usize) -> Remark {

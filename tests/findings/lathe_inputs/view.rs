@@ -48,6 +48,19 @@ fn the_turrets_body_is_shown_with_its_tools_where_it_is_given() {
 }
 
 #[test]
+fn a_rapid_motion_along_both_axes_bends_where_each_axis_keeps_its_rate() {
+    let folder = tempfile::tempdir().unwrap();
+    let bends = |path: &'static str| {
+        let book = Book::new(&program(TURNS)).put("rapid", Value::Choice(path));
+        fs::write(folder.path().join("part.xlsx"), book.bytes()).unwrap();
+        let (page, exit) = page(folder.path(), &["view", "part.xlsx"], "part.html");
+        assert_eq!(exit, 0);
+        !page.contains("\"bends\":\"\",\"bend_parts\":\"\"")
+    };
+    assert_eq!(["bent", "straight"].map(bends), [true, false]);
+}
+
+#[test]
 fn a_workbook_that_an_alarm_stops_is_shown_with_the_alarm() {
     let folder = tempfile::tempdir().unwrap();
     let book = Book::new(&program("G0 X40. Z-10.|G0 X54."));
