@@ -18,7 +18,7 @@ use crate::gcode::motion::{Arc, Feed, FeedMode, MotionKind, Thread};
 use crate::gcode::turning::pace::Pace;
 use crate::gcode::turning::rules::{
     BeyondAxis, G91InSystemA, MachineMoveByIncrements, ReferencePointNotKnown, ReferencePointNotSupported,
-    ReferenceWithoutAxes, StaleFeed, SystemShifted, TwoWordsAnAxis,
+    ReferenceWithoutAxes, SecondPointNotKnown, StaleFeed, SystemShifted, TwoWordsAnAxis,
 };
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
@@ -135,11 +135,11 @@ impl Reader<'_, '_> {
         let first = if second { G30_FIRST } else { G28_FIRST };
         if !self.memory.setting.var_file.iter().any(|(parameter, _)| (first..first + 3).contains(&parameter)) {
             let spot = self.block.spot;
-            self.memory.remarks.row(
-                &ReferencePointNotKnown { code: number, first, last: first + 2 },
-                spot,
-                Some(column),
-            );
+            if second {
+                self.memory.remarks.row(&SecondPointNotKnown { first, last: first + 2 }, spot, Some(column));
+            } else {
+                self.memory.remarks.row(&ReferencePointNotKnown {}, spot, Some(column));
+            }
         }
         let over = self.end_point();
         if over != self.state.at {

@@ -17,8 +17,8 @@ use crate::gcode::interpreter::library::Mark;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::rules::flow::{
-    BlockCallWithoutP, BlockMissing, CallWithoutP, FileOfAnother, MainReturns, NotAProgramNumber, ProgramNowhere,
-    ProgramTwice, RepeatsOfP, RepeatsTooMany, RepeatsTwice, SubprogramTooLarge, SubprogramUnreadable,
+    BlockCallWithoutP, BlockMissing, CallWithoutP, FileOfAnother, MainJumps, MainReturns, NotAProgramNumber,
+    ProgramNowhere, ProgramTwice, RepeatsOfP, RepeatsTooMany, RepeatsTwice, SubprogramTooLarge, SubprogramUnreadable,
 };
 use crate::limits::CALL_REPEATS;
 use crate::text::Text;
@@ -172,7 +172,8 @@ impl Reader<'_, '_> {
     fn return_to_caller(&mut self) -> Result<()> {
         let P = if self.block.has(letter::P) { Some(self.called(99)?) } else { None };
         match (self.memory.flow.frames.last_mut(), P) {
-            (None, _) => Err(Refused::ended(&MainReturns {})),
+            (None, None) => Err(Refused::ended(&MainReturns {})),
+            (None, Some(block)) => Err(Refused::of(&MainJumps { block }, &[self.block.column(letter::P)])),
             (Some(call), None) => match call.repeat() {
                 Some(start) => {
                     self.open(start);

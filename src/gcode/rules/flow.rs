@@ -183,6 +183,14 @@ rules! {
         why "El control empezaría otra vez, pieza tras pieza, sin parar.",
             "The control would start again, part after part, without stopping.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.|M99", "3");
+    "G0345" MainJumps Stop { block: u32 }
+        es "M99 P{block} en el programa principal salta al bloque N{block}: rodete no sigue el salto"
+        en "M99 P{block} in the main program jumps to block N{block}: rodete does not follow the jump"
+        remedy "ponga los bloques en el orden en que se ejecutan, y termine el programa con M30",
+            "put the blocks in the order in which they run, and end the program with M30";
+        why "El control sigue en ese bloque; si está antes, los repite sin fin.",
+            "The control goes on at that block; if it stands before, the blocks repeat forever.";
+        example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.|M99 P60|N60 G0 X100.|M30", "3:5");
     "G0326" ReturnInsideSub Stop {}
         es "M99 dentro de un SUB"
         en "M99 inside a SUB"

@@ -233,8 +233,12 @@ impl Given {
     }
 
     /// The settings for reading a program with only the tools of the workbook: its offsets, the places of the turret, and how the
-    /// control reads its words.
+    /// control reads its words; and its zeros and reference point, if it gives that point and no parameter file is there.
     pub fn lend(&self, setting: &mut Setting) {
+        if self.referred && setting.var_file.is_empty() {
+            let unit = setting.unit;
+            self.put_places(&mut setting.var_file, |length| unit.from_mm(length));
+        }
         setting.tools = Some(self.offsets.clone());
         setting.places = Some(self.setup.turret.tools.keys().copied().collect());
         setting.point = setting.point.or(self.point);
@@ -242,26 +246,30 @@ impl Given {
         setting.block_delete |= self.block_delete;
     }
 
+    /// Puts the zeros W1 to W6 and the reference point into a control's parameters, in the unit of the machine that `unit` makes of
+    /// mm; returns the reference point, `[X as a radius, Z]` in machine coordinates, mm.
+    fn put_places(&self, file: &mut VarFile, unit: impl Fn(f64) -> f64) -> [f64; 2] {
+        let first = [0.0, self.setup.stock.zero(&self.setup.lathe)];
+        // A control counts its machine coordinates from the reference point, if that is given.
+        let [from_x, from_z] = self.setup.lathe.origin;
+        let [x, z] = self.reference();
+        let reference = [x - from_x, z - from_z];
+        let zeros = System::ALL.into_iter().zip(std::iter::once(first).chain(self.zeros));
+        let zeros = zeros.map(|(system, [X, Z])| (system.first_parameter(), [X - from_x, Z - from_z]));
+        for (number, at) in zeros.chain([(G28_FIRST, reference)]) {
+            // The form's limits are far within what the file holds.
+            let _ = file.set(number + Axis::X as u32, unit(at[0]));
+            let _ = file.set(number + Axis::Z as u32, unit(at[1]));
+        }
+        reference
+    }
+
     /// The settings for reading the program: W1 at the stock, W2 to W6 as given, the turret's offsets.
     #[must_use]
     pub fn setting(&self) -> Setting {
         let mut setting = Setting::new(self.control);
-        let mut file = VarFile::default();
-        file.complete();
-        let first = [0.0, self.setup.stock.zero(&self.setup.lathe)];
-        // A control counts its machine coordinates from the reference point, if that is given.
-        let [from_x, from_z] = self.setup.lathe.origin;
-        for (system, [X, Z]) in System::ALL.into_iter().zip(std::iter::once(first).chain(self.zeros)) {
-            // The form's limits are far within what the file holds.
-            let _ = file.set(system.first_parameter() + Axis::X as u32, X - from_x);
-            let _ = file.set(system.first_parameter() + Axis::Z as u32, Z - from_z);
-        }
-        let reference = self.reference();
-        let reference = [reference[0] - from_x, reference[1] - from_z];
-        for (axis, at) in [(Axis::X, reference[0]), (Axis::Z, reference[1])] {
-            let _ = file.set(G28_FIRST + axis as u32, at);
-        }
-        setting.var_file = file;
+        setting.var_file.complete();
+        let reference = self.put_places(&mut setting.var_file, |length| length);
         setting.start.machine.set(Axis::X, reference[0]);
         setting.start.machine.set(Axis::Z, reference[1]);
         // Some controls keep tool and offset over the end of a program, others start without an offset.

@@ -1,5 +1,8 @@
 //! What a shop would see in a turning program before it runs: each slip with its figures, and its near twin in silence.
 
+use std::fs;
+use std::process::Command;
+
 use rodete::parameter::Value;
 use rodete::text::Language;
 use serde_json::Value as Json;
@@ -157,4 +160,31 @@ fn a_blank_line_before_a_contour_is_no_block_left_out() {
     let bar = ["--dialect", "fanuc-lathe-a", "--stock", "D50xL100", "--decimal-point", "calculator"];
     let said = super::bench::run(folder.path(), &[&["simulate", "p.nc"], &bar[..]].concat());
     assert_eq!((said.err.as_str(), said.exit), ("", 0));
+}
+
+#[test]
+fn verify_takes_the_reference_point_from_the_workbook_and_else_names_its_cells() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, beside] = ["p.nc", "tools.xlsx"].map(|name| folder.path().join(name));
+    fs::write(&path, "G21 G40 G97 G99\nT0202 S900 M3\nG0 X30. Z2.\nG28 U0. W0.\nM30\n").unwrap();
+    let verified = |book: &Book| {
+        fs::write(&beside, book.bytes()).unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_rodete"));
+        let output =
+            command.args(["verify", "--json", "--decimal-point", "calculator"]).arg(&path).arg("--tools").arg(&beside);
+        let document: Json = serde_json::from_slice(&output.output().unwrap().stdout).unwrap();
+        document["programs"][0].clone()
+    };
+    let finding = |program: &Json| {
+        let findings = program["findings"].as_array().unwrap();
+        findings.iter().find(|one| one["code"] == "G0806").map(|one| one["remedy"]["en"].as_str().unwrap().to_owned())
+    };
+    let plain = program("G28 U0. W0.");
+    let referred = verified(&Book::new(&plain).put("R_X", Value::Real(400.0)).put("R_Z", Value::Real(500.0)));
+    assert_eq!((&referred["dialect"], finding(&referred)), (&Json::from("fanuc-lathe-a"), None));
+    // The control counts from there.
+    assert_eq!(referred["end"]["machine"], serde_json::json!({ "X": 0.0, "Z": 0.0 }));
+    assert!(referred["end"]["program"]["Z"].as_f64().unwrap() > 100.0, "{referred}");
+    let remedy = finding(&verified(&Book::new(&plain))).unwrap();
+    assert!(remedy.contains("R_X and R_Z"), "{remedy}");
 }

@@ -45,14 +45,21 @@ rules! {
         why "Sin ejes el control no mueve nada, pero el programa cuenta con que la herramienta está lejos.",
             "Without axes the control moves nothing, but the program counts on the tool being clear.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G28|M30", "3:1");
-    "G0806" ReferencePointNotKnown Caution { code: u8, first: u32, last: u32 }
-        es "no se conoce el punto de referencia de G{code}: rodete usa el cero máquina"
-        en "the reference point of G{code} is not known: rodete uses machine zero"
-        remedy "dé los parámetros {first} y {last} (X como radio, Z)",
-            "give parameters {first} and {last} (X as a radius, Z)";
+    "G0806" ReferencePointNotKnown Caution {}
+        es "no se conoce el punto de referencia de G28: rodete usa el cero máquina"
+        en "the reference point of G28 is not known: rodete uses machine zero"
+        remedy "indique con --tools un libro de torno que tenga R_X y R_Z", "give with --tools a lathe workbook that has R_X and R_Z";
         why "El camino hasta el punto de referencia puede cruzar la pieza.",
             "The path to the reference point may cross the work.";
         example Example::program("fanuc-lathe-a", "(stock D50xL120)|O0015|G50 S2500|T0101|G96 S180 M3|M8|G54|G0 X54. Z2.|X46.|G1 Z-20. F0.25|U3.|G0 Z2.|G28 W0.|G0 Z2.|X42.|G1 Z-15. F0.25|U3.|G0 X100. Z60. M9|G28 U0. W0.|M30", "13:1");
+    "G0835" SecondPointNotKnown Caution { first: u32, last: u32 }
+        es "no se conoce el segundo punto de referencia, de G30: rodete usa el cero máquina"
+        en "the second reference point, of G30, is not known: rodete uses machine zero"
+        remedy "dé los parámetros {first} y {last} (X como radio, Z) con --var",
+            "give parameters {first} and {last} (X as a radius, Z) with --var";
+        why "El camino hasta el punto de referencia puede cruzar la pieza.",
+            "The path to the reference point may cross the work.";
+        example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.|G30 U0. W0.|M30", "3:1");
     "G0807" StaleFeed Caution {}
         es "el programa cambia entre avance por minuto y por vuelta y no da una F nueva: vale el número anterior"
         en "the program changes between feed per minute and per revolution and gives no new F: the old number stays"

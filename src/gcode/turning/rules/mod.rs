@@ -46,8 +46,8 @@ pub use self::lathe::{
     AddedLength, BeyondAxis, ChangeWithoutTool, EndlessLoop, G91InSystemA, LengthWithoutAxes, MachineMoveByIncrements,
     NoOrientation, NoToolNumber, NoToolTable, NoTurretPlace, NoWordOfToolTable, OffsetAlone, OffsetMeasuredAtMachine,
     OffsetNotInTable, ReferencePointNotKnown, ReferencePointNotSupported, ReferenceWithoutAxes, RefusedInLoop,
-    SetToolWithoutQ, StaleFeed, SystemShifted, TooManyCycleMotions, ToolNotInTable, ToolNotInTurret,
-    ToolOffsetWithoutValues, ToolTableNotKnown, ToolTwiceInTable, TwoWordsAnAxis,
+    SecondPointNotKnown, SetToolWithoutQ, StaleFeed, SystemShifted, TooManyCycleMotions, ToolNotInTable,
+    ToolNotInTurret, ToolOffsetWithoutValues, ToolTableNotKnown, ToolTwiceInTable, TwoWordsAnAxis,
 };
 pub use self::nose::{
     ArcOfOtherPlane, CompensationBeginsOnArc, CompensationEndsOnArc, CompensationPlane, CompensationWithoutOffset,
