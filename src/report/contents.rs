@@ -229,14 +229,26 @@ fn sheet(table: &Table, words: &mut Words) -> Sheet {
     let whole = table.print == Print::Whole;
     let (head, omitted, tail) = if whole { (0..count, 0, count..count) } else { shorten::rows(count) };
     let counted = table.index.counted();
+    // Points keep the decimals of their unit, as published annexes do; elsewhere a column has those that its values need.
+    let decimals: Vec<usize> = table
+        .columns
+        .iter()
+        .map(|column| {
+            let values = (0..column.values.len()).filter_map(|row| match column.values.get(row) {
+                Entry::Number(value) => Some(value),
+                Entry::Text(_) => None,
+            });
+            number::needed(values, number::decimals(column.unit), counted)
+        })
+        .collect();
     let mut line = |row: usize| -> Vec<String> {
         let index = counted.then(|| row.to_string());
-        let cells = table.columns.iter().map(|column| {
+        let cells = table.columns.iter().zip(&decimals).map(|(column, decimals)| {
             if row >= column.values.len() {
                 return String::new();
             }
             match column.values.get(row) {
-                Entry::Number(value) => number::fixed(value, number::decimals(column.unit)),
+                Entry::Number(value) => number::fixed(value, *decimals),
                 Entry::Text(text) => words.text(text),
             }
         });
@@ -378,6 +390,7 @@ fn answer(check: &Checked, outcome: &Outcome, words: &mut Words) -> Answer {
         what: words.text(check.name()),
         value: words.text(check.value()),
         limit: words.text(check.limit()),
+        measured: check.measured().filter(|value| value.is_finite()),
         place: check.at().map_or_else(String::new, |at| words.text(&at.words())),
         verdict: check.grade().map_or("passed", key),
         word: words.text(&check.word()),

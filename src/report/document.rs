@@ -168,6 +168,8 @@ pub(super) struct Answer {
     pub what: String,
     pub value: String,
     pub limit: String,
+    /// The number that was measured, in the unit of the value; none where it is not one number.
+    pub measured: Option<f64>,
     pub place: String,
     /// `passed`, `note`, `caution` or `stop`.
     pub verdict: &'static str,

@@ -64,6 +64,22 @@ pub(super) const fn decimals(unit: Unit) -> usize {
     }
 }
 
+/// The digits that a column of numbers has at most.
+const WIDEST: usize = 9;
+
+/// The decimals of a column, of those of its unit: as many as leave no number more than [`WIDEST`] digits and, unless all are
+/// kept, as many as its values need.
+pub(super) fn needed(values: impl Iterator<Item = f64>, most: usize, all: bool) -> usize {
+    let (mut whole, mut part) = (1, 0);
+    for value in values {
+        let text = trimmed(value, most);
+        let (before, after) = text.split_once('.').unwrap_or((&text, ""));
+        whole = whole.max(before.bytes().filter(u8::is_ascii_digit).count());
+        part = part.max(after.len());
+    }
+    (if all { most } else { part }).min(WIDEST.saturating_sub(whole))
+}
+
 /// A whole number in groups of three, separated by narrow spaces.
 pub(super) fn grouped(value: u64) -> String {
     let digits = value.to_string();
@@ -79,7 +95,7 @@ pub(super) fn grouped(value: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{fixed, given, grouped, quantity, trimmed};
+    use super::{fixed, given, grouped, needed, quantity, trimmed};
     use crate::table::Unit;
 
     #[test]
@@ -103,6 +119,16 @@ mod tests {
         assert_eq!(quantity(6.4e-12, Unit::Millimetre), "< 0.001");
         assert_eq!(quantity(-6.4e-12, Unit::Millimetre), "> \u{2212}0.001");
         assert_eq!(quantity(0.0, Unit::Millimetre), "0");
+    }
+
+    #[test]
+    fn a_column_has_the_decimals_that_its_values_need() {
+        let of = |values: &[f64], most, all| needed(values.iter().copied(), most, all);
+        assert_eq!(of(&[60.0, 40.0], 4, false), 0);
+        assert_eq!(of(&[0.8, 40.0, 1.250_000_01], 4, false), 2);
+        assert_eq!(of(&[60.0, 40.0], 4, true), 4);
+        assert_eq!(of(&[-202_163.201_432], 6, true), 3);
+        assert_eq!(of(&[], 4, false), 0);
     }
 
     #[test]
