@@ -274,7 +274,7 @@ fn typeset(
         name: outcome.source.workbook.clone(),
         role: Role::Input,
         mime: "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
-        description: t("Libro de entrada", "Input workbook"),
+        description: t("Libro de datos", "Workbook"),
         content: Content::Bytes(workbook),
     };
     let programs = outcome.programs.iter().filter_map(|program| {

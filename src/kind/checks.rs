@@ -13,8 +13,8 @@ pub fn table(findings: &[Finding]) -> Table {
     };
     Table {
         key: "checks",
-        name: t("Comprobaciones", "Checks"),
-        title: t("Comprobaciones", "Checks"),
+        name: t("Avisos", "Findings"),
+        title: t("Avisos", "Findings"),
         source: summary(findings),
         index: Index::None,
         print: Print::No,
@@ -22,7 +22,7 @@ pub fn table(findings: &[Finding]) -> Table {
             column(t("Grado", "Grade"), |finding| finding.grade.name()),
             column(t("Código", "Code"), |finding| Text::same(finding.code())),
             column(t("Lugar", "Place"), |finding| place(&finding.place)),
-            column(t("Comprobación", "Check"), |finding| finding.what.clone()),
+            column(t("Aviso", "Finding"), |finding| finding.what.clone()),
             column(t("Valor", "Value"), |finding| shown(finding, 0)),
             column(t("Límite", "Limit"), |finding| shown(finding, 1)),
             column(t("Remedio", "Remedy"), |finding| finding.remedy.clone()),
@@ -90,12 +90,8 @@ pub fn summary(findings: &[Finding]) -> Text {
             .join(", ")
     };
     Text::new(
-        line([
-            ["parada", "paradas"],
-            ["precaución", "precauciones"],
-            ["nota o comprobación superada", "notas o comprobaciones superadas"],
-        ]),
-        line([["stop", "stops"], ["caution", "cautions"], ["note or passed check", "notes or passed checks"]]),
+        line([["parada", "paradas"], ["precaución", "precauciones"], ["nota", "notas"]]),
+        line([["stop", "stops"], ["caution", "cautions"], ["note", "notes"]]),
     )
 }
 
@@ -179,7 +175,7 @@ mod tests {
         let text = || Text::same("x");
         let note = || Noted { what: text() }.at(Place::File);
         let findings = [Stopped { what: text(), todo: text() }.at(Place::File), note(), note()];
-        assert_eq!(summary(&findings).en, "1 stop, 0 cautions, 2 notes or passed checks");
-        assert_eq!(summary(&findings).es, "1 parada, 0 precauciones, 2 notas o comprobaciones superadas");
+        assert_eq!(summary(&findings).en, "1 stop, 0 cautions, 2 notes");
+        assert_eq!(summary(&findings).es, "1 parada, 0 precauciones, 2 notas");
     }
 }

@@ -69,8 +69,8 @@ impl Verification {
             }
         }
         if !stopped {
-            let place = Place::Block { program: program.key, line: 1 };
-            let passed = ChecksPassed { program: program.title.clone() }.at(place);
+            // The sentence names the program; no line of it is meant.
+            let passed = ChecksPassed { program: program.title.clone() }.at(Place::File);
             self.findings.push(passed.with(held.to_string(), ""));
         }
         self.checks.extend(checks);

@@ -355,7 +355,10 @@ fn the_first_sheet_has_a_line_for_what_does_not_stand_on_it() {
     outcome.findings = vec![caution; 7];
     let (range, _) = summary(&outcome, &[], Language::En);
     let look = text(&range, row_of(&range, "What to check"), 1);
-    assert!(look.lines().count() == 5 && look.ends_with("And further 3. Remedies and places: sheet Checks."), "{look}");
+    assert!(
+        look.lines().count() == 5 && look.ends_with("And further 3. Remedies and places: sheet Findings."),
+        "{look}"
+    );
     outcome.findings.clear();
     let (range, _) = summary(&outcome, &[], Language::En);
     assert_eq!(text(&range, row_of(&range, "What to check"), 1), "Nothing in particular.");
@@ -401,7 +404,7 @@ fn every_finding_stands_on_the_sheet_of_checks_even_when_the_work_is_stopped() {
     outcome.programs.clear();
     let mut workbook = opened(written(&outcome, Language::Es));
     assert!(!workbook.sheet_names().iter().any(|name| name == "INCR"));
-    let range = sheet(&mut workbook, "Comprobaciones");
+    let range = sheet(&mut workbook, "Avisos");
     let table = checks::table(&outcome.findings);
     assert_eq!(table.rows(), outcome.findings.len());
     assert_eq!(range.height(), table.rows() + 3);
