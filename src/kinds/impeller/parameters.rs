@@ -34,7 +34,7 @@ pub(super) static R: Field<f64, Required> = Field::real(
     MM,
     [5.0, 1000.0],
     t("Radio del toro, del eje al centro del meridiano", "Torus radius, axis to the centre of the meridian"),
-    t("Mayor que r", "Greater than r"),
+    t("Mayor que r", "Larger than r"),
 );
 pub(super) static MERIDIAN_R: Field<f64, Required> = Field::real(
     "r",
@@ -93,7 +93,7 @@ pub(super) static A_P: Field<f64, Required> = Field::real(
     "depth_a_p",
     MM,
     [0.01, 100.0],
-    t("Profundidad de pasada", "Depth of cut"),
+    t("Profundidad del canal (published: la de su única pasada)", "Depth of the channel (published: of its only pass)"),
     t("Menor que R − r", "Less than R − r"),
 );
 pub(super) static SPLITTERS: Field<bool, Required> =
@@ -187,7 +187,7 @@ pub(super) static B_MAX: Field<f64, Required> = Field::real(
     Unit::Degree,
     [-360.0, 360.0],
     t("Límite superior de B", "Upper limit of B"),
-    t("Mayor que B_min", "Greater than B_min"),
+    t("Mayor que B_min", "Larger than B_min"),
 );
 pub(super) static X_MIN: Field<f64, Optional> =
     Field::real("X_min", "X_min", MM, TRAVEL, t("Límite inferior de X", "Lower limit of X"), TRAVEL_NOTE);
@@ -412,7 +412,7 @@ pub(super) static L_B: Field<f64, Required> = Field::real(
     MM,
     [1.0, 5000.0],
     t("Longitud del bruto", "Stock length"),
-    t("Mayor que r; diámetro 2·R", "Greater than r; diameter 2·R"),
+    t("Mayor que r; diámetro 2·R", "Larger than r; diameter 2·R"),
 );
 pub(super) static Z_B: Field<f64, Required> = Field::real(
     "Z_b",
@@ -452,7 +452,7 @@ pub(super) static X_E: Field<f64, Optional> = Field::real(
     MM,
     [1.0, 5000.0],
     t("X final, en diámetro", "End X, on the diameter"),
-    t("Mayor que 2·R; vacía: 2·R + 30. Publicado: 80", "Greater than 2·R; empty: 2·R + 30. Published: 80"),
+    t("Mayor que 2·R; vacía: 2·R + 30. Publicado: 80", "Larger than 2·R; empty: 2·R + 30. Published: 80"),
 );
 pub(super) static Z_E: Field<f64, Required> =
     Field::real("Z_e", "blank_end_Z_e", MM, [1.0, 5000.0], t("Z final", "End Z"), t("Publicado: 80", "Published: 80"));

@@ -162,8 +162,18 @@ pub const fn tool_name(which: Which) -> Text {
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
 pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<Quantity> {
     let (mm, count, told) = (Unit::Millimetre, Unit::Count, &plan.told);
-    let lane =
-        ["√((r + a_p)² − (d/2)²) − r, menos s_w en desbaste", "√((r + a_p)² − (d/2)²) − r, less s_w in roughing"];
+    // The end of each tool stays in the ball of the floor: see `OwnNormal::below`.
+    let one_tool = asked.cut.rough == asked.cut.finish;
+    let rough = match asked.cut.rough.r_c == 0.0 {
+        true => "√((r + a_p − s_w)² − (d_t/2)²) − r",
+        false => "√((r + a_p − s_w − r_c)² − (d_t/2 − r_c)²) + r_c − r",
+    };
+    let floor = match (asked.cut.finish.r_c == 0.0, one_tool) {
+        (true, true) => "√((r + a_p)² − (d_t/2)²) − r",
+        (true, false) => "√((r + a_p)² − (d_f/2)²) − r",
+        (false, true) => "√((r + a_p − r_c)² − (d_t/2 − r_c)²) + r_c − r",
+        (false, false) => "√((r + a_p − r_cf)² − (d_f/2 − r_cf)²) + r_cf − r",
+    };
     let mut list = vec![
         quantity(
             "d_t_max",
@@ -179,7 +189,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             "Depth of the tip on roughing lanes, below the turned surface",
             told.rough.t,
             mm,
-            lane,
+            [rough; 2],
         ),
         quantity(
             "t_floor",
@@ -187,7 +197,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             "Depth of the tip on floor lanes, below the turned surface",
             told.finish.t,
             mm,
-            lane,
+            [floor; 2],
         ),
         quantity(
             "lanes_rough",
@@ -223,32 +233,32 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
         ),
         quantity(
             "root_height",
-            "Resto en la esquina de cara y fondo, altura",
-            "Rest in the corner of face and floor, height",
+            "Material que queda en el rincón de cara y fondo, altura",
+            "Material left in the corner of face and floor, height",
             told.root.height,
             mm,
             ["líneas de las caras, más de c_s + tol", "lines of the faces, more than c_s + tol"],
         ),
         quantity(
             "root_width",
-            "Resto en la esquina de cara y fondo, ancho",
-            "Rest in the corner of face and floor, width",
+            "Material que queda en el rincón de cara y fondo, ancho",
+            "Material left in the corner of face and floor, width",
             told.root.width,
             mm,
             ["fondo junto a las caras, más de c_s + tol", "floor beside the faces, more than c_s + tol"],
         ),
         quantity(
             "rest_above",
-            "Resto en las caras por encima de la esquina, como mucho",
-            "Rest on the faces above the corner, at most",
+            "Material que queda en las caras por encima del rincón, como mucho",
+            "Material left on the faces above the corner, at most",
             told.root.above,
             mm,
             ["líneas de las caras; ajuste más tol", "lines of the faces; fit plus tol"],
         ),
         quantity(
             "floor_rest",
-            "Resto en el fondo, aproximado, lejos de las caras: a más de 0.4 mm y el radio de esquina de la fresa",
-            "Rest on the floor, farther than 0.4 mm plus the tool's corner radius from the faces, approximate",
+            "Material que queda en el fondo lejos de las caras (a más de 0.4 mm y el radio de esquina), aproximado",
+            "Material left on the floor away from the faces (0.4 mm plus the corner radius), about",
             told.floor.most,
             mm,
             ["crestas entre pasadas", "ridges between lanes"],
@@ -258,14 +268,14 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
         (
             &told.faces[0],
             "rest_obverse",
-            "Resto del flanco en el anverso, como mucho",
-            "Rest of the flank pass on the obverse, at most",
+            "Material que dejan las pasadas del anverso, como mucho",
+            "Material left by the passes along the obverse, at most",
         ),
         (
             &told.faces[1],
             "rest_reverse",
-            "Resto del flanco en el reverso, como mucho",
-            "Rest of the flank pass on the reverse, at most",
+            "Material que dejan las pasadas del reverso, como mucho",
+            "Material left by the passes along the reverse, at most",
         ),
     ] {
         // The fit is that of the poses; between them the blocks leave the way by up to the tolerance.

@@ -127,7 +127,10 @@ fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
         .map(of_mode)
         .collect();
     if rest {
-        legend.push((Ink::Splitter, t("resto, con la fresa de acabado", "rest, with the finishing tool")));
+        legend.push((
+            Ink::Splitter,
+            t("desbaste del resto, con la fresa de acabado", "roughing of the rest, with the finishing tool"),
+        ));
     }
     legend.push((Ink::Thin, t("al pie, en el fondo", "at the foot, on the floor")));
     let s = shown(design.clear.as_ref().map_or(0.0, |asked| asked.cut.s), 3);
@@ -136,11 +139,11 @@ fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
         height: HEIGHT,
         caption: Text::new(
             format!(
-                "Desbaste de un canal en planta: caminos de la punta en el primer nivel, con el número de su pasada; quedan {s} mm en \
+                "Desbaste de un canal en planta: trayectorias de la punta en el primer nivel, con el número de su pasada; quedan {s} mm en \
                  caras y fondo"
             ),
             format!(
-                "Roughing of one channel in plan: ways of the tip on the first level, each with the number of its pass; {s} mm are \
+                "Roughing of one channel in plan: tip paths on the first level, each with the number of its pass; {s} mm are \
                  left on faces and floor"
             ),
         ),
@@ -181,11 +184,11 @@ fn finishing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
         height: HEIGHT,
         caption: Text::new(
             format!(
-                "Acabado de un canal en planta: {lanes} caminos de la punta en el fondo, del centro hacia fuera, y después {}",
+                "Acabado de un canal en planta: {lanes} trayectorias de la punta en el fondo, del centro hacia fuera, y después {}",
                 then.es
             ),
             format!(
-                "Finishing of one channel in plan: {lanes} ways of the tip on the floor, from the middle outwards, then {}",
+                "Finishing of one channel in plan: {lanes} tip paths on the floor, from the middle outwards, then {}",
                 then.en
             ),
         ),

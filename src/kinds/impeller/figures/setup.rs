@@ -34,7 +34,8 @@ pub(super) fn side(design: &Design) -> Figure {
     let mm = |value: f64| sketch.paper(value);
     // The dimensions stand beyond the arrow of X and its name.
     let (column, wide) = (R + mm(21.0), 0.6 * R);
-    let (ring, long, gap) = (mm(1.6), mm(9.0), mm(3.0));
+    // The arrow of X runs above the extension line of H.
+    let (ring, long, gap, over) = (mm(1.6), mm(9.0), mm(3.0), mm(3.5));
     let stock = -design.blank.L_b.max(design.torus.r);
     // The spindle, from the B axis up to its nose, and the clamping.
     sketch.rectangle(Ink::Thin, [-wide, -L], [wide, -H]);
@@ -58,8 +59,8 @@ pub(super) fn side(design: &Design) -> Figure {
         Text::same(format!("T{} · d_t = {}", design.T, shown(design.d_t, 3))),
     );
     sketch.zero([0.0, 0.0]);
-    sketch.arrow(Ink::Axis(0), [[R + gap, 0.0], [R + gap + long, 0.0]]);
-    sketch.label([R + gap + long, 0.0], Side::Right, Text::same("+X"));
+    sketch.arrow(Ink::Axis(0), [[R + gap, over], [R + gap + long, over]]);
+    sketch.label([R + gap + long, over], Side::Right, Text::same("+X"));
     sketch.arrow(Ink::Axis(2), [[-side, gap], [-side, gap + long]]);
     sketch.label([-side, gap + long], Side::Left, Text::same("+Z"));
     // The B axis, and the direction in which +B tilts the part.
