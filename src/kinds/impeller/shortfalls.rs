@@ -1,6 +1,7 @@
 //! What the plan of an impeller leaves or spoils, reported with figures and places: for a person to judge before the work.
 
 use crate::finding::{Finding, Raise, Said, Size};
+use crate::kinds::impeller::clear::rules::GapBelowRule;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::floor_depth::{self, deepest};
@@ -85,7 +86,7 @@ fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding>
     Some(told.with(most.said(Language::En), "0 mm"))
 }
 
-/// The caution for blades that are nearer to each other than the published limits say.
+/// The caution, or with a clear cut the note, for blades that are nearer to each other than the published limits say.
 pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
     if limits.kept {
         return None;
@@ -114,6 +115,9 @@ pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
     let place = at([form::N.key(), form::E.key(), form::D_T.key()]);
     let told = if limits.gap.width < design.d_t {
         ToolDoesNotPass { tool, gap, at: station, blades, thickness }.at(place)
+    } else if design.clear.is_some() {
+        // Whether the tools of a clear cut pass is judged of their own passes.
+        GapBelowRule { gap, tool, least }.at(place)
     } else {
         GapBelowPublished { gap, tool, least, at: station, blades, thickness }.at(place)
     };

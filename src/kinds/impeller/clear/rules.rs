@@ -56,9 +56,9 @@ rules! {
         why "El portaherramientas gira con la fresa y choca con la pieza.", "The holder turns with the tool and hits the part.";
         example book!("impeller", "splitters" = "no", "l_t" = "8", "d_h" = "40");
     "P1209" StickOutThatIsEnough Note { tool: Text, enough: Size }
-        es "voladizo que basta para {tool} con cualquier portaherramientas: {enough}"
-        en "stick-out that is enough for {tool} with any holder: {enough}"
-        remedy "mídalo al montar la herramienta, o escriba l_t, l_f y d_h para que rodete lo compruebe", "measure it when you set the tool, or fill in l_t, l_f and d_h to have it checked";
+        es "para {tool} basta un voladizo de {enough}, con cualquier portaherramientas"
+        en "a stick-out of {enough} is enough for {tool}, whatever the holder"
+        remedy "mida el voladizo al montar la herramienta, o escriba l_t, l_f y d_h para que rodete lo compruebe", "measure the stick-out when you set the tool, or fill in l_t, l_f and d_h to have it checked";
         why "Cuenta el bruto, no las mordazas ni el plato.", "The blank is counted, clamps and chuck are not.";
         example book!("impeller", "splitters" = "no", "l_t" = "");
     "P1210" RestAtTheRoot Note { over: Size, height: Size, here: Size, width: Size, there: Size }
@@ -68,8 +68,8 @@ rules! {
         why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");
     "P1211" RidgesOfTheFloor Note { most: Size, beside: Size, share: Size }
-        es "en el fondo quedan unos {most} como mucho, a más de {beside} de las caras, al {share} % del camino del cubo al borde"
-        en "on the floor about {most} is left at most, farther than {beside} from the faces, at {share} % of the way from hub to rim"
+        es "en el fondo quedan unos {most}, a más de {beside} de las caras, al {share} % del camino del cubo al borde"
+        en "about {most} is left on the floor, farther than {beside} from the faces, at {share} % of the way from hub to rim"
         remedy "elija una c_s menor o una fresa de acabado menor", "choose a smaller c_s or a smaller finishing tool";
         why "Las pasadas del fondo dejan crestas entre ellas.", "Floor lanes leave ridges between them.";
         example book!("impeller", "splitters" = "no");
@@ -77,7 +77,7 @@ rules! {
         es "tramos que no se cortan porque la herramienta no cabe: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
         en "stretches not cut because the tool does not fit there: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
         remedy "use una herramienta menor o menos álabes; quite a mano lo que quede", "use a smaller tool or fewer blades; remove by hand what is left";
-        why "Una pasada que no cabe cortaría otro álabe o el fondo: se deja y se dice.", "A pass that does not fit would cut another blade or the floor: it is left out and told.";
+        why "Una pasada que no cabe cortaría otro álabe o el fondo: rodete no la hace y avisa.", "A pass that does not fit would cut another blade or the floor: rodete leaves it out and reports it.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8");
     "P1213" NoRoomForClearSplitter Stop {}
         es "no hay sitio para álabes intermedios: la fresa de acabado no pasa alrededor de ellos en ningún punto"
@@ -110,8 +110,8 @@ rules! {
         why "El radio de esquina no cabe en la punta de la fresa.", "The corner radius does not fit into the end of the tool.";
         example book!("impeller --case full", "method" = "clear", "r_c" = "4");
     "P1218" FacesUnfinished Caution { share: Size }
-        es "la punta redondeada de la fresa de acabado deja resto en las caras hasta la cara torneada, al {share} % del camino del cubo al borde"
-        en "the rounded end of the finishing tool leaves a rest on the faces up to the turned surface, at {share} % of the way from hub to rim"
+        es "la punta redondeada de la fresa de acabado deja material en las caras hasta la cara torneada, al {share} % del camino del cubo al borde"
+        en "the rounded end of the finishing tool leaves material on the faces up to the turned surface, at {share} % of the way from hub to rim"
         remedy "elija un radio de esquina bastante menor que la profundidad a_p", "choose a corner radius well below the depth a_p";
         why "La cara solo se acaba por encima del radio de esquina.", "A face is finished only above the corner radius.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "c_s" = "0.1", "r_c" = "3");
@@ -154,4 +154,11 @@ rules! {
         why "Sin d_h no se sabe si el portaherramientas pasa por el canal, y choca el que no pasa.",
             "Without d_h it is not known whether the holder passes through the channel, and one that does not pass hits the part.";
         example book!("impeller", "splitters" = "no", "l_t" = "8");
+    "P1225" GapBelowRule Note { gap: Size, tool: Size, least: Size }
+        es "entre los álabes pasa como mucho una herramienta de {gap}; para la de {tool} la regla publicada pediría {least}; con method = clear rodete demuestra la separación"
+        en "a tool of {gap} at most passes between the blades; for the tool of {tool} the published rule would ask for {least}; with method = clear rodete proves the gap itself"
+        remedy "", "";
+        why "La regla publicada pide un tercio más que la herramienta; de un corte clear rodete comprueba cada pasada con los álabes vecinos.",
+            "The published rule asks for a third more than the tool; of a clear cut rodete checks each pass against the neighbouring blades.";
+        example book!("impeller", "splitters" = "no");
 }
