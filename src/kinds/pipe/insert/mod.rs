@@ -32,7 +32,7 @@ pub mod rules;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Raise, Rule, Size};
+use crate::finding::{Finding, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
@@ -66,7 +66,7 @@ use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 
 /// The kind.
 #[derive(Debug)]
@@ -374,15 +374,24 @@ fn place(worst: &Worst) -> Text {
     Text::new(format!("en φ = {phi}°"), format!("at φ = {phi}°"))
 }
 
+/// The gap of an edge: how wide and where, or that it is closed.
+fn gap_of(worst: &Worst) -> Text {
+    let (width, place) = (Size::mm(told(worst.most)), place(worst));
+    if place.en.is_empty() {
+        return t("cerrado", "closed");
+    }
+    let said = |language: Language| format!("{} {}", width.said(language), place.get(language));
+    Text::new(said(Language::Es), said(Language::En))
+}
+
 /// How the branch comes to rest.
 fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
     let phi = |worst: &Worst| Size::number(worst.phi.to_degrees(), 1);
     let contact = match design.contact {
         Contact::Envelope => {
-            let [inner, outer] = rest.gaps.map(|gap| Size::mm(told(gap.most)));
+            let [inner, outer] = rest.gaps.map(|gap| gap_of(&gap));
             let kerf = Size::mm(told(design.cut_back()));
-            let [inner_phi, outer_phi] = rest.gaps.map(|gap| phi(&gap));
-            return Some(GapsOfEnvelope { inner, inner_phi, outer, outer_phi, kerf }.at(at([CONTACT.key()])));
+            return Some(GapsOfEnvelope { inner, outer, kerf }.at(at([CONTACT.key()])));
         }
         Contact::Inside => t("interior", "inside"),
         Contact::Outside => t("exterior", "outside"),

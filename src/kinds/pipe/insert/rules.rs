@@ -102,9 +102,9 @@ rules! {
         why "La envolvente necesita los dos radios de la pared, que salen del diámetro y del espesor.",
             "The envelope takes both radii of the wall, which come from diameter and wall thickness.";
         example book!("pipe-insert", "r" = "40");
-    "P2115" GapsOfEnvelope Note { inner: Size, inner_phi: Size, outer: Size, outer_phi: Size, kerf: Size }
-        es "el injerto asienta sin esmerilar; separación máxima al tubo base: borde interior {inner} en φ = {inner_phi}°, borde exterior {outer} en φ = {outer_phi}°; el ancho de corte quita hasta {kerf} más al interior"
-        en "the branch seats without grinding; maximum gap to the header: inner edge {inner} at φ = {inner_phi}°, outer edge {outer} at φ = {outer_phi}°; the kerf takes up to {kerf} more off the inner edge"
+    "P2115" GapsOfEnvelope Note { inner: Text, outer: Text, kerf: Size }
+        es "el injerto asienta sin esmerilar; separación máxima al tubo base: borde interior {inner}, borde exterior {outer}; el ancho de corte quita hasta {kerf} más al interior"
+        en "the branch seats without grinding; maximum gap to the header: inner edge {inner}, outer edge {outer}; the kerf takes up to {kerf} more off the inner edge"
         remedy "", "";
         why "Un corte a escuadra toca el tubo base en una sola línea de la pared; el resto queda separado y lo llena la soldadura.",
             "A square cut touches the header on one line of the wall only; the rest stands off, and the weld fills that gap.";
@@ -124,16 +124,16 @@ rules! {
             "The lead-in is straight and square to the curve at φ = 0; on a turning pipe, and with e other than 0, it goes round the pipe.";
         example book!("pipe-insert", "branch_size" = "1/2 in", "header_size" = "2 in", "theta" = "30", "e" = "20", "Z" = "200", "lead_in" = "30");
     "P2118" CurveBehindEdge Caution { below: Size, least: Size }
-        es "la curva pasa {below} por detrás del borde de la plantilla: si el tubo o la chapa acaban en ese borde, el injerto sale en dos trozos"
-        en "the curve goes {below} behind the edge of the template: if the pipe or the sheet ends at that edge, the branch comes out in two pieces"
+        es "la curva pasa {below} más allá del borde de la plantilla: si el tubo o la chapa acaban en ese borde, el injerto sale en dos trozos"
+        en "the curve goes {below} beyond the edge of the template: if the pipe or the sheet ends at that edge, the branch comes out in two pieces"
         remedy "elija Z de {least} como mínimo", "choose Z of {least} at least";
         why "Entre el borde de la plantilla, que es el cero, y la curva queda el injerto.",
             "The branch is what stays between the edge of the template, which is the zero, and the curve.";
         example book!("pipe-insert", "theta" = "120");
     "P2119" OvercutPastTurn Stop { overcut: Size, round: Size }
-        es "el sobrecorte de {overcut} da más de una vuelta: una vuelta son {round}"
+        es "la salida de {overcut} da más de una vuelta: una vuelta son {round}"
         en "the overcut of {overcut} goes more than once round: one turn is {round}"
-        remedy "elija un sobrecorte más corto", "choose a shorter overcut";
-        why "El sobrecorte repasa el principio del corte.", "The overcut goes over the beginning of the cut again.";
+        remedy "elija una salida más corta", "choose a shorter overcut";
+        why "La salida repasa el principio del corte.", "The overcut goes over the beginning of the cut again.";
         example book!("pipe-insert", "branch_size" = "1/2 in", "overcut" = "200");
 }
