@@ -59,7 +59,7 @@ impl Group {
             Self::CutterCompensation => t("compensación de radio", "cutter radius compensation"),
             Self::ToolLength => t("compensación de longitud", "tool length offset"),
             Self::Retract => t("retirada de los ciclos fijos", "canned cycle return"),
-            Self::WorkOffset => t("origen de pieza", "work offset"),
+            Self::WorkOffset => t("decalaje de origen", "work offset"),
             Self::Path => t("control de la trayectoria", "path control"),
             Self::Speed => t("modo del husillo", "spindle speed mode"),
             Self::SetPosition => t("estado de G92", "G92 state"),

@@ -29,8 +29,8 @@ pub static RAPID_LINEAR: Field<f64, Optional> = Field::real(
     [1.0, 200_000.0],
     t("Avance rápido de los ejes lineales", "Rapid rate of the linear axes"),
     t(
-        "El del eje más lento. Vacío: el tiempo no cuenta los rápidos, y lo dice",
-        "That of the slowest axis. Empty: times leave rapid motions out, and say so",
+        "El del eje más lento. Vacío: los tiempos no cuentan los rápidos",
+        "That of the slowest axis. Empty: the times do not count rapids",
     ),
 );
 
@@ -42,8 +42,8 @@ pub static RAPID_ROTARY: Field<f64, Optional> = Field::real(
     [1.0, 1_000_000.0],
     t("Avance rápido de los ejes giratorios", "Rapid rate of the rotary axes"),
     t(
-        "El del eje más lento. 10 rpm son 3600 °/min. Vacío: el tiempo no cuenta los rápidos, y lo dice",
-        "That of the slowest axis. 10 rpm are 3600 °/min. Empty: times leave rapid motions out, and say so",
+        "El del eje más lento. 10 rpm son 3600 °/min. Vacío: los tiempos no cuentan los rápidos",
+        "That of the slowest axis. 10 rpm are 3600 °/min. Empty: the times do not count rapids",
     ),
 );
 

@@ -61,7 +61,9 @@ impl G {
             Self::ToolLengthOff => t("sin corrector de longitud", "no tool length offset"),
             Self::LocalOffset => t("origen local", "local offset"),
             Self::MachineCoordinates => t("este bloque en cotas de máquina", "this block in machine coordinates"),
-            Self::WorkOffset(number) => Text::new(format!("origen de pieza {number}"), format!("work offset {number}")),
+            Self::WorkOffset(number) => {
+                Text::new(format!("decalaje de origen {number}"), format!("work offset {number}"))
+            }
             Self::PathControl => t(
                 "control de la trayectoria, sin efecto en la programada",
                 "path control, without effect on the programmed path",

@@ -51,7 +51,7 @@ pub static LEVEL: Field<Level, Usual> = Field::choice_or(
     Level::Program,
     "level",
     "sweep_level",
-    t("Con qué se juzga cada diseño", "What each design is judged by"),
+    t("Con qué se comprueba cada diseño", "What each design is checked by"),
     t(
         "limits: los límites derivados; program, o vacía: además los programas, releídos, con todas las comprobaciones",
         "limits: the derived limits; program, or empty: the programs as well, read back, with all checks",

@@ -105,8 +105,8 @@ impl LivePart<'_> {
         styles: &Styles,
     ) -> Result<(), WriteError> {
         static HOLD: Text = t(
-            "Los límites se cumplen; lo demás lo juzga rodete check",
-            "The limits hold; rodete check judges the rest",
+            "Los límites se cumplen; rodete check comprueba lo demás",
+            "The limits hold; rodete check checks the rest",
         );
         static BROKEN: Text =
             t("Límites que no se cumplen: vea las celdas rojas: ", "Limits that do not hold, see the red cells: ");

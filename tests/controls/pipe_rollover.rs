@@ -134,7 +134,12 @@ fn rotary_words_stand_in_blocks_of_g91_only() {
 fn header_notes_and_checks_say_which_rotary_axes_a_program_is_true_for() {
     for (kind, before) in [("hole", "A B C MUST SHOW 0 BEFORE"), ("insert", "A MUST SHOW 0 BEFORE")] {
         for (dialect, header, note, row) in [
-            ("fagor-8055", "TRUE FOR ROLLOVER ROTARY AXES", "suits rollover and linear axes", "rollover and linear: "),
+            (
+                "fagor-8055",
+                "VALID FOR ROLLOVER AND LINEAR ROTARY AXES",
+                "suits rollover and linear axes",
+                "rollover and linear: ",
+            ),
             ("fagor-8070", "ROLLOVER AX", "right only if A", "linear only"),
             ("linuxcnc", "ROLLOVER AX", "right only if A", "linear only"),
         ] {
@@ -142,7 +147,7 @@ fn header_notes_and_checks_say_which_rotary_axes_a_program_is_true_for() {
             let text = outcome.programs[0].text();
             assert!(text.contains(header), "{kind} {dialect}");
             assert_eq!(text.contains(before), dialect == "fagor-8055", "{kind} {dialect}");
-            assert_eq!(text.contains("TRUE ONLY WHERE A"), dialect != "fagor-8055", "{kind} {dialect}");
+            assert_eq!(text.contains("VALID ONLY IF A"), dialect != "fagor-8055", "{kind} {dialect}");
             assert!(notes(&outcome).contains(note), "{kind} {dialect}: {}", notes(&outcome));
             let table = outcome.table("verification").expect("the table");
             assert!(format!("{:?}", table.columns).contains(row), "{kind} {dialect}");

@@ -138,7 +138,7 @@ fn positions_are_written_where_the_axes_are_linear_and_it_is_told() {
     assert_eq!(told.len(), 1, "{told:?}");
     assert!(told[0].1.starts_with("the programs are right only if B and C count as linear axes"), "{told:?}");
     let blade = milled(&outcome, "blade");
-    assert!(blade.text().contains("TRUE ONLY WHERE B AND C ARE NOT ROLLOVER AXES"));
+    assert!(blade.text().contains("VALID ONLY IF B AND C ARE NOT ROLLOVER AXES"));
     assert_eq!(rollover::check(blade, Rotary::Linear).grade(), Some(Grade::Note));
     // The same program is none for an axis that is rollover.
     let check = rollover::check(blade, Rotary::Rollover);
@@ -181,10 +181,7 @@ fn the_tool_is_taken_away_before_anything_moves() {
     let assumed = cautions(&[]);
     let [(place, what)] = assumed.as_slice() else { panic!("{assumed:?}") };
     assert_eq!(parameters(place), ["retract"]);
-    assert!(
-        what.starts_with("retract with G53 rests on an assumption: that machine zero is at the top of Z"),
-        "{what}"
-    );
+    assert!(what.starts_with("retract with G53 assumes that machine zero is at the top of Z"), "{what}");
 
     let without = [("retract", line(""))];
     let missing = cautions(&without);

@@ -157,7 +157,7 @@ fn the_usual_design_gives_nothing_to_judge_but_its_part_and_where_machine_zero_i
     let above = outcome.findings.iter().filter(|finding| finding.grade > Grade::Note && !of_part(&finding.place));
     let above: Vec<_> = above.collect();
     assert_eq!(above.len(), 1, "{above:?}");
-    assert!(above[0].what.en.starts_with("retract with G53 rests on an assumption"), "{above:?}");
+    assert!(above[0].what.en.starts_with("retract with G53 assumes"), "{above:?}");
 }
 
 /// The least distance of the tip at a point of a splitter's path from the foot of the neighbouring blade's mean line, the

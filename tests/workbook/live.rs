@@ -339,10 +339,10 @@ fn the_form_computes_its_limits_and_names_the_one_that_is_broken() {
         let told = books.iter_mut().map(said).collect::<Vec<_>>();
         let words = match language {
             Language::En => {
-                ["rodete check judges the rest", "red cells: 3", "no numbers: 1", "R must be greater than r"]
+                ["rodete check checks the rest", "red cells: 3", "no numbers: 1", "R must be larger than r"]
             }
             Language::Es => {
-                ["lo juzga rodete check", "celdas rojas: 3", "no son números: 1", "R ha de ser mayor que r"]
+                ["rodete check comprueba lo demás", "celdas rojas: 3", "no son números: 1", "R ha de ser mayor que r"]
             }
         };
         for (told, words) in told.iter().zip(words) {

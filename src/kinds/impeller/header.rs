@@ -78,7 +78,7 @@ pub fn header(
         .line("CERO G54 - PUNTA EN EL CENTRO DEL TORO CON B0 C0", "ZERO G54 - TOOL TIP IN THE TORUS CENTRE AT B0 C0");
     comments.line(
         "SIN CONTROL DE PUNTA RTCP - SOLO VALE CON ESTA L",
-        "NO TOOL CENTRE POINT CONTROL - TRUE FOR THIS L ONLY",
+        "NO TOOL CENTRE POINT CONTROL - VALID FOR THIS L ONLY",
     );
     let by_increments = design.turns_by_increments();
     let height = fixed(program.start.get(crate::machine::axis::Axis::Z).value());
@@ -88,16 +88,13 @@ pub fn header(
     );
     if by_increments {
         comments.line("ANTES DE EMPEZAR - B Y C A 0 EN PANTALLA", "BEFORE THE START - B AND C SHOW 0");
-        comments.line(
-            "VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES",
-            "TRUE FOR ROLLOVER ROTARY AXES AND FOR LINEAR ONES",
-        );
+        comments.line("VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES", "VALID FOR ROLLOVER AND LINEAR ROTARY AXES");
     } else {
         comments
             .line("C ES EJE GIRATORIO CONTINUO - CUENTA MAS DE 360", "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360");
     }
     if design.style == Style::Full && design.distance == Distance::Absolute {
-        comments.line("SOLO VALE SI B Y C NO SON EJES ROLLOVER", "TRUE ONLY WHERE B AND C ARE NOT ROLLOVER AXES");
+        comments.line("SOLO VALE SI B Y C NO SON EJES ROLLOVER", "VALID ONLY IF B AND C ARE NOT ROLLOVER AXES");
     }
     if design.retract.is_empty() {
         comments.line(

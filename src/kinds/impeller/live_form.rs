@@ -34,13 +34,13 @@ pub fn live() -> LiveForm {
         ],
         sound: (
             "AND(torus_R*(1-0.000001)>meridian_r,meridian_r>0,torus_R-meridian_r>depth_a_p,blades_N>=1,intervals_n>=1)",
-            t("R ha de ser mayor que r, y R − r mayor que a_p", "R must be greater than r, and R − r greater than a_p"),
+            t("R ha de ser mayor que r, y R − r mayor que a_p", "R must be larger than r, and R − r larger than a_p"),
         ),
         undecided: Some((
             CLEAR,
             t(
-                "method = clear: si pasan las fresas, lo juzga rodete check",
-                "method = clear: rodete check judges whether the tools pass",
+                "method = clear: rodete check comprueba si pasan las fresas",
+                "method = clear: rodete check checks whether the tools pass",
             ),
         )),
         rows: rows(),
@@ -50,7 +50,7 @@ pub fn live() -> LiveForm {
 
 fn rows() -> Vec<LiveRow> {
     let row = LiveRow::length;
-    let told = t("regla publicada; clear lo juzga rodete check", "published rule; rodete check judges clear");
+    let told = t("regla publicada; con clear, rodete check", "published rule; for clear, rodete check");
     let published = |wrong: &str| format!("AND(method<>\"clear\",{wrong})");
     vec![
         row("L", "live_L", t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H"),
@@ -69,7 +69,7 @@ fn rows() -> Vec<LiveRow> {
             t("Semiancho de álabe y herramienta", "Half width of blade and tool"),
             "(thickness_e+tool_diameter_d_t)/2",
         ),
-        row("d", "live_d", t("Separación mínima entre álabes", "Least gap between blades"), "tool_diameter_d_t*4/3")
+        row("d", "live_d", t("Separación mínima entre álabes", "Minimum gap between blades"), "tool_diameter_d_t*4/3")
             .undecided(CLEAR, told.clone()),
         row(
             "gap",
@@ -91,7 +91,7 @@ fn rows() -> Vec<LiveRow> {
         row(
             "N_max",
             "live_N_max",
-            t("Número máximo de álabes", "Greatest number of blades"),
+            t("Número máximo de álabes", "Maximum number of blades"),
             "INT(2*PI()*(torus_R-meridian_r-depth_a_p)/(thickness_e+live_d))",
         )
         .unit(Unit::Count)
@@ -100,7 +100,7 @@ fn rows() -> Vec<LiveRow> {
         row(
             "e_max",
             "live_e_max",
-            t("Espesor máximo del álabe", "Greatest blade thickness"),
+            t("Espesor máximo del álabe", "Maximum blade thickness"),
             "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-live_d",
         )
         .wrong(published("thickness_e>live_e_max"), t("e es demasiado grande", "e is too large"), "thickness_e")

@@ -365,7 +365,7 @@ fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quanti
         quantity(
             "d",
             "Separación mínima entre álabes, según lo publicado",
-            "Least gap between blades, as published",
+            "Minimum gap between blades, as published",
             least_gap(d_t),
             mm,
             ["4/3·d_t, TFG, sección 4.2.2", "4/3·d_t, thesis, section 4.2.2"],

@@ -281,8 +281,8 @@ rules! {
             "The retract height holds with B in its place; from another position the path may go through the part.";
         example book!("impeller --case full", "retract" = "");
     "P1041" RetractIsAssumed Caution {}
-        es "retract con G53 es una suposición: que el cero máquina está en lo alto de Z y que G53 cuenta desde él sin corrector (G44); no está contrastada con la página de G53 del manual del control"
-        en "retract with G53 rests on an assumption: that machine zero is at the top of Z and that G53 counts from it without a tool length offset (G44); it is not checked against the control manual's page on G53"
+        es "retract con G53 supone que el cero máquina está en lo alto de Z y que G53 no cuenta correctores (G44); rodete no lo ha contrastado con el manual del control"
+        en "retract with G53 assumes that machine zero is at the top of Z and that G53 ignores tool offsets (G44); rodete did not check this in the control's manual"
         remedy "compruébelo en el manual de la máquina y la primera vez ejecute ese bloque en modo bloque a bloque y con el avance reducido",
             "check it in the machine's manual, and the first time run that block in single block with the feed turned down";
         why "Si el cero máquina está abajo, ese bloque lleva la herramienta en rápido contra la pieza.",

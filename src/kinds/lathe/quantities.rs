@@ -25,7 +25,7 @@ pub(super) fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> 
         quantity("L3", t("Voladizo", "Stick-out"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),
         quantity(
             "Z_W1",
-            t("Origen W1, desde M", "Zero W1, from M"),
+            t("Cero pieza W1, desde M", "Part zero W1, from M"),
             given.setup.stock.zero(&given.setup.lathe),
             Unit::Millimetre,
             t("L1 + L2 + L3 − L5", "L1 + L2 + L3 − L5"),

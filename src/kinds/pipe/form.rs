@@ -20,7 +20,7 @@ pub(in crate::kinds) static BRANCH_SIZE: Field<&'static Size, Optional> = Field:
     t("Tamaño nominal del injerto (NPS)", "Nominal size of the branch (NPS)"),
     t(
         "ASME B36.10, con la cédula; vacía: valen D_branch y t_branch",
-        "ASME B36.10, with the schedule; empty: D_branch and t_branch count",
+        "ASME B36.10, with the schedule; empty: D_branch and t_branch apply",
     ),
 );
 pub(in crate::kinds) static BRANCH_SCHEDULE: Field<Schedule, Optional> = Field::of_list(

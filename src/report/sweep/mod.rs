@@ -218,8 +218,8 @@ impl Setter<'_> {
             t("", "")
         };
         let mut paragraphs = vec![Text::new(
-            format!("{count} diseños, method = {method}{}. Cada uno se juzga {}.", chance.es, judged.es),
-            format!("{count} designs, method = {method}{}. Each is judged {}.", chance.en, judged.en),
+            format!("{count} diseños, method = {method}{}. Cada uno se comprueba {}.", chance.es, judged.es),
+            format!("{count} designs, method = {method}{}. Each is checked {}.", chance.en, judged.en),
         )];
         let list = |name: Text, all: Vec<String>| {
             let all = all.join("; ");
@@ -494,8 +494,8 @@ impl Setter<'_> {
         let mut texts: Vec<Text> = self.titled.notes.iter().map(|one| one.what.clone()).collect();
         if plan.level == Level::Limits {
             texts.push(t(
-                "Los diseños se han juzgado por sus límites derivados: sus programas no están comprobados.",
-                "The designs were judged by the derived limits: their programs are not checked.",
+                "Los diseños se han comprobado por sus límites derivados: sus programas no están comprobados.",
+                "The designs were checked by the derived limits: their programs are not checked.",
             ));
         }
         if cut {

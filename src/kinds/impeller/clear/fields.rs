@@ -86,7 +86,7 @@ pub(in crate::kinds::impeller) static LEVEL: Field<f64, Optional> = Field::real(
     "level_a_k",
     MM,
     [0.01, 100.0],
-    t("Profundidad máxima de un nivel de desbaste", "Greatest depth of a roughing level"),
+    t("Profundidad máxima de un nivel de desbaste", "Maximum depth of a roughing level"),
     t("Solo con method = clear; vacía: 0.5·d_t", "Only with method = clear; empty: 0.5·d_t"),
 );
 pub(in crate::kinds::impeller) static STEP: Field<f64, Usual> = Field::real_or(
@@ -120,8 +120,8 @@ pub(in crate::kinds::impeller) static FEED_CHANGE: Field<f64, Optional> = Field:
         "How much the feed of the tip may change within a block",
     ),
     t(
-        "Solo con method = clear; 0.02 es el 2 %. Vacía: no se limita y se dice cuánto cambia",
-        "Only with method = clear; 0.02 is 2 %. Empty: not limited; the change is told",
+        "Solo con method = clear; 0.02 es el 2 %. Vacía: sin límite; rodete avisa del cambio",
+        "Only with method = clear; 0.02 is 2 %. Empty: no limit; rodete reports the change",
     ),
 );
 pub(in crate::kinds::impeller) static STICK_OUT: Field<f64, Optional> = Field::real(
@@ -131,8 +131,8 @@ pub(in crate::kinds::impeller) static STICK_OUT: Field<f64, Optional> = Field::r
     [1.0, 500.0],
     t("Voladizo de la herramienta T", "Stick-out of the tool T"),
     t(
-        "Solo con method = clear, de la punta al portaherramientas; vacía: se dice cuál basta",
-        "Only with method = clear, from the tip to the holder; empty: the one that is enough is told",
+        "Solo con method = clear, de la punta al portaherramientas; vacía: rodete avisa del voladizo que basta",
+        "Only with method = clear, from the tip to the holder; empty: rodete reports the stick-out that is enough",
     ),
 );
 pub(in crate::kinds::impeller) static STICK_OUT_F: Field<f64, Optional> = Field::real(
@@ -142,8 +142,8 @@ pub(in crate::kinds::impeller) static STICK_OUT_F: Field<f64, Optional> = Field:
     [1.0, 500.0],
     t("Voladizo de la fresa de acabado", "Stick-out of the finishing tool"),
     t(
-        "Solo con method = clear, de la punta al portaherramientas; vacía: se dice cuál basta",
-        "Only with method = clear, from the tip to the holder; empty: the one that is enough is told",
+        "Solo con method = clear, de la punta al portaherramientas; vacía: rodete avisa del voladizo que basta",
+        "Only with method = clear, from the tip to the holder; empty: rodete reports the stick-out that is enough",
     ),
 );
 pub(in crate::kinds::impeller) static HOLDER: Field<f64, Optional> = Field::real(
@@ -184,12 +184,12 @@ pub(in crate::kinds::impeller) static ROOT: Field<f64, Optional> = Field::real(
     MM,
     [0.01, 100.0],
     t(
-        "Altura de resto admitida en la esquina de cara y fondo",
-        "Height of rest allowed in the corner of face and floor",
+        "Altura de material admitida en el rincón de cara y fondo",
+        "Height of material allowed in the corner of face and floor",
     ),
     t(
-        "Solo con method = clear; se dice la mayor fresa frontal que no deja más. Vacía: no se pregunta",
-        "Only with method = clear; the largest flat end mill that leaves no more is told. Empty: not asked",
+        "Solo con method = clear; rodete da la mayor fresa frontal que no deja más. Vacía: no da ninguna",
+        "Only with method = clear; rodete names the largest flat end mill that leaves no more. Empty: it names none",
     ),
 );
 pub(in crate::kinds::impeller) static PARTLY: Field<bool, Usual> = Field::choice_or(
@@ -198,8 +198,8 @@ pub(in crate::kinds::impeller) static PARTLY: Field<bool, Usual> = Field::choice
     "cut_partly",
     t("Cortar hasta donde quepa la fresa", "Cut as far as the tool fits"),
     t(
-        "Solo con method = clear; sí: si la fresa no llega al cubo, se corta desde el borde hasta donde cabe y se dice cuánto queda. Vacía: no, se rechaza",
-        "Only with method = clear; yes: if a tool does not fit as far as the hub, it cuts from the rim to where it fits, and what is left is told. Empty: no, it is rejected",
+        "Solo con method = clear; sí: si la fresa no llega al cubo, rodete corta desde el borde hasta donde cabe y avisa de lo que queda. Vacía: no; rodete lo rechaza",
+        "Only with method = clear; yes: if a tool does not fit as far as the hub, rodete cuts from the rim to where it fits and reports what is left. Empty: no; rodete rejects it",
     ),
 );
 

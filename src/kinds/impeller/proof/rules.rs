@@ -54,14 +54,14 @@ crate::finding::rule::rules! {
     "V0107" ToolCutsBlade Stop { point: Size, depth: Size, line: usize, program: Text }
         es "la herramienta corta el álabe vecino (en su punto {point}) {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "the tool cuts into the neighbouring blade (at its point {point}) by {depth} across the tool, in line {line} of \"{program}\""
-        remedy "menos álabes, álabes más delgados o una herramienta menor", "use fewer blades, thinner blades, or a smaller tool";
+        remedy "use menos álabes, álabes más delgados o una herramienta menor", "use fewer blades, thinner blades, or a smaller tool";
         why "El metal que la herramienta quita a otro álabe no se recupera.",
             "Metal cut from another blade is lost.";
         example Example::Slip { kind: "impeller --case full", cells: &[("r", "8"), ("a_p", "1"), ("N", "8"), ("splitters", "no")], program: "blade", from: "", to: "" };
     "V0108" ToolMayCutBlade Stop { point: Size, line: usize, program: Text }
         es "no está demostrado que la herramienta libre el álabe vecino (en su punto {point}): pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the tool clears the neighbouring blade (at its point {point}): it comes nearest in line {line} of \"{program}\""
-        remedy "menos álabes, álabes más delgados o una herramienta menor", "use fewer blades, thinner blades, or a smaller tool";
+        remedy "use menos álabes, álabes más delgados o una herramienta menor", "use fewer blades, thinner blades, or a smaller tool";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
         example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
@@ -154,14 +154,14 @@ crate::finding::rule::rules! {
         why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
         example Example::Slip { kind: "impeller", cells: &[("c_s", "0.02"), ("delta", "")], program: "finish", from: "N50980 G1 X-3.520", to: "N50980 G1 X-3.820" };
     "V0128" ClearMayCut Stop { limit: Size, line: usize, program: Text }
-        es "no está demostrado que la herramienta libre las caras en {limit}: pasa lo más cerca en la línea {line} de «{program}»"
-        en "it is not proved that the tool keeps within {limit} of the faces: it comes nearest in line {line} of \"{program}\""
+        es "no está demostrado que la herramienta entre menos de {limit} en las caras: pasa lo más cerca en la línea {line} de «{program}»"
+        en "it is not proved that the tool enters the faces by less than {limit}: it comes nearest in line {line} of \"{program}\""
         remedy "elija una tol mayor", "choose a larger tol";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
         example Example::Never(t("los límites convergen: ningún ejemplo queda entre ellos", "the bounds converge: no example lies between them"));
     "V0129" FloorUnder Stop { depth: Size, limit: Size, program: Text }
-        es "la herramienta baja {depth} del fondo en «{program}»; la tolerancia admite {limit}"
+        es "la herramienta baja {depth} por debajo del fondo en «{program}»; la tolerancia admite {limit}"
         en "the tool goes {depth} below the floor in \"{program}\"; the tolerance allows {limit}"
         remedy "use una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o una tol mayor", "use a smaller tool in this program (d_t in roughing, d_f in finishing), or a larger tol";
         why "El cubo queda más delgado de lo diseñado.", "The hub comes out thinner than designed.";

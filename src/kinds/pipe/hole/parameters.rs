@@ -85,7 +85,7 @@ pub(super) static D0: Field<f64, Required> = Field::real(
     MM,
     [0.1, 100.0],
     t("Altura deseada d0, sobre el eje de la antorcha", "Wanted height d0, along the torch axis"),
-    t("Mayor que g0", "Greater than g0"),
+    t("Mayor que g0", "Larger than g0"),
 );
 pub(super) static G0: Field<f64, Required> = Field::real(
     "g0",

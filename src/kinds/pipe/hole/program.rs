@@ -174,7 +174,7 @@ fn comments(design: &Design, header: &mut Header) {
             );
         }
         Distance::Absolute => {
-            header.line("SOLO VALE SI A B C NO SON EJES ROLLOVER", "TRUE ONLY WHERE A B C ARE NOT ROLLOVER AXES");
+            header.line("SOLO VALE SI A B C NO SON EJES ROLLOVER", "VALID ONLY IF A B C ARE NOT ROLLOVER AXES");
         }
     }
     let last = design.torch();

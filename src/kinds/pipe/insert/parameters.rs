@@ -88,8 +88,8 @@ pub(super) static EXPERT_BRANCH_R: Field<f64, Optional> = Field::real(
     [1.0, 1500.0],
     t("Experto: r, radio de la curva del injerto", "Expert: r, radius of the branch's curve"),
     t(
-        "En lugar del que sale de D, t y el contacto. Vacía: ese",
-        "Replaces the radius from D, t and contact. Empty: that one",
+        "En lugar del que sale de D, t y el contacto. Vacía: el que resulta",
+        "Replaces the radius from D, t and contact. Empty: the derived one",
     ),
 );
 pub(super) static R: Field<f64, Optional> = Field::real(
@@ -107,8 +107,8 @@ pub(super) static R_DEV: Field<f64, Optional> = Field::real(
     [1.0, 1700.0],
     t("Experto: radio del desarrollo", "Expert: radius of the development"),
     t(
-        "En lugar del que sale de la superficie del desarrollo. Vacía: ese",
-        "Replaces the radius from the surface of the development. Empty: that one",
+        "En lugar del que sale de la superficie del desarrollo. Vacía: el que resulta",
+        "Replaces the radius from the surface of the development. Empty: the derived one",
     ),
 );
 

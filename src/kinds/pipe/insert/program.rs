@@ -79,7 +79,7 @@ pub const fn letters(mode: Mode) -> [char; 2] {
 
 /// The header's line of a program that turns by increments, in Spanish and English.
 pub const TRUE_FOR_BOTH: [&str; 2] =
-    ["VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES", "TRUE FOR ROLLOVER ROTARY AXES AND FOR LINEAR ONES"];
+    ["VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES", "VALID FOR ROLLOVER AND LINEAR ROTARY AXES"];
 
 /// How the complete program counts: a flat sheet's by positions, that of a turning pipe as its control's rotary axes do.
 #[must_use]
@@ -249,7 +249,7 @@ fn comments(design: &Design, header: &mut Header) {
                     );
                 }
                 Distance::Absolute => {
-                    header.line("SOLO VALE SI A NO ES EJE ROLLOVER", "TRUE ONLY WHERE A IS NO ROLLOVER AXIS");
+                    header.line("SOLO VALE SI A NO ES EJE ROLLOVER", "VALID ONLY IF A IS NOT A ROLLOVER AXIS");
                 }
             }
         }
