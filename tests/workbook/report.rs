@@ -244,6 +244,7 @@ mod embedded {
     /// A report and what it was made of.
     struct Made {
         name: String,
+        kind: &'static dyn Kind,
         outcome: Outcome,
         language: Language,
         report: Report,
@@ -255,7 +256,7 @@ mod embedded {
             let outcome = common::outcome_of(kind, case, language, &[]);
             let report =
                 typeset(&outcome, &[workbook()], &Stationery::default(), language, &typst()).expect("a report");
-            Made { name: format!("{kind:?} {}", case.name), outcome, language, report }
+            Made { name: format!("{kind:?} {}", case.name), kind, outcome, language, report }
         };
         // Typst takes one core most of its time.
         let cases: Vec<_> = common::cases().collect();
@@ -271,7 +272,7 @@ mod embedded {
     /// Each has words, method and set-up sheet of its own.
     #[test]
     fn every_kind_of_workbook_has_its_report() {
-        for Made { name, outcome, language, report } in EVERY.iter() {
+        for Made { name, kind, outcome, language, report } in EVERY.iter() {
             assert!(report.findings.is_empty(), "{name}: {:?}", report.findings);
             let Some(text) = text(&report.pdf) else { continue };
             let first = text.split('\u{C}').next().unwrap_or_default();
@@ -282,8 +283,18 @@ mod embedded {
             };
             assert!(first.contains(red), "{name}: page 1 says what a red banner means");
             assert!(!first.contains(" -"), "{name}: page 1 has hyphens for minus signs: {first}");
+            for caution in outcome.findings.iter().filter(|finding| finding.grade == Grade::Caution) {
+                let begins: Vec<&str> = caution.what.get(*language).split_whitespace().take(3).collect();
+                let shown = format!("{} {}", caution.code(), begins.join(" "));
+                assert!(first.contains(&shown), "{name}: page 1 has no {shown}: {first}");
+            }
+            // What the kind calls a table in the report, if not by the name of its sheet.
+            let own = kind.chapters().labels.split(&format!("\n  {}: (", language.code())).nth(1).unwrap_or_default();
+            let headings = own.lines().find(|line| line.trim_start().starts_with("headings: (")).unwrap_or_default();
             for table in outcome.tables.iter().filter(|table| table.print != Print::No && table.rows() > 0) {
-                let called = table.name.get(*language);
+                let heading =
+                    headings.split(&format!("{}: \"", table.key)).nth(1).and_then(|rest| rest.split('"').next());
+                let called = heading.unwrap_or(table.name.get(*language));
                 assert!(text.contains(called), "{name} {}", table.key);
                 assert!(!text.contains(&format!("{called}. {called} ")), "{name} {}: its name twice", table.key);
             }
@@ -341,8 +352,8 @@ mod embedded {
         let many = [("N", Value::Whole(3)), ("part", Value::Line(long.trim().to_owned()))];
         let outcome = common::outcome("full", &many);
         let report = typeset(&outcome, &[workbook()], &Stationery::default(), Language::Es, &typst()).unwrap();
-        let long = Made { name: "a long name".to_owned(), outcome, language: Language::Es, report };
-        for Made { name: case, outcome, language, report } in EVERY.iter().chain([&long]) {
+        let long = Made { name: "a long name".to_owned(), kind: KINDS[0], outcome, language: Language::Es, report };
+        for Made { name: case, outcome, language, report, .. } in EVERY.iter().chain([&long]) {
             let language = *language;
             let (head, foot) = match language {
                 Language::Es => ("Hoja de preparación", "Operario"),
