@@ -17,7 +17,7 @@ use crate::kinds::lathe::rules::{
 use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::var_file::VarFile;
-use crate::machine::work_offset::{G28_FIRST, System};
+use crate::machine::work_offset::{ACTIVE, G28_FIRST, System};
 use crate::parameter::field::{Entry, Field, Fields, Optional};
 use crate::parameter::{Parameter, at};
 use crate::removal::turning::machine::{Chuck, Lathe};
@@ -256,6 +256,7 @@ impl Given {
         let reference = [x - from_x, z - from_z];
         let zeros = System::ALL.into_iter().zip(std::iter::once(first).chain(self.zeros));
         let zeros = zeros.map(|(system, [X, Z])| (system.first_parameter(), [X - from_x, Z - from_z]));
+        let _ = file.set(ACTIVE, 1.0);
         for (number, at) in zeros.chain([(G28_FIRST, reference)]) {
             // The form's limits are far within what the file holds.
             let _ = file.set(number + Axis::X as u32, unit(at[0]));

@@ -182,6 +182,8 @@ fn verify_takes_the_reference_point_from_the_workbook_and_else_names_its_cells()
     let plain = program("G28 U0. W0.");
     let referred = verified(&Book::new(&plain).put("R_X", Value::Real(400.0)).put("R_Z", Value::Real(500.0)));
     assert_eq!((&referred["dialect"], finding(&referred)), (&Json::from("fanuc-lathe-a"), None));
+    let grave = referred["findings"].as_array().unwrap().iter().any(|one| one["grade"] != "note");
+    assert!(!grave, "{}", referred["findings"]);
     // The control counts from there.
     assert_eq!(referred["end"]["machine"], serde_json::json!({ "X": 0.0, "Z": 0.0 }));
     assert!(referred["end"]["program"]["Z"].as_f64().unwrap() > 100.0, "{referred}");
