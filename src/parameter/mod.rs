@@ -222,6 +222,12 @@ impl Form {
         })
     }
 
+    /// The parameter whose cell says which schema a workbook follows.
+    #[must_use]
+    pub fn schema_parameter(&self) -> Option<&'static Parameter> {
+        self.parameters().map(|(_, parameter)| parameter).find(|one| matches!(one.kind, FieldKind::Schema))
+    }
+
     /// The parameter with a key.
     #[must_use]
     pub fn parameter(&self, key: &str) -> Option<&'static Parameter> {

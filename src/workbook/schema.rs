@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 
 use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal};
+use crate::gcode::fields::SCHEMA;
 use crate::kind::NamedFile;
 use crate::number::decimal;
 use crate::parameter::list::{List, Naming};
@@ -131,8 +132,8 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         }
     }
     if let Some(earlier) = earlier {
-        let schema = form.parameters().find(|(_, one)| matches!(one.kind, FieldKind::Schema)).map(|(_, one)| one.key());
-        let keys = earlier.renamed.iter().map(|(key, _)| *key).chain(schema).collect();
+        let keys =
+            earlier.renamed.iter().map(|(key, _)| *key).chain(form.schema_parameter().map(Parameter::key)).collect();
         findings.push(values.locate((earlier.told)(Place::Parameters(keys)).with(earlier.schema, form.schema)));
     }
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
@@ -443,13 +444,11 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Option<Languag
         let is = |language| form.sheets.first().is_some_and(|one| *one.name.get(language) == *sheet.name);
         language.is_none_or(is)
     }) {
-        wanted.extend(
-            form.parameters().find(|(_, one)| matches!(one.kind, FieldKind::Schema)).map(|(_, one)| (form, one)),
-        );
+        wanted.extend(form.schema_parameter().map(|one| (form, one)));
     }
     let known = wanted.iter().map(|(form, _)| format!("\"{}\"", form.schema)).collect::<Vec<_>>().join(", ");
-    let symbol = wanted.first().map_or("schema", |(_, parameter)| parameter.symbol());
-    let rows = symbols.get(symbol).map_or(&[][..], Vec::as_slice);
+    let symbol = wanted.first().map_or(SCHEMA.key(), |(_, parameter)| parameter.key());
+    let rows = symbols.get(symbol.symbol()).map_or(&[][..], Vec::as_slice);
     let [row] = rows else {
         return Err(if rows.is_empty() {
             SchemaRowMissing { symbol, known }.refused(Exit::Refused, Place::Sheet(sheet.name.clone()))

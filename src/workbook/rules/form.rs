@@ -61,27 +61,27 @@ rules! {
         remedy "deje solo una de esas hojas, o cambie el nombre de las otras", "keep only one of these sheets, or rename the others";
         why "Sus valores pueden ser distintos.", "Their values may differ.";
         example made!("two-sheets", "un libro con las hojas DATA y DATOS", "a workbook with the sheets DATA and DATOS");
-    "W0511" SchemaRowMissing Stop { symbol: &'static str, known: String }
+    "W0511" SchemaRowMissing Stop { symbol: Key, known: String }
         es "falta la fila \"{symbol}\", que indica el esquema del libro (rodete lee {known})"
         en "the row \"{symbol}\", which names the workbook's schema, is missing (rodete reads {known})"
         remedy "cree un libro nuevo con \"rodete new\" y pase a él los valores",
             "make a new workbook with \"rodete new\" and copy the values into it";
         why "El esquema fija qué significa cada símbolo.", "The schema fixes what each symbol means.";
         example book!("impeller", "schema:symbol" = "");
-    "W0512" SchemaRowTwice Stop { symbol: &'static str }
+    "W0512" SchemaRowTwice Stop { symbol: Key }
         es "varias filas tienen el símbolo \"{symbol}\""
         en "several rows have the symbol \"{symbol}\""
         remedy "deje una sola fila \"{symbol}\"", "keep only one row \"{symbol}\"";
         why "No se sabe cuál de los esquemas vale.", "It is not clear which schema counts.";
         example book!("impeller", "part:symbol" = "schema");
-    "W0513" SchemaEmpty Stop { symbol: &'static str, known: String }
+    "W0513" SchemaEmpty Stop { symbol: Key, known: String }
         es "{symbol} está vacío; rodete lee {known}"
         en "{symbol} is empty; rodete reads {known}"
         remedy "cree un libro nuevo con \"rodete new\" y pase a él los valores",
             "make a new workbook with \"rodete new\" and copy the values into it";
         why "El esquema fija qué significa cada símbolo.", "The schema fixes what each symbol means.";
         example book!("impeller", "schema" = "");
-    "W0514" OtherSchema Stop { symbol: &'static str, found: String, known: String }
+    "W0514" OtherSchema Stop { symbol: Key, found: String, known: String }
         es "{symbol} es \"{found}\"; rodete lee {known}"
         en "{symbol} is \"{found}\"; rodete reads {known}"
         remedy "cree un libro nuevo con \"rodete new\" y pase a él los valores",
