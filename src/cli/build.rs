@@ -196,6 +196,7 @@ fn build(
     }
     let language = settings.language.unwrap_or(filled.values.language);
     let wants = Wants { scene: filled.form.viewer || settings.view, ..Wants::default() };
+    let verified = filled.files.clone();
     let outcome = made.outcome.insert(reading::compute(&item.workbook, filled, settings.kinds, wants, verdict)?);
     made.overtaken = overtaken();
     if made.overtaken || outcome.stopped() {
@@ -204,7 +205,7 @@ fn build(
     let notes = into.as_ref().map(|into| into.notes().to_vec()).unwrap_or_default();
     verdict.findings.extend(notes);
     let scene = outcome.scene.take().transpose()?;
-    let logo = match stationery::logo(&item.workbook, outcome.fields.values()) {
+    let logo = match stationery::logo(&item.workbook, outcome.fields.values(), &verified) {
         Ok(Some((logo, file))) => {
             outcome.files.push(file);
             Some(logo)

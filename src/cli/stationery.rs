@@ -27,11 +27,16 @@ const DEPTH: usize = 8;
 /// Characters of a logo's name shown in a message.
 const SHOWN: usize = 80;
 
-/// The logo that a workbook names, with the SHA-256 of its file; `None` where it names none.
+/// The logo that a workbook names, with the SHA-256 of its file; `None` where it names none. Results stand in a folder beside the
+/// workbook that they are of: the very file that they were `verified` with is found in the folder above theirs, too.
 ///
 /// # Errors
 /// A caution at its cell, where there is no such file beside the workbook or below its folder, or it is no picture.
-pub(super) fn logo(workbook: &Path, values: &Values) -> Result<Option<(Logo, NamedFile)>, Box<Finding>> {
+pub(super) fn logo(
+    workbook: &Path,
+    values: &Values,
+    verified: &[NamedFile],
+) -> Result<Option<(Logo, NamedFile)>, Box<Finding>> {
     let name = values.line(&title_block::LOGO);
     if name.is_empty() {
         return Ok(None);
@@ -46,19 +51,22 @@ pub(super) fn logo(workbook: &Path, values: &Values) -> Result<Option<(Logo, Nam
     if !path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
         return Err(not_read(t("queda fuera de la carpeta del libro", "it is outside of the workbook's folder")));
     }
-    let bytes = bytes(&beside(workbook).join(path), stationery::LOGO).map_err(not_read)?;
+    let same = |bytes: &Vec<u8>| verified.iter().any(|then| then.name == name && then.sha256 == store::sha256(bytes));
+    let above = || bytes(&beside(workbook).join("..").join(path), stationery::LOGO).ok().filter(same);
+    let bytes = bytes(&beside(workbook).join(path), stationery::LOGO)
+        .or_else(|reason| above().ok_or(reason))
+        .map_err(not_read)?;
     let file = NamedFile { name: name.to_owned(), sha256: store::sha256(&bytes) };
     let logo = Logo::new(shown(), bytes, place()).map_err(|finding| located(*finding))?;
     Ok(Some((logo, file)))
 }
 
 /// The cautions of the files that a workbook names: those that cannot be read, and those that are not what they were when its
-/// programs were `verified`. Results stand in a folder beside the workbook that they are of, so that a file is looked for in the
-/// folder above theirs, too.
+/// programs were `verified`. One that has changed is told in the folder above that of the results, too.
 pub(super) fn named(workbook: &Path, outcome: &Outcome, verified: &[NamedFile]) -> Vec<Finding> {
     let name = outcome.fields.values().line(&title_block::LOGO);
     let mut findings = Vec::new();
-    let now = match logo(workbook, outcome.fields.values()) {
+    let now = match logo(workbook, outcome.fields.values(), verified) {
         Ok(now) => now.map(|(_, now)| now.sha256),
         Err(caution) => {
             findings.push(*caution);

@@ -218,6 +218,36 @@ fn a_logo_that_has_changed_or_is_gone_is_named() {
     assert!(!check().contains("T02"));
 }
 
+/// Results are delivered into a folder below that of the workbook, which has the logo.
+#[test]
+fn delivered_results_find_the_logo_of_their_workbook_in_the_folder_above() {
+    let folder = folder();
+    let here = |name: &str| folder.path().join(name);
+    rodete(&folder).args(["new", "impeller", "a.xlsx", "--case", "full"]).assert().code(0);
+    let book = super::common::workbook::Parts::of(&fs::read(here("a.xlsx")).expect("the book"));
+    let at = book.text("xl/workbook.xml");
+    let (_, rest) = at.split_once("<definedName name=\"title_logo\">").expect("the name");
+    let cell = rest.split_once('<').expect("its end").0.rsplit_once('!').expect("a sheet").1.replace('$', "");
+    let text = format!("<c r=\"{cell}\" t=\"inlineStr\"><is><t>logo.svg</t></is></c>");
+    fs::write(here("a.xlsx"), book.cell("xl/worksheets/sheet1.xml", &cell, &text).zip()).expect("written");
+    let logo = |size: u8| format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{size}\" height=\"4\"/>");
+    fs::write(here("logo.svg"), logo(4)).expect("a logo");
+    rodete(&folder).args(["build", "a.xlsx", "--no-report"]).assert().code(0);
+    let told = |command: &[&str]| {
+        let output = rodete(&folder).args(command).output().expect("run");
+        [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("UTF-8")).concat()
+    };
+    let check = || told(&["check", "a-out/a-results.xlsx"]);
+    assert!(!check().contains("T02"), "{}", check());
+    let built = told(&["build", "a-out/a-results.xlsx", "-o", "again", "--typst", "no/such/typst"]);
+    assert!(!built.contains("T0203") && built.contains("no/such/typst"), "{built}");
+    // Another file of that name is not taken from there.
+    fs::write(here("logo.svg"), logo(5)).expect("another logo");
+    assert!(check().contains("T0203") && check().contains("T0206"), "{}", check());
+    fs::remove_file(here("logo.svg")).expect("removed");
+    assert!(check().contains("T0203") && !check().contains("T0206"), "{}", check());
+}
+
 #[test]
 fn a_file_that_is_no_workbook_is_refused() {
     let folder = folder();

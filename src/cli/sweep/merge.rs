@@ -305,7 +305,7 @@ fn write_report(
     name: &OsStr,
     terminal: &mut Terminal,
 ) -> Result<Option<Finding>, Refusal> {
-    let logo = stationery::logo(study.workbook, &study.values).unwrap_or_else(|caution| {
+    let logo = stationery::logo(study.workbook, &study.values, &[]).unwrap_or_else(|caution| {
         finding::general(&[*caution], study.language, terminal);
         None
     });
