@@ -275,7 +275,7 @@ fn input(one: &Input) -> Value {
         Some(Shown::Text(text)) => json!(text.get(Language::En)),
     };
     json!({
-        "symbol": one.symbol,
+        "symbol": one.symbol.get(Language::En),
         "meaning": one.meaning,
         "unit": one.unit.label(),
         "values": one.values.each_ref().map(value),

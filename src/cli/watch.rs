@@ -359,7 +359,16 @@ fn inputs(all: &[Input], language: Language) -> String {
         Some(Shown::Number(number)) => crate::number::decimal(*number),
         Some(Shown::Text(text)) => crate::escape::excerpt(text.get(language), 24),
     };
-    let one = |one: &Input| format!("{} {} → {}", one.symbol, value(&one.values[0]), value(&one.values[1]));
+    let name = |one: &Input| {
+        let symbol = one.symbol.get(language);
+        // The row of a list is found by its cell.
+        let cell = one.cells.iter().rev().flatten().next().map(|place| place.cell.as_str());
+        match (symbol.strip_suffix(')'), cell) {
+            (Some(row), Some(cell)) => format!("{row}, {cell})"),
+            _ => symbol.to_owned(),
+        }
+    };
+    let one = |one: &Input| format!("{} {} → {}", name(one), value(&one.values[0]), value(&one.values[1]));
     list(all.iter().map(one).collect(), language)
 }
 

@@ -219,8 +219,16 @@ impl<T: Typed, P: Presence> Field<T, P> {
         meaning: Text,
         note: Text,
     ) -> Self {
-        let row = Parameter { key, name, meaning, unit, kind, required: P::REQUIRED, admits: T::admits, note };
+        let row =
+            Parameter { key, name, meaning, unit, kind, required: P::REQUIRED, read: true, admits: T::admits, note };
         Self { row, usual, presence: PhantomData }
+    }
+
+    /// The same for what nothing follows from: a remark of its author.
+    #[must_use]
+    pub const fn unread(mut self) -> Self {
+        self.row.read = false;
+        self
     }
 
     /// Its key in the form.

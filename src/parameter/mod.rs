@@ -74,6 +74,8 @@ pub struct Parameter {
     pub kind: FieldKind,
     /// An empty cell is refused.
     pub required: bool,
+    /// Something follows from it; else it is a remark of its author.
+    pub read: bool,
     /// True for a value of the field's type.
     pub admits: fn(&Value) -> bool,
     /// A note on the allowed range, for column E and the input message.

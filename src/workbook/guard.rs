@@ -227,8 +227,8 @@ pub(super) fn files(sheet: &SheetCells) -> Vec<NamedFile> {
 pub struct Stale {
     /// The keys of the inputs that differ.
     pub inputs: Vec<Key>,
-    /// The sheets of the lists that differ.
-    pub lists: Vec<String>,
+    /// The sheets of the lists that differ, with the cells that do.
+    pub lists: Vec<(String, Vec<Position>)>,
     /// The files that were made, by their names.
     pub files: Vec<String>,
 }
@@ -259,32 +259,38 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, wr
             Some((sheet.text((row, u32::from(KEYS)))?, sheet.text((row, u32::from(SHEETS))).unwrap_or_default()))
         })
         .collect();
-    let mut lists: Vec<String> = values
+    let mut lists: Vec<(String, Vec<Position>)> = values
         .lists
         .iter()
         // Without a column the form had no list when it was verified, or an earlier rodete did not watch it.
         .filter(|one| !columns.is_empty() && columns.iter().all(|(_, name)| *name != one.sheet))
-        .map(|one| one.sheet.clone())
+        .map(|one| (one.sheet.clone(), Vec::new()))
         .collect();
     for (column, (key, name)) in (u32::from(LISTS)..).zip(&columns) {
         let of = values.lists.iter().find(|one| one.sheet == *name);
         let parameter = form.lists.iter().flat_map(|list| list.columns).find(|parameter| parameter.key == *key);
-        let Some(parameter) = parameter else { continue };
+        let Some(parameter) = parameter.filter(|one| one.read) else { continue };
         let now = |at: usize| of.and_then(|rows| rows.rows.get(at)).and_then(|row| row.values.get(parameter.key));
         let filled = of.map_or(0, |rows| u32::try_from(rows.rows.len()).unwrap_or(u32::MAX));
         let same = (0..last.max(filled))
             .zip(0..)
             .all(|(row, at)| Copy::of(parameter, now(at), language).same(&held((row, column))));
-        let as_it_was = |one: &Column| {
+        let changed = |one: &Column| -> Vec<Position> {
             let count = u32::try_from(one.copies.len()).unwrap_or(u32::MAX);
-            let mut copies = one.copies.iter().chain(std::iter::repeat(&Copy::Empty));
-            (0..last.max(count)).all(|row| copies.next().is_some_and(|copy| copy.same(&held((row, column)))))
+            let copies = one.copies.iter().chain(std::iter::repeat(&Copy::Empty));
+            let rows = (0..last.max(count)).zip(copies).filter(|(row, copy)| !copy.same(&held((*row, column))));
+            rows.map(|(row, _)| (one.first + row, u32::from(one.column))).collect()
         };
         let mut columns = written.columns.iter().filter(|one| one.key == *key && one.sheet == *name);
-        let same = same || columns.any(as_it_was);
-        if !same && lists.iter().all(|one| one != name) {
-            lists.push((*name).to_owned());
+        let cells = columns.next().map(changed);
+        if same || cells.as_ref().is_some_and(Vec::is_empty) {
+            continue;
         }
+        let at = lists.iter().position(|(one, _)| one == name).unwrap_or_else(|| {
+            lists.push(((*name).to_owned(), Vec::new()));
+            lists.len() - 1
+        });
+        lists[at].1.extend(cells.unwrap_or_default());
     }
     let files: Vec<String> = (0..).map_while(|row| sheet.text((row, u32::from(FILES))).map(str::to_owned)).collect();
     (!inputs.is_empty() || !lists.is_empty()).then_some(Stale { inputs, lists, files })

@@ -83,7 +83,7 @@ pub fn written(list: &'static List, sheet: &SheetCells) -> Vec<Column> {
             copies: (head + 1..=end).map(|row| Copy::held(sheet, (row, at))).collect(),
         })
     };
-    columns.iter().filter_map(column).collect()
+    columns.iter().filter(|(parameter, _)| parameter.read).filter_map(column).collect()
 }
 
 /// The row of the headings. Where there is none with all of them, the one that a person takes for it says which are missing.

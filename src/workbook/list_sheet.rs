@@ -83,7 +83,7 @@ impl ListSheet<'_> {
             end = row;
         }
         if let Some(guard) = guard {
-            for (column, parameter) in (0..).zip(self.list.columns) {
+            for (column, parameter) in (0..).zip(self.list.columns).filter(|(_, parameter)| parameter.read) {
                 let value = |at| self.rows.get(at).and_then(|row: &Row| row.values.get(parameter.key));
                 let copies = (0..ready).map(|at| Copy::of(parameter, value(at), language)).collect();
                 guard.watch_column(guard::Column {

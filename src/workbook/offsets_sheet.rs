@@ -53,6 +53,7 @@ const fn real(key: &'static str, meaning: Text, most: f64) -> Parameter {
         unit: Unit::None,
         kind: FieldKind::Real { min: -most, max: most },
         required: true,
+        read: true,
         admits: f64::admits,
         note: t("", ""),
     }
@@ -94,6 +95,7 @@ const fn mark(key: &'static str) -> Parameter {
         unit: Unit::None,
         kind: FieldKind::Choice(bool::CHOICES),
         required: false,
+        read: true,
         admits: bool::admits,
         note: t("", ""),
     }

@@ -36,6 +36,8 @@ const MOVED: u32 = 26;
 const UNKNOWN: usize = 20;
 /// Most cells with formulas that are named.
 const FORMULAS: usize = 10;
+/// Most changed cells of a list that are named.
+const LIST_CELLS: usize = 5;
 /// Characters of a name or a symbol shown in a message.
 const SHOWN: usize = 40;
 
@@ -161,11 +163,32 @@ fn verified(
     }
     let Some(guard::Stale { inputs, lists, files }) = stale else { return Ok((None, named_files)) };
     let symbols = inputs.iter().map(|key| key.name().to_owned());
-    let inputs_told = symbols.chain(lists.iter().map(|sheet| excerpt(sheet, SHOWN))).collect::<Vec<_>>().join(", ");
+    let listed = lists.iter().map(|(sheet, cells)| list_told(sheet, cells));
+    let inputs_told = symbols.chain(listed).collect::<Vec<_>>().join(", ");
     let programs = files.join(", ");
-    let place = if inputs.is_empty() { Place::File } else { Place::Parameters(inputs) };
+    let cells: Vec<CellPlace> = lists.iter().flat_map(|(sheet, cells)| places(sheet, cells)).collect();
+    let place = match (inputs.is_empty(), cells.is_empty()) {
+        (false, _) => Place::Parameters(inputs),
+        (true, false) => Place::Cells(cells),
+        (true, true) => Place::File,
+    };
     let stale = InputsChanged { inputs: inputs_told, programs }.at(place);
     Ok((Some(values.locate(stale)), named_files))
+}
+
+/// The sheet of a list with the first cells of it that were changed.
+fn list_told(sheet: &str, cells: &[Position]) -> String {
+    let mut told = excerpt(sheet, SHOWN);
+    if !cells.is_empty() {
+        let named = cells.iter().take(LIST_CELLS).map(|cell| address::format(*cell)).collect::<Vec<_>>().join(" ");
+        let more = if cells.len() > LIST_CELLS { " …" } else { "" };
+        told.push_str(&format!(" ({named}{more})"));
+    }
+    told
+}
+
+fn places<'a>(sheet: &'a str, cells: &'a [Position]) -> impl Iterator<Item = CellPlace> + 'a {
+    cells.iter().take(LIST_CELLS).map(|cell| CellPlace { sheet: sheet.to_owned(), cell: address::format(*cell) })
 }
 
 /// The sheet that a form begins with, read.

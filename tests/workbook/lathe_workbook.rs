@@ -265,3 +265,66 @@ fn an_alarm_that_is_told_at_the_end_stands_in_the_row_of_its_motion() {
     let numbers: Vec<_> = alarms.iter().map(|raised| raised.alarm.cause.number()).collect();
     assert_eq!(numbers, [132, 101], "in the order of their motions");
 }
+
+/// The results of the shaft, with cells of its program's sheet changed.
+fn changed(cells: &[(&str, &str)]) -> Vec<u8> {
+    let kind: &dyn rodete::kind::Kind = &rodete::kinds::lathe::Lathe;
+    let case = CASES.iter().find(|case| case.name == "shaft").unwrap();
+    let outcome = crate::common::outcome_of(kind, case, Language::En, &[]);
+    let mut out = Cursor::new(Vec::new());
+    let tables = workbook::results::Tables::Live;
+    workbook::results::write(&outcome, &[], tables, Language::En, &mut out).unwrap();
+    cells.iter().fold(out.into_inner(), |bytes, (cell, text)| {
+        let inner = format!(" t=\"inlineStr\"><is><t>{text}</t></is>");
+        crate::live::with_on(&bytes, "PROGRAM", cell, &inner)
+    })
+}
+
+#[test]
+fn a_remark_beside_a_block_changes_no_input_and_a_changed_block_is_named_by_its_cell() {
+    let stale = |bytes: &[u8]| workbook::read(bytes, &[&FORM]).unwrap().stale;
+    assert!(stale(&changed(&[])).is_none());
+    let noted = changed(&[("B8", "checked by the shop")]);
+    assert!(stale(&noted).is_none());
+    let parts = crate::common::workbook::Parts::of(&noted);
+    let guard = (1..40)
+        .map(|at| format!("xl/worksheets/sheet{at}.xml"))
+        .filter(|part| parts.has(part))
+        .map(|part| parts.text(&part))
+        .find(|text| text.contains("SUMPRODUCT"))
+        .unwrap();
+    assert!(guard.contains("PROGRAM!$A$") && !guard.contains("PROGRAM!$B$"), "no flag looks at the remarks");
+    let finding = stale(&changed(&[("A8", "G99"), ("B8", "why")])).unwrap();
+    assert_eq!(finding.code(), "W0519");
+    assert!(finding.what.en.contains("PROGRAM (A8);"), "{}", finding.what.en);
+    let cell = CellPlace { sheet: "PROGRAM".to_owned(), cell: "A8".to_owned() };
+    assert_eq!(finding.place, Place::Cells(vec![cell]));
+}
+
+#[test]
+fn a_row_of_a_list_is_compared_under_the_name_of_its_sheet_and_its_number() {
+    use rodete::kind::comparison::{Comparison, Side};
+    let values = [changed(&[]), changed(&[("A8", "G99")])].map(|bytes| read(&bytes).unwrap());
+    let side = |at: usize| Side { values: &values[at], findings: &[], outcome: None };
+    let told: Vec<_> = Comparison::of(&FORM, [side(0), side(1)]).inputs.into_iter().map(|one| one.symbol).collect();
+    assert_eq!(told.len(), 1);
+    assert_eq!([&*told[0].es, &*told[0].en], ["BLOCK (PROGRAM, fila 3)", "BLOCK (PROGRAM, row 3)"]);
+}
+
+#[test]
+fn derived_values_differ_where_a_shown_digit_does_and_are_shown_rounded_where_none_does() {
+    use rodete::kind::comparison::{Comparison, Derived};
+    use rodete::table::Unit;
+    let derived = |one: f64, other: f64| Derived {
+        symbol: "y_min",
+        meaning: rodete::text::Text::same("y"),
+        unit: Unit::Millimetre,
+        values: [Some(one), Some(other)],
+    };
+    let quantities = vec![derived(-12.345_678_912_345, -12.345_678_932_345), derived(1.0, 1.000_002)];
+    assert_eq!(quantities.iter().map(Derived::differs).collect::<Vec<_>>(), [false, true]);
+    let all = Comparison { inputs: Vec::new(), quantities, findings: Vec::new(), programs: Vec::new() };
+    let lines: Vec<_> = all.sheets()[1].lines.iter().map(|line| line.texts(Language::En)).collect();
+    assert_eq!(lines[0][1..4], ["-12.345679", "-12.345679", ""].map(str::to_owned));
+    assert_eq!(lines[1][3], "0.000002");
+}

@@ -15,6 +15,9 @@ use crate::text::Text;
 
 pub use self::motions::{Apart, Difference, ProgramPair};
 
+/// The last decimal that is shown of a derived value.
+const LAST_DECIMAL: f64 = 1e-6;
+
 /// One of the two.
 #[derive(Clone, Copy, Debug)]
 pub struct Side<'a> {
@@ -29,8 +32,8 @@ pub struct Side<'a> {
 /// An input that differs: a cell of the form, or of a row of a list.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// The symbol, as it stands on the sheet; of a list with its row, as `R (TOOLS 3)`.
-    pub symbol: String,
+    /// The symbol, as it stands on the sheet; of a list with its row, as `R (TOOLS, row 3)`.
+    pub symbol: Text,
     /// What it is.
     pub meaning: Text,
     /// The unit.
@@ -68,8 +71,8 @@ impl Derived {
     #[must_use]
     pub fn differs(&self) -> bool {
         match self.values {
-            // The last bits of a sine are no difference.
-            [Some(one), Some(other)] => (one - other).abs() > 1e-9 * one.abs().max(1.0),
+            // What is below the last decimal shown is no difference, nor are the last bits of a large value.
+            [Some(one), Some(other)] => (one - other).abs() > (1e-9 * one.abs()).max(LAST_DECIMAL),
             [one, other] => one.is_some() || other.is_some(),
         }
     }
@@ -160,7 +163,7 @@ fn inputs(form: &'static Form, values: [&Values; 2]) -> Vec<Input> {
         let pair = values.map(|one| one.values.get(key));
         if pair[0] != pair[1] && !matches!(parameter.kind, FieldKind::Schema) {
             found.push(Input {
-                symbol: parameter.symbol().to_owned(),
+                symbol: Text::same(parameter.symbol()),
                 meaning: parameter.meaning.clone(),
                 unit: parameter.unit,
                 values: pair.map(|value| value.map(|value| shown(parameter, value))),
@@ -207,7 +210,7 @@ fn list_rows(list: &'static List, sheet: &str, rows: [&[Row]; 2], found: &mut Ve
             let values = pair.map(|row| row.and_then(|row| row.values.get(column.key)));
             if values[0] != values[1] {
                 found.push(Input {
-                    symbol: format!("{} ({sheet} {})", column.symbol(), head + at + 1),
+                    symbol: row_name(column.symbol(), sheet, head + at + 1),
                     meaning: column.meaning.clone(),
                     unit: column.unit,
                     values: values.map(|value| value.map(|value| shown(column, value))),
@@ -216,6 +219,11 @@ fn list_rows(list: &'static List, sheet: &str, rows: [&[Row]; 2], found: &mut Ve
             }
         }
     }
+}
+
+/// The symbol of a column in a row of a list, from 1.
+fn row_name(symbol: &str, sheet: &str, row: usize) -> Text {
+    Text::new(format!("{symbol} ({sheet}, fila {row})"), format!("{symbol} ({sheet}, row {row})"))
 }
 
 fn quantities(sides: [&[Quantity]; 2]) -> Vec<Derived> {

@@ -32,7 +32,7 @@ pub struct Line {
 const DECIMALS: usize = 6;
 
 impl Line {
-    /// The cells as texts. Figures that are not the same do not look the same.
+    /// The cells as texts. Figures that differ do not look the same.
     #[must_use]
     pub fn texts(&self, language: Language) -> Vec<String> {
         let rounded = |one: &Held| match one {
@@ -41,7 +41,8 @@ impl Line {
             Held::Text(text) => printable(text.get(language)),
         };
         let numbers: Vec<_> = self.cells.iter().filter(|one| matches!(one, Held::Number(_))).collect();
-        let alike = numbers.windows(2).any(|pair| pair[0] != pair[1] && rounded(pair[0]) == rounded(pair[1]));
+        let alike =
+            self.differs && numbers.windows(2).any(|pair| pair[0] != pair[1] && rounded(pair[0]) == rounded(pair[1]));
         let whole = |one: &Held| if let Held::Number(number) = one { decimal(*number) } else { rounded(one) };
         self.cells.iter().map(|one| if alike { whole(one) } else { rounded(one) }).collect()
     }
@@ -93,7 +94,7 @@ fn input(one: &Input) -> Line {
     let cells = both(one.cells.each_ref().map(|place| place.as_ref().map(cell)));
     let cells = if one.cells == [None, None] { String::new() } else { cells };
     let cells = vec![
-        text(one.symbol.clone()),
+        Held::Text(one.symbol.clone()),
         value(&one.values[0]),
         value(&one.values[1]),
         text(one.unit.label()),

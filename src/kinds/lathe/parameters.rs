@@ -380,7 +380,7 @@ const CONTROL: &[&Parameter] = &[&R_X.row, &R_Z.row, &HOLE_R.row];
 pub(crate) static BLOCK: Field<String, Required> =
     Field::line("program/BLOCK", "", 200, t("un bloque por fila", "one block per row"), NONE);
 pub(crate) static NOTE: Field<String, Optional> =
-    Field::line("program/NOTE", "", 200, t("no se lee", "not read"), NONE);
+    Field::line("program/NOTE", "", 200, t("no se lee", "not read"), NONE).unread();
 
 const BLOCKS: &[&Parameter] = &[&BLOCK.row, &NOTE.row];
 
