@@ -416,3 +416,26 @@ fn beyond_four_hundred_intervals_and_on_request_the_tables_are_values() {
     assert!(live(&written(&many, Tables::Live, Language::En)) < 10);
     assert!(live(&written(&most, Tables::Values, Language::En)) < 10);
 }
+
+/// Of another nominal size no formula knows the diameter: nothing of before is shown in its place.
+#[test]
+fn a_nominal_size_changed_in_the_results_leaves_no_figure_of_the_old_one() {
+    if !libreoffice() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    for (kind, derived) in [("pipe-insert", "derived_branch_r"), ("pipe-hole", "derived_hole_r")] {
+        let kind = *KINDS.iter().find(|one| one.form().kind == kind).expect("a kind");
+        let bytes = written(&common::outcome_of(kind, &kind.cases()[0], Language::En, &[]), Tables::Live, Language::En);
+        let size = with(&bytes, &cell_of(&bytes, "branch_size"), " t=\"inlineStr\"><is><t>1/2 in</t></is>");
+        let typed = with(&size, &cell_of(&size, "branch_diameter_D"), "><v>60.5</v>");
+        let typed = with(&typed, &cell_of(&typed, "branch_wall_t"), "><v>4</v>");
+        let books = [("size".to_owned(), size), ("typed".to_owned(), typed)];
+        let mut books = recalculated(folder.path(), false, &books);
+        let mut shown = |at: usize| {
+            range(&mut books[at], "SUMMARY").get_value(place_of(&cell_of(&bytes, derived))).cloned().expect("a value")
+        };
+        assert_eq!(shown(0).to_string(), "#N/A", "{kind:?}");
+        assert!(number(Some(&shown(1))).is_some_and(|radius| (24.0..34.0).contains(&radius)), "{kind:?}: {}", shown(1));
+    }
+}

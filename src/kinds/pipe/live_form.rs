@@ -1,4 +1,4 @@
-//! What the live forms of both pipe workbooks share: the standard's sizes, looked up as they are chosen.
+//! What the live cells of both pipe workbooks share: the standard's sizes, looked up in a form as they are chosen.
 
 use crate::kind::live_form::LiveRow;
 use crate::kinds::pipe::size::{NPS, SCHEDULES, SIZES};
@@ -6,7 +6,7 @@ use crate::table::Formula;
 use crate::text::{Text, t};
 
 /// The names of the cells of a pipe's size, and of what they come to.
-struct Names {
+pub(super) struct Names {
     size: &'static str,
     schedule: &'static str,
     diameter: &'static str,
@@ -16,7 +16,7 @@ struct Names {
     found: &'static str,
 }
 
-const BRANCH: Names = Names {
+pub(super) const BRANCH: Names = Names {
     size: "branch_size",
     schedule: "branch_schedule",
     diameter: "branch_diameter_D",
@@ -24,7 +24,7 @@ const BRANCH: Names = Names {
     live: ["live_branch_D", "live_branch_t"],
     found: "Plan!$D$1",
 };
-const HEADER: Names = Names {
+pub(super) const HEADER: Names = Names {
     size: "header_size",
     schedule: "header_schedule",
     diameter: "header_diameter_D",
@@ -33,11 +33,45 @@ const HEADER: Names = Names {
     found: "Plan!$D$2",
 };
 
+/// The formula of the outside diameter of a pipe: the one that is typed, else that of the nominal size it was built with. Of another
+/// size it is not known: #N/A, not a figure of before.
+pub(super) fn diameter(pipe: &Names, D: f64) -> String {
+    let of = |one: &&super::size::Size| same(one.outside, D);
+    let named = SIZES.iter().filter(of).map(|one| format!("TRIM({})=\"{}\"", pipe.size, label(NPS, one.nps)));
+    typed_or(pipe.diameter, named.collect(), D)
+}
+
+/// The same of the wall, by nominal size and schedule.
+pub(super) fn thickness(pipe: &Names, [D, t]: [f64; 2]) -> String {
+    let of = SIZES.iter().filter(|one| same(one.outside, D)).flat_map(|one| {
+        let walls = one.walls.iter().filter(|(_, wall)| same(*wall, t));
+        walls.map(|(schedule, _)| {
+            let [size, schedule] = [label(NPS, one.nps), label(SCHEDULES, schedule)];
+            format!("AND(TRIM({})=\"{size}\",TRIM({})=\"{schedule}\")", pipe.size, pipe.schedule)
+        })
+    });
+    typed_or(pipe.wall, of.collect(), t)
+}
+
+fn typed_or(name: &str, named: Vec<String>, value: f64) -> String {
+    let otherwise = match named.as_slice() {
+        [] => "NA()".to_owned(),
+        [one] => format!("IF({one},{value},NA())"),
+        more => format!("IF(OR({}),{value},NA())", more.join(",")),
+    };
+    format!("IF(ISNUMBER({name}),{name},{otherwise})")
+}
+
+fn same(one: f64, other: f64) -> bool {
+    (one - other).abs() < 1e-9
+}
+
+fn label(choices: &[crate::parameter::Choice], key: &str) -> String {
+    choices.iter().find(|choice| choice.key == key).map_or(String::new(), |choice| choice.label.en.to_string())
+}
+
 /// Columns A to C of the hidden sheet: size and schedule, outside diameter, wall.
 pub(super) fn sizes() -> [Vec<Formula>; 3] {
-    let label = |choices: &[crate::parameter::Choice], key: &str| {
-        choices.iter().find(|choice| choice.key == key).map_or(String::new(), |choice| choice.label.en.to_string())
-    };
     let [mut words, mut diameters, mut walls] = [Vec::new(), Vec::new(), Vec::new()];
     for size in SIZES {
         for (schedule, wall) in size.walls {

@@ -15,11 +15,6 @@ use crate::gcode::word::Distance;
 use crate::kind::Proved;
 use crate::proof::account::Account;
 
-/// The formula of a size that may be typed, or else comes from a standard's table by its nominal size, which no formula asks.
-fn typed_or(name: &str, value: f64) -> String {
-    format!("IF(ISNUMBER({name}),{name},{value})")
-}
-
 /// How a program turns its rotary axes: where those of the control are rollover as delivered, the number of an absolute word
 /// would be an angle from 0 to 360 and its sign the direction. Increments are the same motions on either axis.
 const fn counted(rotary: Rotary) -> Distance {

@@ -42,8 +42,9 @@ use crate::kinds::pipe::hole::rules::{
     HeightNotHeld, HoleByIncrements, HoleOnLinearAxes, LandCutApart, TorchLiesDown, TorchTooHigh, TurnsAboutTip,
 };
 use crate::kinds::pipe::hole::station::Station;
+use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
 use crate::kinds::pipe::rules::NoLeadIn;
-use crate::kinds::pipe::{self, account, scene, typed_or};
+use crate::kinds::pipe::{self, account, scene};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
@@ -240,13 +241,13 @@ fn quantities(
     let torch = design.torch();
     let mut list = vec![
         quantity("R_o", t("Radio exterior del tubo", "Outside radius of the header"), design.R_o(), mm, t("", ""))
-            .by("derived_R_o", format!("{}/2", typed_or("header_diameter_D", design.header.D))),
+            .by("derived_R_o", format!("{}/2", diameter(&HEADER, design.header.D))),
         quantity("R_i", t("Radio interior del tubo", "Bore of the header"), design.R_i(), mm, t("", "")).by(
             "derived_R_i",
             format!(
                 "{}/2-{}",
-                typed_or("header_diameter_D", design.header.D),
-                typed_or("header_wall_t", design.header.t)
+                diameter(&HEADER, design.header.D),
+                thickness(&HEADER, [design.header.D, design.header.t])
             ),
         ),
         quantity(
@@ -256,7 +257,7 @@ fn quantities(
             mm,
             t("D_branch/2 + b", "D_branch/2 + b"),
         )
-        .by("derived_hole_r", format!("{}/2+root_gap_b", typed_or("branch_diameter_D", design.branch.D))),
+        .by("derived_hole_r", format!("{}/2+root_gap_b", diameter(&BRANCH, design.branch.D))),
         quantity(
             "h_s",
             t("De la punta al hombro de la antorcha", "From the torch's tip to its shoulder"),

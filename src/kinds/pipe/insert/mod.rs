@@ -55,8 +55,9 @@ use crate::kinds::pipe::insert::rules::{
     AnnexAsPublished, AnnexWithoutKerf, CurveBehindEdge, GapsOfEnvelope, KerfOnOutside, KerfZero, OutsideForInside,
     PipeByIncrements, PipeOnLinearAxis, WallInsideHeader,
 };
+use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
 use crate::kinds::pipe::rules::NoLeadIn;
-use crate::kinds::pipe::{self, account, scene, typed_or};
+use crate::kinds::pipe::{self, account, scene};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::number::shown;
@@ -234,7 +235,7 @@ fn no_room(error: OutOfFormat) -> Vec<Finding> {
 
 /// The formula of a radius of the branch: the one that is typed, else that of a surface, in the words of either language.
 fn radius(design: &Design, typed: &str, choice: &str) -> String {
-    let (D, t) = (typed_or("branch_diameter_D", design.branch.D), typed_or("branch_wall_t", design.branch.t));
+    let (D, t) = (diameter(&BRANCH, design.branch.D), thickness(&BRANCH, [design.branch.D, design.branch.t]));
     let inside = format!("OR({choice}=\"inside\",{choice}=\"interior\",{})", enveloped(choice));
     let mean = format!("OR({choice}=\"mean\",{choice}=\"media\")");
     format!("IF(ISNUMBER({typed}),{typed},{D}/2-IF({inside},{t},IF({mean},{t}/2,0)))")
@@ -249,7 +250,7 @@ fn enveloped(choice: &str) -> String {
 fn quantities(design: &Design, rest: &Rest, account: &Account) -> Vec<Quantity> {
     let outline = design.template();
     let [bore, outside] = design.wall().ends();
-    let (D, wall_t) = (typed_or("branch_diameter_D", design.branch.D), typed_or("branch_wall_t", design.branch.t));
+    let (D, wall_t) = (diameter(&BRANCH, design.branch.D), thickness(&BRANCH, [design.branch.D, design.branch.t]));
     let [least, most] = outline.extent();
     let mm = Unit::Millimetre;
     let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
@@ -258,10 +259,7 @@ fn quantities(design: &Design, rest: &Rest, account: &Account) -> Vec<Quantity> 
             .by("derived_branch_r", radius(design, "expert_branch_r", "contact")),
         quantity("R", t("Radio del tubo base", "Radius of the header"), design.R, mm, t("", "")).by(
             "derived_header_R",
-            format!(
-                "IF(ISNUMBER(expert_header_R),expert_header_R,{}/2)",
-                typed_or("header_diameter_D", design.header.D)
-            ),
+            format!("IF(ISNUMBER(expert_header_R),expert_header_R,{}/2)", diameter(&HEADER, design.header.D)),
         ),
         quantity("r_dev", t("Radio del desarrollo", "Radius of the development"), design.r_dev, mm, t("", ""))
             .by("derived_r_dev", radius(design, "expert_sheet_r_dev", "sheet")),
