@@ -263,6 +263,8 @@ pub enum Print {
     Short,
     /// Nothing: it is of the sheets alone.
     No,
+    /// Nothing, and it is a sheet only where that has formulas: they put together again what was verified elsewhere.
+    Formulas,
 }
 
 /// A table of the method.

@@ -109,7 +109,7 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailur
         tables: outcome
             .tables
             .iter()
-            .filter(|table| table.print != Print::No && table.rows() > 0)
+            .filter(|table| !matches!(table.print, Print::No | Print::Formulas) && table.rows() > 0)
             .map(|one| sheet(one, &mut words))
             .collect(),
         figures,

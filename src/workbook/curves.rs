@@ -80,7 +80,9 @@ impl<'a> Curves<'a> {
                         (all, entry(&of.values, at))
                     }
                 };
-                let (Some(formula), Entry::Number(value)) = (self.live.outside(&formula)?, value) else { continue };
+                let (Some(formula), Entry::Number(value)) = (self.live.along(table, &formula, "NA()")?, value) else {
+                    continue;
+                };
                 let formula = live::number(&formula, value, || table.key.to_owned())?;
                 sheet.write_formula(row, place, formula)?;
             }

@@ -8,7 +8,8 @@ use rust_xlsxwriter::{Formula, RowNum, quote_sheet_name, utility::column_number_
 use super::charts::Placed;
 use super::error::WriteError;
 use super::table_sheet::FIRST;
-use crate::table::{Index, Live, Table};
+use crate::table::{Index, Live, Print, Table};
+use crate::text::{Text, t};
 
 /// More intervals than this are written as values: the sheets would grow to many megabytes and open slowly.
 pub const MOST: usize = 400;
@@ -33,28 +34,91 @@ pub enum Tables {
 #[derive(Clone, Copy, Debug)]
 pub struct LiveTables<'a> {
     placed: &'a [Placed<'a>],
-    on: bool,
+    written: Written,
+}
+
+/// How the tables of a workbook are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Written {
+    /// As formulas, with their values.
+    Formulas,
+    /// As values, because that was asked for.
+    Asked,
+    /// As values, because there are more than [`MOST`] intervals.
+    Long,
+}
+
+impl Written {
+    /// How these tables are written.
+    #[must_use]
+    pub fn of<'a>(mut all: impl Iterator<Item = &'a Table>, tables: Tables) -> Self {
+        match tables {
+            Tables::Values => Self::Asked,
+            Tables::Live if all.any(|table| intervals(table).is_some_and(|count| count > MOST)) => Self::Long,
+            Tables::Live => Self::Formulas,
+        }
+    }
+
+    /// True for a table that has a sheet.
+    #[must_use]
+    pub fn has(self, table: &Table) -> bool {
+        self == Self::Formulas || table.print != Print::Formulas
+    }
+
+    /// What is said of values, of a table that would have formulas.
+    fn told(self) -> Text {
+        match self {
+            Self::Formulas => t("", ""),
+            Self::Asked => t(
+                "Valores (--values): no siguen a los datos; vuelva a generar",
+                "Values (--values): they do not follow the inputs; build again",
+            ),
+            Self::Long => Text::new(
+                format!("Valores (más de {MOST} intervalos): no siguen a los datos; vuelva a generar"),
+                format!("Values (more than {MOST} intervals): they do not follow the inputs; build again"),
+            ),
+        }
+    }
 }
 
 impl<'a> LiveTables<'a> {
-    /// The tables, live where that is wanted and none has more than [`MOST`] intervals.
+    /// The tables that have a sheet, and how they are written.
     #[must_use]
-    pub fn new(placed: &'a [Placed<'a>], tables: Tables) -> Self {
-        let long = placed.iter().any(|one| intervals(one.table).is_some_and(|count| count > MOST));
-        Self { placed, on: tables == Tables::Live && !long }
+    pub const fn new(placed: &'a [Placed<'a>], written: Written) -> Self {
+        Self { placed, written }
     }
 
     /// True where formulas are written.
     #[must_use]
-    pub const fn on(&self) -> bool {
-        self.on
+    pub fn on(&self) -> bool {
+        self.written == Written::Formulas
+    }
+
+    /// What the source of a table says beside it: that values stand where formulas would.
+    #[must_use]
+    pub fn source(&self, table: &Table) -> Text {
+        let live = table.columns.iter().any(|column| column.live.is_some());
+        let told = if live { self.written.told() } else { t("", "") };
+        let with = |source: &str, told: &str| match (source.is_empty(), told.is_empty()) {
+            (_, true) => source.to_owned(),
+            (true, false) => told.to_owned(),
+            (false, false) => format!("{told} · {source}"),
+        };
+        Text::new(with(&table.source.es, &told.es), with(&table.source.en, &told.en))
+    }
+
+    /// What is said of all tables together; nothing while they follow the inputs, or none would.
+    #[must_use]
+    pub fn note(&self) -> Option<Text> {
+        let live = self.placed.iter().any(|one| one.table.columns.iter().any(|column| column.live.is_some()));
+        (live && !self.on()).then(|| self.written.told())
     }
 
     /// How many rows of a table are prepared: those that are filled, and where they follow an input, more.
     #[must_use]
     pub fn rows(&self, table: &Table) -> usize {
         match (table.index, intervals(table)) {
-            (Index::Intervals { times, more, .. }, Some(count)) if self.on => {
+            (Index::Intervals { times, more, .. }, Some(count)) if self.on() => {
                 times * PREPARED.max(2 * count).clamp(count, MOST) + more + 1
             }
             _ => table.rows(),
@@ -67,13 +131,15 @@ impl<'a> LiveTables<'a> {
     /// For a reference to what is not there: a fault in rodete.
     pub fn cell(&self, table: &Table, live: Option<&Live>, row: RowNum) -> Result<Option<String>, WriteError> {
         let at = usize::try_from(row.saturating_sub(FIRST)).unwrap_or_default();
-        let Some(formula) = live.filter(|_| self.on).and_then(|live| live.get(at)).filter(|one| !one.is_empty()) else {
+        let Some(formula) = live.filter(|_| self.on()).and_then(|live| live.get(at)).filter(|one| !one.is_empty())
+        else {
             return Ok(None);
         };
         let formula = self.resolved(Some((table, row)), formula)?;
-        Ok(Some(match table.index {
-            Index::Intervals { .. } => format!("=IF($A{0}=\"\",\"\",{formula})", row + 1),
-            _ => format!("={formula}"),
+        Ok(Some(match (table.index, self.asks(table)) {
+            (Index::Intervals { .. }, _) => format!("=IF($A{0}=\"\",\"\",{formula})", row + 1),
+            (_, Some(of)) => format!("=IF({},{formula},\"\")", self.reached(of)),
+            (_, None) => format!("={formula}"),
         }))
     }
 
@@ -83,23 +149,75 @@ impl<'a> LiveTables<'a> {
         let last = last(table.index)?;
         let first = FIRST + 1;
         let passed = format!("ROWS($A${first}:$A{})-1", row + 1);
-        self.on.then(|| format!("=IF({passed}<={last},{passed},\"\")"))
+        // Where columns are looked up, rows that are missing would be looked up, too.
+        let counts = if looks_up(table) { self.reached(table) } else { counts(table.index).unwrap_or_default() };
+        self.on().then(|| format!("=IF({counts},IF({passed}<={last},{passed},\"\"),\"\")"))
+    }
+
+    /// The table whose rows cells of a table look up: they show nothing where it has not the rows. The table itself, where its
+    /// own rows follow an input.
+    fn asks<'t>(&self, table: &'t Table) -> Option<&'t Table>
+    where
+        'a: 't,
+    {
+        if intervals(table).is_some() {
+            return Some(table);
+        }
+        let of = |formula: &str| self.looked_up(formula).filter(|one| intervals(one).is_some());
+        formulas(table).find_map(of)
+    }
+
+    /// The first table that a formula looks up by its whole columns, or their ends.
+    fn looked_up(&self, formula: &str) -> Option<&'a Table> {
+        formula.split('[').skip(1).find_map(|rest| {
+            let (path, _) = rest.split_once(']')?.0.split_once(' ')?;
+            let (key, _) = path.split_once('.')?;
+            self.placed.iter().find(|one| one.table.key == key).map(|one| one.table)
+        })
+    }
+
+    /// The formula that is true where an input is a count of intervals for which a table has rows.
+    fn reached(&self, table: &Table) -> String {
+        let (Index::Intervals { name, times, more }, Some(counts)) = (table.index, counts(table.index)) else {
+            return "TRUE".to_owned();
+        };
+        let most = self.rows(table).saturating_sub(more + 1).checked_div(times).unwrap_or_default();
+        format!("IF({counts},N({name})<={most},FALSE)")
     }
 
     /// What stands below the last row prepared: a warning as soon as the rows do not suffice.
     #[must_use]
     pub fn end(&self, table: &Table, told: &str) -> Option<String> {
-        let last = last(table.index)?;
-        let most = self.rows(table).saturating_sub(1);
-        self.on.then(|| format!("=IF({last}>{most},\"{told}\",\"\")"))
+        let (counts, reached) = (counts(table.index)?, self.reached(table));
+        self.on().then(|| format!("=IF({counts},IF({reached},\"\",\"{told}\"),\"\")"))
     }
 
-    /// A formula outside the tables: it may refer to whole columns and their ends.
+    /// A formula outside the tables: it may refer to whole columns and their ends. Where the rows of those are not there, it is
+    /// `otherwise`.
     ///
     /// # Errors
     /// For a reference to what is not there: a fault in rodete.
-    pub fn outside(&self, formula: &str) -> Result<Option<String>, WriteError> {
-        if self.on { Ok(Some(format!("={}", self.resolved(None, formula)?))) } else { Ok(None) }
+    pub fn outside(&self, formula: &str, otherwise: &str) -> Result<Option<String>, WriteError> {
+        if !self.on() {
+            return Ok(None);
+        }
+        let resolved = self.resolved(None, formula)?;
+        let asked = self.looked_up(formula).and_then(|table| self.asks(table));
+        Ok(Some(match asked {
+            Some(of) => format!("=IF({},{resolved},{otherwise})", self.reached(of)),
+            None => format!("={resolved}"),
+        }))
+    }
+
+    /// A formula over the rows of a table outside of it, which is `otherwise` where those are not there.
+    ///
+    /// # Errors
+    /// As [`LiveTables::outside`].
+    pub fn along(&self, table: &Table, formula: &str, otherwise: &str) -> Result<Option<String>, WriteError> {
+        if !self.on() {
+            return Ok(None);
+        }
+        Ok(Some(format!("=IF({},{},{otherwise})", self.reached(table), self.resolved(None, formula)?)))
     }
 
     /// The formula with its references made cells.
@@ -156,6 +274,27 @@ fn intervals(table: &Table) -> Option<usize> {
         Index::Intervals { times, more, .. } => table.rows().checked_sub(more + 1)?.checked_div(times),
         _ => None,
     }
+}
+
+/// The formulas of a table.
+fn formulas(table: &Table) -> impl Iterator<Item = &str> {
+    let all = table.columns.iter().filter_map(|column| column.live.as_ref());
+    all.flat_map(|live| match live {
+        Live::Rows(one) => std::slice::from_ref(one),
+        Live::Cells(each) => each,
+    })
+    .map(|one| &**one)
+}
+
+/// True for a table with cells that look up whole columns, or their ends.
+fn looks_up(table: &Table) -> bool {
+    formulas(table).any(|formula| formula.contains(" all]") || formula.contains(" last]"))
+}
+
+/// The formula that is true where the input that rows follow is a count: neither empty, nor a text, nor 0, nor a fraction.
+fn counts(index: Index) -> Option<String> {
+    let Index::Intervals { name, .. } = index else { return None };
+    Some(format!("AND(N({name})>=1,N({name})=INT(N({name})))"))
 }
 
 /// The last index of a table's rows, by the input that they follow.

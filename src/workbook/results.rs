@@ -11,7 +11,7 @@ use super::error::WriteError;
 use super::form_sheet::Filling;
 use super::guard::{self, Copy, Guard};
 use super::limits;
-use super::live::{self, LiveTables};
+use super::live::{self, LiveTables, Written};
 use super::long_rows::LongRows;
 use super::names::{Made, Present, Role, SheetNames, slug};
 use super::page::{Further, Page, properties};
@@ -97,8 +97,9 @@ fn write_for<W: Write + Seek + Send>(
     let first = results.take("summary", &summary_sheet::NAME);
     results.workbook.add_worksheet().set_name(&first)?;
     results.write_forms(sketch.as_ref())?;
-    let placed = results.places();
-    let live = LiveTables::new(&placed, tables);
+    let written = Written::of(outcome.tables.iter(), tables);
+    let placed = results.places(written);
+    let live = LiveTables::new(&placed, written);
     results.write_tables(&placed, live)?;
     results.write_programs(files)?;
     results.write_checks()?;
@@ -233,8 +234,8 @@ impl<'a> Results<'a> {
         })
     }
 
-    /// The sheets of the tables: that of the charts stands before them.
-    fn places(&mut self) -> Vec<Placed<'a>> {
+    /// The sheets of the tables that have one: that of the charts stands before them.
+    fn places(&mut self, written: Written) -> Vec<Placed<'a>> {
         static CHARTS: Text = t("Gráficos de las tablas", "Charts of the tables");
         let outcome = self.outcome;
         if !outcome.charts.is_empty() {
@@ -243,6 +244,7 @@ impl<'a> Results<'a> {
         outcome
             .tables
             .iter()
+            .filter(|table| written.has(table))
             .map(|table| Placed { sheet: self.name(table.key, &table.name, &table.title), table })
             .collect()
     }
@@ -281,7 +283,7 @@ impl<'a> Results<'a> {
             }
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
             sheet.write(worksheet, &self.styles, &live)?;
-            self.additions.printed.extend(sheet.finish(worksheet, at, &self.page)?);
+            self.additions.printed.extend(sheet.finish(worksheet, at, &self.page, &live)?);
         }
         if picked { curves.write(&mut self.workbook) } else { Ok(()) }
     }

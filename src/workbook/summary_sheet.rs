@@ -104,7 +104,8 @@ impl Summary<'_> {
         let attention =
             if outcome.stopped() || found.iter().any(|one| one.grade != Grade::Note) { Some(grade) } else { None };
         let line = |label: Text, text: Text| (label, text, None);
-        vec![
+        let tables = self.live.note().map(|note| line(t("Tablas", "Tables"), note));
+        let lines = vec![
             line(t("Pieza", "Part"), Text::same(part.join(", "))),
             line(t("Control", "Control"), Text::new(control("estilo"), control("style"))),
             (t("Resultado", "Verdict"), verdict, Some(grade)),
@@ -129,7 +130,8 @@ impl Summary<'_> {
                     format!("by rodete {} from {} (SHA-256 {}).", source.version, source.workbook, source.sha256),
                 ),
             ),
-        ]
+        ];
+        lines.into_iter().chain(tables).collect()
     }
 
     fn delivered(&self) -> Text {
@@ -193,7 +195,7 @@ impl Summary<'_> {
         write_text(sheet, row, 1, meaning, &styles.text)?;
         let format = styles.number(quantity.unit);
         let formula = quantity.cell.as_ref().and_then(|cell| cell.live.as_ref());
-        match formula.map(|formula| self.live.outside(formula)).transpose()?.flatten() {
+        match formula.map(|formula| self.live.outside(formula, "\"\"")).transpose()?.flatten() {
             Some(formula) => {
                 let formula = live::number(&formula, quantity.value, || quantity.symbol.to_owned())?;
                 sheet.write_formula_with_format(row, 2, formula, &format)?;

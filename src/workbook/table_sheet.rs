@@ -84,13 +84,13 @@ impl<'a> TableSheet<'a> {
     /// # Errors
     /// For a value that is not finite, and for a table larger than a sheet.
     pub fn write(&self, sheet: &mut Worksheet, styles: &Styles, live: &LiveTables<'_>) -> Result<(), WriteError> {
-        let offset = self.offset();
+        let (offset, source) = (self.offset(), live.source(self.table));
         write_text(sheet, 0, 0, self.table.title.get(self.language), &styles.title)?;
         guard::banner(
             sheet,
             1,
-            [0, self.printed()?],
-            self.table.source.get(self.language),
+            [0, self.printed(source.get(self.language))?],
+            source.get(self.language),
             self.language,
             [&styles.source, &styles.stale],
         )?;
@@ -114,10 +114,16 @@ impl<'a> TableSheet<'a> {
     ///
     /// # Errors
     /// For a table larger than a sheet.
-    pub fn finish(&self, sheet: &mut Worksheet, at: usize, page: &Page<'_>) -> Result<Option<Further>, WriteError> {
+    pub fn finish(
+        &self,
+        sheet: &mut Worksheet,
+        at: usize,
+        page: &Page<'_>,
+        live: &LiveTables<'_>,
+    ) -> Result<Option<Further>, WriteError> {
         sheet.set_freeze_panes(FIRST, self.offset())?;
         let last = self.last_row()?;
-        let further = Further::set(sheet, at, &self.areas()?)?;
+        let further = Further::set(sheet, at, &self.areas(live.source(self.table).get(self.language))?)?;
         let columns = &self.table.columns;
         let texts = columns.iter().filter(|column| matches!(column.values, Cells::Texts(_))).count();
         let landscape = columns.len() > UPRIGHT || texts > TEXTS;
@@ -130,8 +136,8 @@ impl<'a> TableSheet<'a> {
     }
 
     /// The areas that are printed: the whole, or both ends of a long table.
-    fn areas(&self) -> Result<Vec<Area>, WriteError> {
-        let (last, column) = (self.last_row()?, self.printed()?);
+    fn areas(&self, source: &str) -> Result<Vec<Area>, WriteError> {
+        let (last, column) = (self.last_row()?, self.printed(source)?);
         if self.table.rows() <= WHOLE as usize {
             return Ok(vec![[(0, 0), (last, column)]]);
         }
@@ -139,12 +145,12 @@ impl<'a> TableSheet<'a> {
     }
 
     /// The last column to be printed: that of the table, or further to the right as title and source need.
-    fn printed(&self) -> Result<ColNum, WriteError> {
+    fn printed(&self, source: &str) -> Result<ColNum, WriteError> {
         // Bold letters of the title are wider than the digits that widths count.
         let title = 1.6 * count(self.table.title.get(self.language));
         let warning = f64::from(u16::try_from(guard::warning(self.language)).unwrap_or(u16::MAX));
         // The words that say that the inputs are verified follow the source.
-        let source = count(self.table.source.get(self.language)) + SEALED;
+        let source = count(source) + SEALED;
         let needed = title.max(source).max(warning).min(WIDEST);
         let mut width = f64::from(self.offset()) * INDEX_WIDTH;
         width += self.table.columns.iter().map(|column| self.width(column)).sum::<f64>();

@@ -417,6 +417,106 @@ fn beyond_four_hundred_intervals_and_on_request_the_tables_are_values() {
     assert!(live(&written(&most, Tables::Values, Language::En)) < 10);
 }
 
+/// The sheets of a book by their names.
+fn sheet_names(bytes: &[u8]) -> Vec<String> {
+    let listed = Parts::of(bytes).text("xl/workbook.xml");
+    let names = listed.split("<sheet name=\"").skip(1).filter_map(|rest| rest.split('"').next().map(str::to_owned));
+    names.collect()
+}
+
+#[test]
+fn values_say_that_they_are_values_and_no_sheet_computes_blocks() {
+    let many = common::outcome("tfg-2021", &[("n", Value::Whole(401))]);
+    let few = common::outcome("tfg-2021", &[]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let told = |bytes: &[u8], language: Language| -> [String; 3] {
+        let path = folder.path().join("values.xlsx");
+        std::fs::write(&path, bytes).expect("a file");
+        let mut book: Book = open_workbook(&path).expect("a workbook");
+        let [annex, crossing, first] = match language {
+            Language::En => ["Annex 6", "Intersection", "SUMMARY"],
+            Language::Es => ["Anexo 6", "Intersección", "RESUMEN"],
+        };
+        let banner = |range: &Range<Data>| range.get_value((1, 0)).map(ToString::to_string).unwrap_or_default();
+        let banners = [annex, crossing].map(|name| banner(&range(&mut book, name)));
+        let summary = range(&mut book, first);
+        let label = if language == Language::Es { "Tablas" } else { "Tables" };
+        let row = summary.rows().find(|row| row[0].to_string() == label);
+        let [annex, crossing] = banners;
+        [annex, crossing, row.map(|row| row[1].to_string()).unwrap_or_default()]
+    };
+    for (language, asked, long) in [
+        (Language::En, "Values (--values): they do not follow the inputs", "Values (more than 400 intervals)"),
+        (Language::Es, "Valores (--values): no siguen a los datos", "Valores (más de 400 intervalos)"),
+    ] {
+        let lines = |bytes: &[u8]| {
+            let names = sheet_names(bytes);
+            names.iter().filter(|name| name.starts_with("Lines ") || name.starts_with("Líneas ")).count()
+        };
+        let live = written(&few, Tables::Live, language);
+        assert_eq!(lines(&live), 2);
+        assert!(told(&live, language).iter().all(|one| !one.contains("400") && !one.contains("--values")));
+        for (bytes, words) in
+            [(written(&few, Tables::Values, language), asked), (written(&many, Tables::Live, language), long)]
+        {
+            assert_eq!(lines(&bytes), 0, "{words}");
+            let told = told(&bytes, language);
+            assert!(told.iter().all(|one| one.starts_with(words)), "{told:?}");
+        }
+    }
+}
+
+#[test]
+fn a_count_of_intervals_that_is_none_or_has_no_rows_leaves_cells_empty_and_without_errors() {
+    if !libreoffice() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let typed = |value: &str| match value {
+        "" => ">".to_owned(),
+        "x" => " t=\"inlineStr\"><is><t>x</t></is>".to_owned(),
+        number => format!("><v>{number}</v>"),
+    };
+    let pipe = |kind: &str| {
+        let kind = *KINDS.iter().find(|one| one.form().kind == kind).expect("a kind");
+        common::outcome_of(kind, &kind.cases()[0], Language::En, &[])
+    };
+    let outcomes = [
+        ("intervals_n", "Annex 6", common::outcome("tfg-2021", &[])),
+        ("divisions_N", "Template", pipe("pipe-insert")),
+        ("divisions_N", "Curve", pipe("pipe-hole")),
+    ];
+    for (at, (name, _, outcome)) in outcomes.iter().enumerate() {
+        let bytes = written(outcome, Tables::Live, Language::En);
+        let books: Vec<(String, Vec<u8>)> = ["0", "", "x", "2.5", "390"]
+            .iter()
+            .enumerate()
+            .map(|(number, value)| (format!("n-{at}-{number}"), with(&bytes, &cell_of(&bytes, name), &typed(value))))
+            .collect();
+        let tables: Vec<&str> = outcome.tables.iter().map(|table| table.name.get(Language::En)).collect();
+        for ((called, _), mut book) in books.iter().zip(recalculated(folder.path(), false, &books)) {
+            let long = called.ends_with("-4");
+            let mut ends = 0;
+            for table in &tables {
+                let sheet = range(&mut book, table);
+                let wrong = |cell: &Data| matches!(cell, Data::Error(_)) || cell.to_string().starts_with('#');
+                let wrong = sheet.used_cells().find(|(.., cell)| wrong(cell));
+                assert_eq!(wrong, None, "{name} {called}: {table}");
+                ends += sheet.used_cells().filter(|(.., cell)| cell.to_string().starts_with("the rows end")).count();
+            }
+            assert_eq!(ends > 0, long, "{name} {called}");
+            // What charts draw is left out by them.
+            let curves = range(&mut book, "Curves");
+            let drawn = curves.used_cells().filter(|(row, ..)| *row > 0);
+            assert!(
+                drawn.clone().count() > 0 && drawn.clone().all(|(.., cell)| cell.to_string() == "#N/A"),
+                "{called}"
+            );
+            assert!((stale(&mut book) - 1.0).abs() < 0.5, "{called}");
+        }
+    }
+}
+
 /// Of another nominal size no formula knows the diameter: nothing of before is shown in its place.
 #[test]
 fn a_nominal_size_changed_in_the_results_leaves_no_figure_of_the_old_one() {

@@ -103,7 +103,11 @@ fn no_symbol_stands_over_a_column_without_its_meaning() {
         let outcome = common::outcome_of(kind, case, language, &[]);
         let labels = kind.chapters().labels;
         let own = labels.split(&format!("\n  {}: (", language.code())).nth(1).expect("words of the language");
-        for table in outcome.tables.iter().filter(|table| table.print != Print::No && table.key != "verification") {
+        for table in outcome
+            .tables
+            .iter()
+            .filter(|table| !matches!(table.print, Print::No | Print::Formulas) && table.key != "verification")
+        {
             let line = own.lines().find(|line| line.trim_start().starts_with(&format!("{}: \"", table.key)));
             for column in table.columns.iter().map(|column| column.symbol.get(language)).filter(|one| is_symbol(one)) {
                 let told = line
@@ -291,7 +295,11 @@ mod embedded {
             // What the kind calls a table in the report, if not by the name of its sheet.
             let own = kind.chapters().labels.split(&format!("\n  {}: (", language.code())).nth(1).unwrap_or_default();
             let headings = own.lines().find(|line| line.trim_start().starts_with("headings: (")).unwrap_or_default();
-            for table in outcome.tables.iter().filter(|table| table.print != Print::No && table.rows() > 0) {
+            for table in outcome
+                .tables
+                .iter()
+                .filter(|table| !matches!(table.print, Print::No | Print::Formulas) && table.rows() > 0)
+            {
                 let heading =
                     headings.split(&format!("{}: \"", table.key)).nth(1).and_then(|rest| rest.split('"').next());
                 let called = heading.unwrap_or(table.name.get(*language));

@@ -117,7 +117,7 @@ impl Course {
                 "Positions in thousandths; line 0 is the start. What was verified is the text in the column \"program\"",
             ),
             index: Index::Intervals { name: "intervals_n", times: 2, more: self.more() },
-            print: Print::No,
+            print: Print::Formulas,
             columns,
         })
     }
