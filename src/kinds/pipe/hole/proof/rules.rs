@@ -46,5 +46,5 @@ crate::finding::rule::rules! {
         remedy "elija un ángulo de bisel mayor, o acerque el injerto al eje del tubo base", "choose a larger groove angle, or move the branch closer to the header's axis";
         why "Desde el cruce cada chorro corta lo que su vecino debía dejar: queda más hueco que llenar de soldadura.",
             "Past the crossing each beam cuts what its neighbour should leave: there is more to fill with weld.";
-        example Example::Slip { kind: "pipe-hole", cells: &[("gamma", "0"), ("h", "0"), ("e", "28")], program: "hole", from: "", to: "" };
+        example Example::Slip { kind: "pipe-hole", cells: &[("gamma", "0"), ("h", "0"), ("e", "28"), ("D_max", "20")], program: "hole", from: "", to: "" };
 }
