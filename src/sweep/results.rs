@@ -4,7 +4,7 @@ use crate::kind::Kind;
 use crate::sweep::indices::LEAST;
 use crate::sweep::plan::Plan;
 use crate::sweep::ranking::Counts;
-use crate::sweep::sensitivity::Effect;
+use crate::sweep::sensitivity::{Effect, LOOKS};
 use crate::sweep::table::{FRONT, Table};
 use crate::text::{Text, t};
 
@@ -90,9 +90,13 @@ impl Results<'_> {
     /// What the effects of the inputs are, around the design of the workbook and over the plan.
     #[must_use]
     pub fn explained(&self) -> [Text; 2] {
-        let around = t(
-            "Alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción (≥: hasta donde se ha mirado), y cuánto cambia cada objetivo.",
-            "Around the workbook's design, other inputs unchanged: how far the input may go down and up before the design is refused or breaks a constraint (≥: as far as was looked), and how much each objective changes.",
+        let around = Text::new(
+            format!(
+                "Alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción (≥: hasta donde se ha mirado), y cuánto cambia cada objetivo. Las tolerancias, redondeadas hacia cero. rodete mira a {LOOKS} distancias iguales a cada lado, hasta el ancho del intervalo, y más cerca que la primera a su mitad, su cuarto y así hasta 1/32; lo que hay entre dos de ellas no se ha mirado."
+            ),
+            format!(
+                "Around the workbook's design, other inputs unchanged: how far the input may go down and up before the design is refused or breaks a constraint (≥: as far as was looked), and how much each objective changes. Tolerances are rounded towards zero. rodete looks at {LOOKS} even distances to each side, as far as the range is wide, and nearer than the first at a half of it, a quarter and so on to a 32nd; what lies between two of them was not looked at."
+            ),
         );
         let over = match self.triples {
             None => t(

@@ -12,8 +12,12 @@ use crate::sweep::table::Table;
 
 /// The part of an input's range by which it is moved for its slope.
 const PART: f64 = 0.01;
-/// How often an interval is halved to find where a design is no longer good.
-const HALVINGS: u32 = 12;
+/// How many distances are looked at to each side, evenly, for where a design is no longer good.
+pub const LOOKS: u32 = 32;
+/// How often the first of them is halved towards the design: what is spoilt close by is found in a narrow band, too.
+const NEAR: u32 = 5;
+/// A distance is told in steps of one part of so many: the fourth decimal is the last that is shown.
+const GRAINS: f64 = 10_000.0;
 /// The most slices of a range for the shares.
 const SLICES: u64 = 32;
 /// The fewest designs in a slice, in the mean.
@@ -35,7 +39,8 @@ pub struct Effect {
     /// How much each objective changes when this input alone goes there; `None` where the objective has no value there.
     pub changes: Vec<[Option<f64>; 2]>,
     /// How far it may be smaller and larger until the design is refused or breaks a constraint, everything else unchanged; `None`
-    /// where the workbook's design is not good itself. As far as the plan's range is wide nothing is looked for.
+    /// where the workbook's design is not good itself. As far as the plan's range is wide, at [`LOOKS`] even distances; what lies between
+    /// two of them is not looked at. Never more than what was judged good, to the digits that are shown.
     pub room: Option<[f64; 2]>,
     /// The room ends at the width of the plan's range, not at a limit.
     pub open: [bool; 2],
@@ -73,7 +78,8 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Valu
         let (Some(value), Some(ends), Some([low, high])) = (value, span(input), limits(input)) else { return plain };
         let moved = |to: f64| {
             let mut values = base.clone();
-            let to = if input.whole() { to.round() } else { to }.clamp(low, high);
+            // To a billionth: the number that a person would type.
+            let to = if input.whole() { to.round() } else { (to * 1e9).round() / 1e9 }.clamp(low, high);
             let value = if input.whole() { super::plan::whole(to).map(Value::Whole) } else { Some(Value::Real(to)) };
             if let Some(value) = value {
                 values.values.insert(input.parameter.key, value);
@@ -113,33 +119,32 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Valu
     plan.inputs.par_iter().map(effect).collect()
 }
 
-/// How far one may go, at most so far, while all that is looked at is good; and whether it is good to the end. Looks at distances
-/// that double, then halves the interval in which it is no longer good.
+/// How far one may go, at most so far, and whether it is good to the end: in steps of the last digit that is shown, so that what is
+/// read off was judged itself. Looks at distances that double, then at even ones, up to the first that is not good, and halves the
+/// interval before it.
 fn farthest(most: f64, whole: bool, good: &dyn Fn(f64) -> bool) -> (f64, bool) {
-    let least = if whole { 1.0 } else { most / 256.0 };
-    let (mut kept, mut by) = (0.0, least);
-    if most <= 0.0 {
-        return (0.0, true);
-    }
-    loop {
-        let here = f64::min(by, most);
+    let grains = if whole { 1.0 } else { GRAINS };
+    // A distance whose last digit rounding has spoilt counts whole.
+    let end = (most * grains + 1e-6).floor().max(0.0);
+    let good = |at: f64| good(at / grains);
+    let mut kept = 0.0;
+    let near = (1..=NEAR).rev().map(|halved| 1.0 / f64::from(LOOKS << halved));
+    for part in near.chain((1..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS))) {
+        let here = (end * part).floor();
+        if here <= kept {
+            continue;
+        }
         if !good(here) {
             let (mut low, mut high) = (kept, here);
-            for _ in 0..HALVINGS {
-                let middle = if whole { f64::midpoint(low, high).floor() } else { f64::midpoint(low, high) };
-                if middle <= low {
-                    break;
-                }
+            while high - low > 1.0 {
+                let middle = f64::midpoint(low, high).floor();
                 if good(middle) { low = middle } else { high = middle }
             }
-            return (low, false);
+            return (low / grains, false);
         }
         kept = here;
-        if here >= most {
-            return (most, true);
-        }
-        by *= 2.0;
     }
+    (end / grains, true)
 }
 
 fn number(value: &Value) -> Option<f64> {
@@ -311,13 +316,33 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_farthest_good_distance_is_found_from_both_sides() {
-        for limit in [0.013, 0.4, 7.0] {
+    fn a_tolerance_as_it_is_shown_is_never_more_than_what_is_good() {
+        for limit in [0.000_05, 0.013, 0.012_19, 0.4, 0.099_499_9, 7.0] {
             let (by, open) = farthest(10.0, false, &|by| by <= limit);
-            assert!(by <= limit && by > 0.98 * limit - 0.01 && !open, "{limit}: {by}");
+            let shown: f64 = format!("{by:.4}").parse().expect("a number");
+            assert!(shown.to_bits() == by.to_bits() && by <= limit && by > limit - 0.000_1 && !open, "{limit}: {by}");
         }
-        assert_eq!(farthest(10.0, false, &|_| true), (10.0, true));
+        assert_eq!(farthest(1.0 / 3.0, false, &|_| true), (0.333_3, true));
+        assert_eq!(farthest(2.0 - 0.01, false, &|_| true), (1.99, true));
         assert_eq!(farthest(5.0, true, &|by| by <= 3.0), (3.0, false));
         assert_eq!(farthest(5.0, true, &|_| false), (0.0, false));
+        assert_eq!(farthest(0.0, false, &|_| false), (0.0, true));
+        assert_eq!(farthest(400.0, true, &|by| by < 257.0), (256.0, false));
+    }
+
+    #[test]
+    fn a_narrow_band_close_to_the_design_ends_the_tolerance() {
+        // Good again before the first of the even distances.
+        let (by, open) = farthest(4.0, false, &|by| !(0.011_6..0.1).contains(&by));
+        assert!(!open && by < 0.011_6 && by > 0.011_4, "{by}");
+    }
+
+    #[test]
+    fn a_band_that_spoils_the_part_ends_the_tolerance_though_it_is_good_again_beyond() {
+        // As wide as a 32nd of the way, anywhere: distances that double would jump over it.
+        for from in [0.3, 1.17, 3.0, 5.5, 8.7] {
+            let (by, open) = farthest(10.0, false, &|by| !(from..from + 0.313).contains(&by));
+            assert!(!open && by < from && by > from - 0.000_2, "{from}: {by}");
+        }
     }
 }

@@ -50,10 +50,11 @@ impl SweepBook<'_> {
         sheet.set_row_height(2, row_height(&[(&told, across)]))?;
         let (room, part) = (Format::new().set_num_format("0.####"), Format::new().set_num_format("0.0 %"));
         let open = room.clone().set_num_format("\"≥ \"0.####");
+        let value = Format::new().set_num_format("0.######");
         for (row, effect) in (HEADINGS + 1..).zip(self.results.effects) {
             write_text(sheet, row, 0, &effect.symbol, &styles.symbol)?;
             write_text(sheet, row, 2, effect.unit, &styles.unit)?;
-            let mut cells: Vec<(ColNum, Option<f64>, &Format)> = vec![(1, effect.value, &room)];
+            let mut cells: Vec<(ColNum, Option<f64>, &Format)> = vec![(1, effect.value, &value)];
             for ((column, by), ends) in (3..).zip(effect.room.iter().flatten()).zip(effect.open) {
                 cells.push((column, Some(*by), if ends { &open } else { &room }));
             }

@@ -35,7 +35,7 @@ impl Setter<'_> {
                 if one.room.is_some() && one.open[side] { format!("≥ {by}") } else { by }
             };
             let end = |side: usize| one.ends.map(|ends| short(ends[side])).unwrap_or_default();
-            let here = one.value.map(short).unwrap_or_default();
+            let here = one.value.map(|value| number::trimmed(value, 6)).unwrap_or_default();
             vec![one.unit.to_owned(), here, room(0), room(1), end(0), end(1)]
         };
         tables.push((std::iter::once(unit).chain(around).collect(), effects.iter().map(row).collect()));
