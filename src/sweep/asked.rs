@@ -23,6 +23,8 @@ const SHOWN: usize = 40;
 /// The designs of a list.
 #[derive(Clone, Debug)]
 pub struct Designs {
+    /// The name of their sheet.
+    pub sheet: String,
     /// The inputs, as the row of symbols names them.
     pub inputs: Vec<&'static Parameter>,
     /// The values, one design a row.
@@ -79,10 +81,14 @@ impl Reading<'_> {
     fn inputs(&mut self, designs: Option<Designs>) -> Vec<Input> {
         let rows: Vec<Entry<'_>> = self.fields.rows("inputs").collect();
         if self.method == Method::List {
-            let Some(designs) = designs.filter(|designs| !designs.rows.is_empty() && !designs.inputs.is_empty()) else {
+            let Some(designs) = designs else {
                 self.wrong(METHOD.key(), &NoDesignsSheet { sheet: DESIGNS });
                 return Vec::new();
             };
+            if designs.rows.is_empty() {
+                self.findings.push(NoDesigns { sheet: DESIGNS }.at(Place::Sheet(designs.sheet)));
+                return Vec::new();
+            }
             if !rows.is_empty() {
                 self.notes.push(ListAndInputs { sheet: NAME }.at(Place::Cells(cells(&rows, &INPUT.row))));
             }
@@ -198,10 +204,17 @@ impl Reading<'_> {
             }
             let spread = match distribution {
                 None => Spread::Uniform,
-                Some(text) => spread(&text).ok_or_else(|| {
-                    let told = DistributionUnread { text: excerpt(&text, SHOWN) };
-                    Box::new(told.at(at(&[&DISTRIBUTION.row])))
-                })?,
+                Some(text) => {
+                    let shown = excerpt(&text, SHOWN);
+                    let Some(spread) = spread(&text) else {
+                        return Err(Box::new(DistributionUnread { text: shown }.at(at(&[&DISTRIBUTION.row]))));
+                    };
+                    if !spread.reaches([from, to]) {
+                        let columns = [&FROM.row, &TO.row, &DISTRIBUTION.row];
+                        return Err(Box::new(DistributionElsewhere { text: shown }.at(at(&columns))));
+                    }
+                    spread
+                }
             };
             return Ok(Levels::Range { from, to, spread });
         };

@@ -40,6 +40,24 @@ pub enum Spread {
     },
 }
 
+/// The least part of the smaller tail that a cut range must hold: less is lost in the last digits.
+const LEAST_PART: f64 = 1e-9;
+
+impl Spread {
+    /// True where enough of it lies in a range for its values to be told from each other.
+    #[must_use]
+    pub fn reaches(self, range: [f64; 2]) -> bool {
+        match self {
+            Self::Uniform => true,
+            Self::Normal { mean, deviation } => {
+                let [one, other] = range.map(|x| tail(x, range[0] > mean, mean, deviation));
+                let most = one.max(other);
+                most >= f64::MIN_POSITIVE && (one - other).abs() > LEAST_PART * most
+            }
+        }
+    }
+}
+
 /// What values an input takes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Levels {
@@ -155,15 +173,24 @@ pub(super) fn whole(number: f64) -> Option<u32> {
     (number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number)).then_some(number as u32)
 }
 
+/// How much of a normal distribution lies below a value, or above it.
+fn tail(x: f64, above: bool, mean: f64, deviation: f64) -> f64 {
+    let away = if above { x - mean } else { mean - x };
+    0.5 * libm::erfc(away / (deviation * std::f64::consts::SQRT_2))
+}
+
 /// The value below which so much of a normal distribution lies that is cut at two ends: by halving, on the error function.
 fn cut_normal(place: f64, [from, to]: [f64; 2], mean: f64, deviation: f64) -> f64 {
-    let below = |x: f64| 0.5 * libm::erfc((mean - x) / (deviation * std::f64::consts::SQRT_2));
-    let [low, high] = [from, to].map(below);
-    let wanted = low + place * (high - low);
+    // Of a range above the mean, what lies below its values is nearly all: only what lies above them keeps its digits.
+    let above = from > mean;
+    let part = |x: f64| tail(x, above, mean, deviation);
+    let [first, last] = [from, to].map(part);
+    let wanted = first + place * (last - first);
     let (mut low, mut high) = (from, to);
     for _ in 0..80 {
         let middle = f64::midpoint(low, high);
-        if below(middle) < wanted { low = middle } else { high = middle }
+        let short = if above { part(middle) > wanted } else { part(middle) < wanted };
+        if short { low = middle } else { high = middle }
     }
     f64::midpoint(low, high)
 }

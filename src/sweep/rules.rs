@@ -159,6 +159,30 @@ rules! {
         remedy "escriba un objetivo, como time_s min", "write an objective, such as time_s min";
         why "El plan sirve para saber qué entrada explica la varianza de cada objetivo.", "The plan is there to show which input explains the variance of each objective.";
         example book!("impeller", "SWEEP!C6" = "saltelli", "SWEEP!C7" = "64", "SWEEP!C10" = "");
+    "D0126" UnderNoSymbol Stop { column: String, row: u64 }
+        es "la columna {column} tiene algo, y ningún símbolo en la fila {row}"
+        en "column {column} holds something, and has no symbol in row {row}"
+        remedy "escriba en esa fila el símbolo de la entrada, o vacíe la columna", "write the input's symbol in this row, or empty the column";
+        why "Un valor sin símbolo no es de ninguna entrada: faltaría en su diseño.", "A value without a symbol belongs to no input: its design would lack it.";
+        example Example::Made { key: "sweep-list-bare", how: t("un valor en la hoja DISEÑOS debajo de una celda vacía de la primera fila", "a value on the sheet DESIGNS below an empty cell of the first row") };
+    "D0127" NoDesigns Stop { sheet: Text }
+        es "la hoja {sheet} no tiene ningún diseño debajo de sus símbolos"
+        en "the sheet {sheet} has no design below its symbols"
+        remedy "escriba un diseño por fila: en su primera fila los símbolos, debajo los valores", "write one design a row: symbols in its first row, values below";
+        why "Una lista sin diseños no es un plan.", "A list without designs is no plan.";
+        example Example::Made { key: "sweep-list-empty", how: t("una hoja DISEÑOS con su fila de símbolos y nada más", "a sheet DESIGNS with its row of symbols and nothing else") };
+    "D0128" DesignCellBeyond Stop { cell: String, last: String }
+        es "{cell} queda fuera de las columnas de los diseños, que van de la A a la {last}"
+        en "{cell} is beyond the columns of the designs, which are A to {last}"
+        remedy "ponga los diseños en esas columnas, y nada más en la hoja", "put the designs into these columns, and nothing else on the sheet";
+        why "rodete no lee lo que hay más allá, y un diseño no debe perder un valor.", "rodete does not read beyond, and a design must not lose a value.";
+        example Example::Made { key: "sweep-list-wide", how: t("un valor en la columna Z de la hoja DISEÑOS", "a value in column Z of the sheet DESIGNS") };
+    "D0129" DistributionElsewhere Stop { text: String }
+        es "de «{text}» no hay casi nada entre desde y hasta: no se puede muestrear"
+        en "almost nothing of \"{text}\" lies between from and to: it cannot be sampled"
+        remedy "acerque el intervalo a la media, o escriba uniform", "bring the range nearer to the mean, or write uniform";
+        why "Lejos de la media queda tan poco que los diseños serían todos el mismo.", "Far from the mean so little is left that all designs would be the same one.";
+        example book!("impeller", "SWEEP!C6" = "sobol", "SWEEP!C7" = "64", "SWEEP!D16" = "", "SWEEP!F16" = "normal 5000 1");
 
     "D0201" OtherPlan Stop { path: String }
         es "{path} contiene filas de otro plan, de otro libro o de otra versión"

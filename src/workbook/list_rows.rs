@@ -157,7 +157,7 @@ fn units(sheet: &SheetCells, row: u32, columns: &[(&'static Parameter, u32)], fi
 
 /// The rows below the headings that hold something in a column that is read, and those over which a cell of the list is
 /// merged: what stood there is hidden.
-fn filled(sheet: &SheetCells, head: u32, columns: &[(&'static Parameter, u32)]) -> Vec<u32> {
+pub(super) fn filled(sheet: &SheetCells, head: u32, columns: &[(&'static Parameter, u32)]) -> Vec<u32> {
     let marked = sheet.survey.uncalculated.iter().chain(&sheet.survey.judged).map(|(row, _)| *row);
     let covered = sheet.survey.merges.iter().flat_map(|range| (range.start.0..=range.end.0).take(COVERED_ROWS));
     let rows: BTreeSet<u32> =

@@ -44,6 +44,8 @@ pub struct Survey {
     pub unsound: bool,
     /// True where the package is damaged and not only a value wrong.
     pub damaged: bool,
+    /// The first cell beyond the columns that are read that holds something.
+    pub beyond: Option<Position>,
     /// True where at least one cell holds something.
     pub filled: bool,
 }
@@ -283,6 +285,9 @@ impl Walk<'_> {
             self.far = Some(position);
         }
         let near = position.1 < self.columns;
+        if filled && !near {
+            self.survey.beyond.get_or_insert(position);
+        }
         let kind = cell.kind.as_deref();
         if near && cell.formula && value.is_empty() && !cell.inline && !(kind == Some("str") && cell.value.is_some()) {
             self.survey.uncalculated.insert(position);

@@ -3,8 +3,11 @@
 //! Settings stand above as on any sheet of a form, the inputs that vary below as a list. The designs of a list stand on a sheet of
 //! their own, a row of symbols and one design a row.
 
+use std::collections::BTreeSet;
+
 use rust_xlsxwriter::Workbook;
 
+use super::address::{self, Position};
 use super::book::Book;
 use super::error::WriteError;
 use super::form_sheet::Filling;
@@ -28,7 +31,7 @@ use crate::parameter::{Form, Parameter, Sheet, Value, Values};
 use crate::sweep::asked::{Designs, input, varies};
 use crate::sweep::form::{DESIGNS, FORM, FROM, INPUT, METHOD, NAME, OBJECTIVES, STEP, TO, VALUES};
 use crate::sweep::plan::Method;
-use crate::sweep::rules::{DesignCellEmpty, InputNotVaried, InputTwice, NoSuchInput};
+use crate::sweep::rules::{DesignCellBeyond, DesignCellEmpty, InputNotVaried, InputTwice, NoSuchInput, UnderNoSymbol};
 use crate::text::{Language, Text, t};
 
 /// Rows that stand ready below those that are filled in.
@@ -128,7 +131,7 @@ pub fn read(bytes: &[u8], form: &'static Form, language: Language) -> Result<Opt
                 return Err(refusal(sheet.survey.exit(), sheet.survey.findings));
             }
             findings.extend(sheet.survey.findings.iter().cloned());
-            designs(form, &sheet, &mut findings)
+            Some(designs(form, &sheet, &mut findings))
         }
     };
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
@@ -166,13 +169,23 @@ fn cells(
     values
 }
 
-/// The designs of a list: symbols in the first row that holds something, values below.
-fn designs(form: &'static Form, sheet: &SheetCells, findings: &mut Vec<Finding>) -> Option<Designs> {
-    let (head, cells) = sheet.rows.iter().next()?;
+/// The designs of a list: symbols in the first row that holds something, values below. Whatever else the sheet holds would be left out
+/// of the designs without a word, and is refused.
+fn designs(form: &'static Form, sheet: &SheetCells, findings: &mut Vec<Finding>) -> Designs {
+    let place = |at: Position| Place::Cells(vec![sheet.place(at)]);
+    let held: BTreeSet<Position> = sheet
+        .rows
+        .iter()
+        .flat_map(|(row, cells)| (0..).zip(cells).filter(|(_, cell)| cell.is_some()).map(|(at, _)| (*row, at)))
+        .chain(sheet.survey.uncalculated.iter().copied())
+        .collect();
+    let head = sheet.rows.keys().next().or_else(|| held.first().map(|(row, _)| row)).copied().unwrap_or_default();
     let mut columns: Vec<(&'static Parameter, u32)> = Vec::new();
-    for (at, _) in (0_u32..).zip(cells).filter(|(_, cell)| cell.is_some()) {
-        let place = Place::Cells(vec![sheet.place((*head, at))]);
-        let symbol = sheet.text((*head, at)).unwrap_or_default();
+    let mut headed = BTreeSet::new();
+    for at in (0..list_rows::COLUMNS).filter(|at| sheet.cell((head, *at)).is_some()) {
+        headed.insert(at);
+        let place = place((head, at));
+        let symbol = sheet.text((head, at)).unwrap_or_default();
         match input(form, symbol) {
             None if symbol.is_empty() => findings.push(SymbolUnknown { symbol: "?".to_owned() }.at(place)),
             None => findings.push(NoSuchInput { symbol: excerpt(symbol, SHOWN) }.at(place)),
@@ -183,16 +196,25 @@ fn designs(form: &'static Form, sheet: &SheetCells, findings: &mut Vec<Finding>)
             Some(one) => columns.push((one, at)),
         }
     }
+    for at in &held {
+        if headed.insert(at.1) {
+            let (column, row) = (address::letters(at.1), u64::from(head) + 1);
+            findings.push(UnderNoSymbol { column, row }.at(place(*at)));
+        }
+    }
+    if let Some(beyond) = sheet.survey.beyond {
+        let last = address::letters(list_rows::COLUMNS - 1);
+        findings.push(DesignCellBeyond { cell: address::format(beyond), last }.at(place(beyond)));
+    }
     let mut rows = Vec::new();
-    for row in sheet.rows.keys().filter(|row| *row > head) {
+    for row in list_rows::filled(sheet, head, &columns) {
         let mut values: Vec<Value> = Vec::new();
         for (parameter, at) in &columns {
             let before = findings.len();
-            match read_at(parameter, sheet, (*row, *at), findings) {
+            match read_at(parameter, sheet, (row, *at), findings) {
                 Some(value) => values.push(value),
-                None if findings.len() == before => {
-                    let place = Place::Cells(vec![sheet.place((*row, *at))]);
-                    findings.push(DesignCellEmpty { symbol: parameter.key() }.at(place));
+                None if findings.len() == before && !sheet.survey.judged.contains(&(row, *at)) => {
+                    findings.push(DesignCellEmpty { symbol: parameter.key() }.at(place((row, *at))));
                 }
                 None => {}
             }
@@ -201,5 +223,5 @@ fn designs(form: &'static Form, sheet: &SheetCells, findings: &mut Vec<Finding>)
             rows.push(values);
         }
     }
-    Some(Designs { inputs: columns.into_iter().map(|(one, _)| one).collect(), rows })
+    Designs { sheet: sheet.name.clone(), inputs: columns.into_iter().map(|(one, _)| one).collect(), rows }
 }

@@ -241,6 +241,19 @@ fn variants(key: &str, folder: &Path) -> Option<&'static str> {
             put(common::workbook::with_variants(&list, &[], &[&["N", "F"], &["4", ""]]));
             "sweep a.xlsx --dry-run"
         }
+        "sweep-list-bare" => {
+            put(common::workbook::with_variants(&list, &[], &[&["N", "", "e"], &["4", "7", "2"]]));
+            "sweep a.xlsx --dry-run"
+        }
+        "sweep-list-empty" => {
+            put(common::workbook::with_variants(&list, &[], &[&["N", "e"]]));
+            "sweep a.xlsx --dry-run"
+        }
+        "sweep-list-wide" => {
+            let far: [&str; 26] = std::array::from_fn(|at| if at == 0 || at == 25 { "4" } else { "" });
+            put(common::workbook::with_variants(&list, &[], &[&["N"], &far]));
+            "sweep a.xlsx --dry-run"
+        }
         "sweep-many-inputs" => {
             let numbers = FORM.parameters().filter_map(|(_, one)| match one.kind {
                 FieldKind::Real { min, max } => Some((one, min, max)),

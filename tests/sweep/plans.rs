@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use rodete::finding::Grade;
 use rodete::kinds::KINDS;
 use rodete::parameter::Value;
 use rodete::sweep::asked;
@@ -9,7 +10,7 @@ use rodete::sweep::plan::Plan;
 use rodete::text::Language;
 use rodete::workbook::sweep_sheet;
 
-use crate::common::workbook::{with_variants, written_with_variants};
+use crate::common::workbook::{Parts, place, with_variants, written_with_variants};
 
 /// The plan of a workbook.
 fn plan(bytes: &[u8]) -> Plan {
@@ -191,4 +192,71 @@ fn a_step_as_wide_as_the_range_has_two_levels() {
     let plan = plan(&with_variants(&[("method", "factorial")], &[["a_p", "0.1", "0.3", "0.2", "", ""]], &[]));
     let levels: Vec<f64> = (0..plan.count).map(|id| number(&plan.design(id)[0])).collect();
     assert_eq!(levels, [0.1, 0.3]);
+}
+
+/// What is wrong with a list, by code and cell.
+fn list_findings(change: impl Fn(Parts, &str) -> Parts, rows: &[&[&str]]) -> Vec<(&'static str, String)> {
+    let parts = Parts::of(&with_variants(&[("method", "list")], &[], rows));
+    let last =
+        (1..).map(|at| format!("xl/worksheets/sheet{at}.xml")).take_while(|part| parts.has(part)).last().unwrap();
+    let bytes = change(parts, &last).zip();
+    let findings = match sweep_sheet::read(&bytes, KINDS[0].form(), Language::En) {
+        Ok(sheet) => {
+            let sheet = sheet.unwrap();
+            asked::plan(KINDS[0], &sheet.fields, sheet.designs).map_or_else(|findings| findings, |_| Vec::new())
+        }
+        Err(refusal) => refusal.findings,
+    };
+    findings.iter().filter(|one| one.grade == Grade::Stop).map(|one| (one.code(), place(one))).collect()
+}
+
+#[test]
+fn whatever_of_a_list_would_be_left_out_of_its_designs_is_refused_by_its_cell() {
+    let same = |parts: Parts, _: &str| parts;
+    let formula = |address: &'static str| {
+        move |parts: Parts, sheet: &str| parts.cell(sheet, address, &format!("<c r=\"{address}\"><f>20+7</f></c>"))
+    };
+    let told = |code, place: &str| vec![(code, place.to_owned())];
+    assert_eq!(list_findings(same, &[&["R"], &["26"], &["27"]]), []);
+    // A formula whose value no spreadsheet has worked out: alone in its row, beside another, in a column without a symbol, as a symbol.
+    assert_eq!(list_findings(formula("A3"), &[&["R"], &["26"], &["27"]]), told("W0402", "A3"));
+    assert_eq!(list_findings(formula("B2"), &[&["R", "e"], &["26", "1"]]), told("W0402", "B2"));
+    assert_eq!(list_findings(formula("B2"), &[&["R"], &["26", "1"]]), told("D0126", "B2"));
+    assert_eq!(list_findings(formula("B1"), &[&["R", "e"], &["26", "1"]]), told("D0126", "B1"));
+    // Values below no symbol, each column once.
+    assert_eq!(list_findings(same, &[&["R", "", "e"], &["26", "4", "1"], &["27", "5", "1"]]), told("D0126", "B2"));
+    assert_eq!(list_findings(same, &[&["R", "e"], &["26", "1"], &["27", "1", "99"]]), told("D0126", "C3"));
+    let wide: [&str; 30] = std::array::from_fn(|at| if at == 0 || at == 29 { "26" } else { "" });
+    assert_eq!(list_findings(same, &[&["R"], &wide]), told("D0128", "AD2"));
+    // Symbols alone: the sheet is there, and has no design.
+    assert_eq!(list_findings(same, &[&["R", "e"]]), told("D0127", "DESIGNS"));
+}
+
+#[test]
+fn a_normal_distribution_far_from_its_range_is_that_of_scipy_or_refused_by_its_cell() {
+    let book = |normal: &str| {
+        with_variants(
+            &[("method", "sobol"), ("samples", "4"), ("seed", "0")],
+            &[["a_p", "1.9", "2.1", "", "", normal]],
+            &[],
+        )
+    };
+    // scipy.stats.truncnorm(a, b, loc, scale).ppf of 1/2, 3/4, 1/4, 10 deviations above the mean, then below it.
+    let figures = [
+        ("normal 0.9 0.1", [1.906_841_183_605_849_2, 1.913_637_059_380_176_2, 1.902_844_905_536_155_8]),
+        ("normal 3.1 0.1", [2.093_158_816_394_150_4, 2.097_155_094_463_844_6, 2.086_362_940_619_838_3]),
+    ];
+    for (normal, scipy) in figures {
+        let plan = plan(&book(normal));
+        for (id, scipy) in (1..).zip(scipy) {
+            let value = number(&plan.design(id)[0]);
+            assert!((value - scipy).abs() < 1e-9, "{normal} {id}: {value}");
+        }
+    }
+    for normal in ["normal 100 1", "normal -100 1", "normal 2 1e30"] {
+        let sheet = sweep_sheet::read(&book(normal), KINDS[0].form(), Language::En).unwrap().unwrap();
+        let findings = asked::plan(KINDS[0], &sheet.fields, sheet.designs).unwrap_err();
+        let told: Vec<_> = findings.iter().map(|one| (one.code(), place(one))).collect();
+        assert_eq!(told, [("D0129", "B7,C7,F7".to_owned())], "{normal}");
+    }
 }
