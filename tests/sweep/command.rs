@@ -149,6 +149,56 @@ fn a_chunk_of_which_a_column_is_damaged_counts_as_missing() {
 }
 
 #[test]
+fn all_damaged_chunks_are_listed_at_once_whichever_of_their_columns_it_is() {
+    let folder = folder("limits");
+    let at = folder.path();
+    done(at, "-o s --chunks 6");
+    let there = chunks(at, "s");
+    for (number, path) in there.iter().enumerate().filter(|(number, _)| number % 2 == 1) {
+        let mut bytes = fs::read(path).unwrap();
+        // Of one chunk the first column, of the others later ones.
+        let (from, to) = if number == 1 { (8, 24) } else { (bytes.len() / 4, bytes.len() / 2) };
+        bytes[from..to].iter_mut().step_by(7).for_each(|byte| *byte ^= 0x55);
+        fs::write(path, &bytes).unwrap();
+    }
+    let merge = sweep(at, "-o s --merge");
+    let told = String::from_utf8(merge.stderr).unwrap();
+    assert!(merge.status.code() == Some(9) && told.contains("missing chunks: 3 of 6 (1,3,5)"), "{told}");
+    // Of these the first column can be read.
+    done(at, "-o s --chunk 1/6");
+    let merge = sweep(at, "-o s --merge");
+    let told = String::from_utf8(merge.stderr).unwrap();
+    assert!(merge.status.code() == Some(9) && told.contains("missing chunks: 2 of 6 (3,5)"), "{told}");
+}
+
+#[test]
+fn a_merge_of_an_empty_folder_leaves_it_to_be_divided_in_any_way() {
+    let folder = folder("limits");
+    let at = folder.path();
+    let merge = sweep(at, "-o s --merge");
+    assert_eq!(merge.status.code(), Some(9), "{}", String::from_utf8_lossy(&merge.stderr));
+    assert!(!at.join("s/plan.json").exists());
+    done(at, "-o s --chunk 0/2");
+    done(at, "-o s --chunk 1/2");
+    done(at, "-o s --merge");
+}
+
+#[test]
+fn an_array_of_more_tasks_than_designs_ends_well_and_gives_the_same_summary() {
+    let folder = folder("limits");
+    let at = folder.path();
+    done(at, "-o one --limit 14 --chunks 1");
+    for task in (0..16).rev() {
+        done(at, &format!("-o s --limit 14 --chunk {task}/16"));
+    }
+    assert_eq!(chunks(at, "s").len(), 16);
+    done(at, "-o s --limit 14 --merge");
+    assert!(summary(at, "s") == summary(at, "one"));
+    done(at, "-o all --limit 14 --chunks 16");
+    assert!(summary(at, "all") == summary(at, "one"));
+}
+
+#[test]
 fn rows_are_written_for_refused_designs_and_name_no_folder() {
     let folder = folder("program");
     let at = folder.path();

@@ -38,7 +38,7 @@ pub(in crate::cli) struct Sweep {
     /// Begin anew: remove what an earlier run left in the folder
     #[arg(long, conflicts_with = "merge")]
     pub(in crate::cli) fresh: bool,
-    /// Work out one chunk of N and nothing else; I from 0
+    /// Work out one chunk of N and nothing else; I from 0. Of more chunks than designs some are empty
     #[arg(long, value_name = "I/N", conflicts_with_all = ["merge", "submit", "chunks"])]
     pub(in crate::cli) chunk: Option<String>,
     /// Make summary, workbook and best designs from all chunks, which must be there

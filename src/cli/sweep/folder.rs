@@ -25,6 +25,17 @@ const PLAN: &str = "plan.json";
 /// The ending of rows that are not yet a chunk.
 const PART: &str = ".part";
 
+/// How a folder is opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Opening {
+    /// What an earlier run left is removed.
+    Anew,
+    /// What is there is gone on with.
+    GoOn,
+    /// What is there is read: nothing says in how many chunks an empty folder will be divided.
+    Merge,
+}
+
 /// The folder of a plan's rows.
 pub(super) struct Rows<'a> {
     study: &'a Study<'a>,
@@ -45,10 +56,10 @@ impl<'a> Rows<'a> {
         study: &'a Study<'a>,
         wanted: Option<u64>,
         usual: impl FnOnce() -> Result<u64, Refusal>,
-        fresh: bool,
+        opening: Opening,
     ) -> Result<Self, Refusal> {
         let outer = Folder::open(place)?;
-        if fresh {
+        if opening == Opening::Anew {
             clear(&outer, place, &store::stem(study.workbook).to_string_lossy())?;
         }
         let known: Option<Value> =
@@ -67,10 +78,13 @@ impl<'a> Rows<'a> {
                 chunks
             }
             None => {
-                let chunks = wanted.map_or_else(usual, Ok)?.clamp(1, study.plan.count.max(1));
-                let stated = serde_json::json!({ "plan": told, "chunks": chunks });
-                let text = format!("{stated:#}\n");
-                write(&outer, OsStr::new(PLAN), text.as_bytes())?;
+                // More chunks than designs are as good as any: an array of so many tasks finds some of them empty.
+                let chunks = wanted.map_or_else(usual, Ok)?.max(1);
+                if opening != Opening::Merge {
+                    let stated = serde_json::json!({ "plan": told, "chunks": chunks });
+                    let text = format!("{stated:#}\n");
+                    write(&outer, OsStr::new(PLAN), text.as_bytes())?;
+                }
                 chunks
             }
         };
@@ -121,9 +135,10 @@ impl<'a> Rows<'a> {
         (0..self.chunks).filter(|number| !matches!(self.read(*number, wanted), Ok(Some(_)))).collect()
     }
 
-    /// The stop for chunks that are missing or damaged.
-    pub(super) fn lacking(&self, missing: &[u64]) -> Refusal {
-        let (list, chunks) = (super::ranges(missing), self.chunks);
+    /// The stop for chunks that are missing or damaged: all of them, whatever was seen first.
+    pub(super) fn lacking(&self) -> Refusal {
+        let missing = self.missing(&|_| true);
+        let (list, chunks) = (super::ranges(&missing), self.chunks);
         let missing = u64::try_from(missing.len()).unwrap_or(u64::MAX);
         ChunksMissing { list, missing, chunks }.refused(Exit::Incomplete, Place::File)
     }

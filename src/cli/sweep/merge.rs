@@ -120,7 +120,7 @@ pub(super) fn merge(
 }
 
 fn read(rows: &Rows<'_>, number: u64, wanted: &dyn Fn(&str) -> bool) -> Result<Table, Refusal> {
-    rows.read(number, wanted).ok().flatten().ok_or_else(|| rows.lacking(&[number]))
+    rows.read(number, wanted).ok().flatten().ok_or_else(|| rows.lacking())
 }
 
 /// Writes all rows in the order of the plan, with the mark of the front; gives those of the sheet of all, and the top in its order.

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use self::args::Sweep;
-use self::folder::Rows;
+use self::folder::{Opening, Rows};
 use self::work::Workshop;
 use super::interrupt;
 use super::locale::spoken;
@@ -205,7 +205,12 @@ fn all(
         Some(_) => Ok(slurm::chunks(study.plan.count, Workshop::open(study, arguments.jobs)?.tried()?.mean())),
         None => Ok(study.plan.count.div_ceil(CHUNK).clamp(1, CHUNKS_MOST)),
     };
-    let rows = Rows::open(&folder, study, wanted, usual, arguments.fresh)?;
+    let opening = match (arguments.fresh, arguments.merge) {
+        (true, _) => Opening::Anew,
+        (false, false) => Opening::GoOn,
+        (false, true) => Opening::Merge,
+    };
+    let rows = Rows::open(&folder, study, wanted, usual, opening)?;
     if let Some((number, _)) = chunk {
         let workshop = Workshop::open(study, arguments.jobs)?;
         let mut progress = progress::Progress::new(study, study.plan.chunk(number, rows.chunks()));
@@ -224,9 +229,8 @@ fn all(
         worked?;
     }
     // Whether all their columns can be read is seen when they are merged.
-    let missing = rows.missing(&|name| name == "id");
-    if !missing.is_empty() {
-        return Err(rows.lacking(&missing));
+    if !rows.missing(&|name| name == "id").is_empty() {
+        return Err(rows.lacking());
     }
     merge::merge(arguments, study, kinds, &rows, interrupted, terminal)
 }
