@@ -1,6 +1,6 @@
 //! Which designs are the best, and why the others are not: taken from rows that come in parts, in any order.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::sweep::front::{Candidate, front};
 use crate::sweep::plan::Plan;
@@ -127,9 +127,15 @@ impl<'a> Ranking<'a> {
 }
 
 impl Ranked {
-    /// The designs that are shown and built: the front, spread evenly over its length where it is longer, then the best.
+    /// The designs that are shown: the whole front, then the best, in all at least so many where there are as many.
     #[must_use]
-    pub fn top(&self, most: usize) -> Vec<u64> {
+    pub fn top(&self, least: usize) -> Vec<u64> {
+        self.followed(self.front.iter().map(|one| one.id).collect(), least)
+    }
+
+    /// Those of them that are built, so many at most: the front, spread evenly over its length where it is longer, then the best.
+    #[must_use]
+    pub fn built(&self, most: usize) -> Vec<u64> {
         let count = self.front.len();
         let spread = |at: usize| if most < 2 { 0 } else { at * (count - 1) / (most - 1) };
         let front: Vec<u64> = if count > most {
@@ -137,8 +143,14 @@ impl Ranked {
         } else {
             self.front.iter().map(|one| one.id).collect()
         };
-        let rest = self.best.iter().map(|one| one.id).filter(|id| !front.contains(id));
-        let rest: Vec<u64> = rest.take(most.saturating_sub(front.len())).collect();
+        self.followed(front, most)
+    }
+
+    /// Designs of the front, followed by the best that are not among them, up to so many in all.
+    fn followed(&self, front: Vec<u64>, count: usize) -> Vec<u64> {
+        let on_front: BTreeSet<u64> = front.iter().copied().collect();
+        let rest = self.best.iter().map(|one| one.id).filter(|id| !on_front.contains(id));
+        let rest: Vec<u64> = rest.take(count.saturating_sub(front.len())).collect();
         front.into_iter().chain(rest).collect()
     }
 }
@@ -160,12 +172,12 @@ mod tests {
     }
 
     #[test]
-    fn the_top_is_the_front_and_then_the_best() {
+    fn the_top_is_the_whole_front_and_then_the_best_and_so_many_are_built() {
         let all = ranked(&[3, 5, 9], &[3, 4, 5, 8]);
-        assert_eq!(all.top(5), [3, 5, 9, 4, 8]);
-        assert_eq!(all.top(2), [3, 9]);
-        assert_eq!(all.top(1), [3]);
-        assert!(all.top(0).is_empty());
-        assert_eq!(ranked(&[], &[7, 8]).top(5), [7, 8]);
+        assert_eq!((all.top(5), all.built(5)), (vec![3, 5, 9, 4, 8], vec![3, 5, 9, 4, 8]));
+        assert_eq!((all.top(2), all.built(2)), (vec![3, 5, 9], vec![3, 9]));
+        assert_eq!((all.top(1), all.built(1)), (vec![3, 5, 9], vec![3]));
+        assert_eq!((all.top(0), all.built(0)), (vec![3, 5, 9], vec![]));
+        assert_eq!(ranked(&[], &[7, 8, 6]).top(2), [7, 8]);
     }
 }

@@ -36,6 +36,8 @@ pub struct Results<'a> {
     pub counts: Counts,
     /// Designs on the front.
     pub front: usize,
+    /// How many of them are not built as workbooks.
+    pub unbuilt: usize,
     /// The front was longer, and is cut.
     pub cut: bool,
     /// Why the others are not good, most first.
@@ -61,6 +63,24 @@ impl Results<'_> {
             format!(
                 "{all} designs: {done} done, {refused} refused, {failed} failed; {feasible} feasible, {front} on the front"
             ),
+        )
+    }
+
+    /// What the best designs are, and which of them are built.
+    #[must_use]
+    pub fn listed(&self) -> Text {
+        let unbuilt = self.unbuilt;
+        let (es, en) = if unbuilt > 0 {
+            (
+                format!(" Del frente, sin generar: {unbuilt}; --top genera más."),
+                format!(" Of the front, not built: {unbuilt}; --top builds more."),
+            )
+        } else {
+            (String::new(), String::new())
+        };
+        Text::new(
+            format!("Primero todo el frente: los diseños que ningún otro mejora en todos los objetivos.{es}"),
+            format!("First the whole front: the designs that no other betters in every objective.{en}"),
         )
     }
 

@@ -189,15 +189,21 @@ impl Table {
     /// The rows that are wanted.
     #[must_use]
     pub fn picked(&self, wanted: &[bool]) -> Self {
-        fn pick<T: Clone>(cells: &[Option<T>], wanted: &[bool]) -> Vec<Option<T>> {
-            cells.iter().zip(wanted).filter(|(_, wanted)| **wanted).map(|(cell, _)| cell.clone()).collect()
+        self.ordered(&(0..).zip(wanted).filter(|(_, wanted)| **wanted).map(|(row, _)| row).collect::<Vec<_>>())
+    }
+
+    /// These rows, in this order.
+    #[must_use]
+    pub fn ordered(&self, rows: &[usize]) -> Self {
+        fn pick<T: Clone>(cells: &[Option<T>], rows: &[usize]) -> Vec<Option<T>> {
+            rows.iter().filter_map(|row| cells.get(*row).cloned()).collect()
         }
         let column = |one: &Column| {
             let cells = match &one.cells {
-                Cells::Whole(cells) => Cells::Whole(pick(cells, wanted)),
-                Cells::Number(cells) => Cells::Number(pick(cells, wanted)),
-                Cells::Text(cells) => Cells::Text(pick(cells, wanted)),
-                Cells::Truth(cells) => Cells::Truth(pick(cells, wanted)),
+                Cells::Whole(cells) => Cells::Whole(pick(cells, rows)),
+                Cells::Number(cells) => Cells::Number(pick(cells, rows)),
+                Cells::Text(cells) => Cells::Text(pick(cells, rows)),
+                Cells::Truth(cells) => Cells::Truth(pick(cells, rows)),
             };
             Column { cells, ..one.clone() }
         };

@@ -176,10 +176,11 @@ impl SweepBook<'_> {
         static TITLE: Text = t("Los mejores diseños", "The best designs");
         static LINK: Text = t("libro", "workbook");
         static TOLD: Text = t(
-            "Primero el frente: los diseños que ningún otro mejora en todos los objetivos. Cada enlace abre un libro ya calculado, que se puede editar y volver a generar.",
-            "First the front: the designs that no other betters in every objective. Each link opens a workbook that is built already, and can be edited and built again.",
+            "Cada enlace abre un libro ya calculado, que se puede editar y volver a generar.",
+            "Each link opens a workbook that is built already, and can be edited and built again.",
         );
-        self.head(sheet, styles, &TOP, &TITLE, self.text(&TOLD))?;
+        let listed = self.results.listed();
+        self.head(sheet, styles, &TOP, &TITLE, &format!("{} {}", self.text(&listed), self.text(&TOLD)))?;
         write_text(sheet, HEADINGS, 0, self.text(&LINK), &styles.text_header)?;
         sheet.set_column_width(0, 30.0)?;
         for (row, link) in (HEADINGS + 1..).zip(self.links) {

@@ -262,6 +262,29 @@ fn the_best_designs_are_workbooks_that_are_built() {
     assert!(names.iter().any(|name| name.ends_with("-blade.nc")), "{names:?}");
 }
 
+#[test]
+fn the_top_shows_the_whole_front_and_says_how_many_of_it_are_not_built() {
+    let folder = folder("limits");
+    let at = folder.path();
+    done(at, "-o s --top 2 --csv");
+    let csv = fs::read_to_string(at.join("s/summary.csv")).unwrap();
+    let front: Vec<&str> =
+        csv.lines().filter(|line| line.ends_with("true")).map(|line| line.split(',').next().unwrap()).collect();
+    assert!(front.len() > 2, "{front:?}");
+    let parts = Parts::of(&fs::read(at.join("s/a-sweep.xlsx")).unwrap());
+    let top = parts.text("xl/worksheets/sheet1.xml");
+    for id in &front {
+        assert!(top.contains(&format!("<v>{id}</v></c><c r=\"C")), "{id}: {top}");
+    }
+    assert_eq!(top.matches("<hyperlink ").count(), 2);
+    let told = format!("Of the front, not built: {}; --top builds more.", front.len() - 2);
+    assert!(parts.text("xl/sharedStrings.xml").contains(&told), "{told}");
+    // All of it built: nothing is said.
+    done(at, "-o s --top 40");
+    let parts = Parts::of(&fs::read(at.join("s/a-sweep.xlsx")).unwrap());
+    assert!(!parts.text("xl/sharedStrings.xml").contains("not built: "));
+}
+
 /// On paper the figures keep their size: columns go on beside, with number and inputs again, and of many rows both ends are printed.
 #[test]
 fn all_designs_are_printed_at_a_size_that_can_be_read() {

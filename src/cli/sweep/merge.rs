@@ -65,11 +65,11 @@ pub(super) fn merge(
         }
     }
     let ranked = ranking.end();
-    let top = ranked.top(usize::from(arguments.top));
+    let (top, built) = (ranked.top(usize::from(arguments.top)), ranked.built(usize::from(arguments.top)));
     let folder = Folder::open(rows.place())?;
     let stem = store::stem(study.workbook);
     let (all, best) = summary(arguments, study, rows, (&ranked, &top), &folder)?;
-    let links = build_top(study, kinds, rows, &top)?;
+    let links = build_top(study, kinds, rows, (&top, &built))?;
     let workshop = Workshop::open(study, arguments.jobs)?;
     let judge = |values: &Values| workshop.beside(values);
     let mut effects = workshop.side_by_side(|| around(study.kind, &study.base, plan, &judge));
@@ -87,6 +87,7 @@ pub(super) fn merge(
         all: &all,
         counts: ranked.counts,
         front: ranked.front.len(),
+        unbuilt: links.iter().take(ranked.front.len()).filter(|link| link.is_none()).count(),
         cut: ranked.cut,
         why: &coded(ranked.why.iter().cloned(), plan, &rules),
         cautions: &coded(cautions(&best), plan, &rules),
@@ -132,6 +133,7 @@ fn summary(
     folder: &Folder,
 ) -> Result<(Table, Table), Refusal> {
     let on_front: BTreeSet<u64> = ranked.front.iter().map(|one| one.id).collect();
+    let shown: BTreeSet<u64> = top.iter().copied().collect();
     let listed: Option<BTreeSet<u64>> = (study.plan.count > ALL_MOST)
         .then(|| ranked.best.iter().map(|one| one.id).chain(on_front.iter().copied()).collect());
     let marked = |mut part: Table| {
@@ -156,7 +158,7 @@ fn summary(
         for (part, ids) in (0..rows.chunks()).map_while(&mut take) {
             let pick = |wanted: &dyn Fn(&u64) -> bool| part.picked(&ids.iter().map(wanted).collect::<Vec<_>>());
             all.append(listed.as_ref().map_or_else(|| part.clone(), |listed| pick(&|id| listed.contains(id))));
-            best.append(pick(&|id| top.contains(id)));
+            best.append(pick(&|id| shown.contains(id)));
             file.write(part)?;
         }
         file.end()
@@ -175,12 +177,9 @@ fn summary(
     }
     set.commit()?;
     // In the order of the top.
-    let places = ids(&best);
-    let mut ordered = empty;
-    for id in top {
-        ordered.append(best.picked(&places.iter().map(|one| one == id).collect::<Vec<_>>()));
-    }
-    Ok((all, ordered))
+    let places: BTreeMap<u64, usize> = ids(&best).into_iter().zip(0..).collect();
+    let order: Vec<usize> = top.iter().filter_map(|id| places.get(id).copied()).collect();
+    Ok((all, best.ordered(&order)))
 }
 
 fn ids(table: &Table) -> Vec<u64> {
@@ -188,20 +187,23 @@ fn ids(table: &Table) -> Vec<u64> {
     (0..table.rows()).filter_map(|row| cells.and_then(|cells| cells.number(row))).map(super::whole).collect()
 }
 
-/// Writes the best designs as workbooks into a folder of their own, and builds them; gives their files, as they are found from the
-/// folder above.
+/// Writes those of the best designs that are to be built as workbooks into a folder of their own, and builds them; gives the file of
+/// each of the best, as it is found from the folder above.
 fn build_top(
     study: &Study<'_>,
     kinds: &[&dyn Kind],
     rows: &Rows<'_>,
-    top: &[u64],
+    (top, built): (&[u64], &[u64]),
 ) -> Result<Vec<Option<String>>, Refusal> {
-    if top.is_empty() {
-        return Ok(Vec::new());
+    if built.is_empty() {
+        return Ok(vec![None; top.len()]);
     }
     let place = rows.place().join("top");
     let folder = Folder::open(&place)?;
-    let build = |id: &u64| build_one(study, kinds, (&place, &folder), *id).map(|name| Some(format!("top/{name}")));
+    let build = |id: &u64| {
+        let wanted = built.contains(id).then(|| build_one(study, kinds, (&place, &folder), *id));
+        wanted.transpose().map(|name| name.map(|name| format!("top/{name}")))
+    };
     top.iter().map(build).collect()
 }
 

@@ -366,10 +366,15 @@ impl Setter<'_> {
         if rows == 0 {
             return chapter;
         }
-        chapter.paragraphs.push(self.words.text(&t(
-            "Primero el frente (●): los diseños que ningún otro mejora en todos los objetivos. Cada uno está en la carpeta top como libro calculado; antes de cortar uno, lea su libro de resultados.",
-            "First the front (●): the designs that no other betters in every objective. Each is in the folder top as a workbook that is built; before you cut one, read its results workbook.",
-        )));
+        for told in [
+            self.results.listed(),
+            t(
+                "●: está en el frente. Los generados están en la carpeta top como libros calculados; antes de cortar uno, lea su libro de resultados.",
+                "●: on the front. Those that are built are in the folder top as workbooks; before you cut one, read its results workbook.",
+            ),
+        ] {
+            chapter.paragraphs.push(self.words.text(&told));
+        }
         let shown = rows.min(ROWS);
         let filled = |column: &&Column| column.name == "id" || (0..rows).any(|row| has(&column.cells, row));
         let mut columns: Vec<&Column> = brief.columns.iter().filter(filled).collect();
