@@ -4,7 +4,7 @@ use crate::kind::Kind;
 use crate::sweep::indices::LEAST;
 use crate::sweep::plan::Plan;
 use crate::sweep::ranking::Counts;
-use crate::sweep::sensitivity::{Effect, LOOKS};
+use crate::sweep::sensitivity::{Effect, LOOKS, SHARES_LEAST};
 use crate::sweep::table::{FRONT, Table};
 use crate::text::{Text, t};
 
@@ -107,6 +107,12 @@ impl Results<'_> {
         self.effects.iter().flat_map(|one| &one.indices).any(Option::is_some)
     }
 
+    /// True where the share of an input is told.
+    #[must_use]
+    pub fn shared(&self) -> bool {
+        self.effects.iter().flat_map(|one| &one.shares).any(Option::is_some)
+    }
+
     /// What the effects of the inputs are, around the design of the workbook and over the plan.
     #[must_use]
     pub fn explained(&self) -> [Text; 2] {
@@ -119,9 +125,17 @@ impl Results<'_> {
             ),
         );
         let over = match self.triples {
+            None if !self.shared() => Text::new(
+                format!(
+                    "Partes de la varianza: ninguna. Piden {SHARES_LEAST} diseños válidos, 4 de media en cada tramo de una entrada, y objetivos que varían."
+                ),
+                format!(
+                    "Shares of the variance: none. They take {SHARES_LEAST} feasible designs, 4 in the mean in each slice of an input, and objectives that vary."
+                ),
+            ),
             None => t(
-                "Partes: qué parte de la varianza sigue a esta entrada sola, en los diseños válidos.",
-                "Shares: the part of the variance that follows this input alone, over the feasible designs.",
+                "Partes: qué parte de la varianza sigue a esta entrada sola, en los diseños válidos. Son cifras aproximadas: de un plan que no se hizo para ellas (saltelli sí), o con diseños rechazados, pueden sumar más del 100 %.",
+                "Shares: the part of the variance that follows this input alone, over the feasible designs. They are rough: of a plan that is not made for them (saltelli is), or with refused designs, they may sum to more than 100 %.",
             ),
             Some((of, all)) if !self.indexed() => Text::new(
                 format!(

@@ -22,6 +22,9 @@ const GRAINS: f64 = 10_000.0;
 const SLICES: u64 = 32;
 /// The fewest designs in a slice, in the mean.
 const IN_SLICE: u64 = 8;
+/// The fewest feasible designs from which a share is told, and the fewest in each slice that has any, in the mean.
+pub const SHARES_LEAST: u32 = 64;
+const FEASIBLE_LEAST: f64 = 4.0;
 
 /// What an input does.
 #[derive(Clone, Debug, PartialEq)]
@@ -228,8 +231,9 @@ impl Sums {
 ///
 /// # Derivation
 /// S = Var(E(y | x))/Var(y); with B slices and n designs, what chance alone gives, (B − 1)/(n − B) of the variance inside the
-/// slices, is taken off (the estimate ω² of the analysis of variance). Inputs are taken to be independent, which refused designs
-/// may spoil.
+/// slices, is taken off (the estimate ω² of the analysis of variance). Of an input that does nothing, the estimate then has a standard
+/// deviation of about √(2·(B − 1))/n; with n at least 64 and at least 4·B that is at most 9 %, from fewer designs nothing is told.
+/// Inputs are taken to be independent, which refused designs may spoil: then shares may sum to more than 1.
 #[derive(Debug)]
 pub struct Shares<'a> {
     plan: &'a Plan,
@@ -298,7 +302,8 @@ impl<'a> Shares<'a> {
             let within: f64 = filled().map(|one| one.squares).sum();
             let groups = filled().fold(0.0, |sum, _| sum + 1.0);
             let free = all.count - groups;
-            if groups < 2.0 || free < 1.0 || all.squares <= 0.0 {
+            let few = all.count < f64::from(SHARES_LEAST) || all.count < FEASIBLE_LEAST * groups;
+            if few || groups < 2.0 || all.squares <= 0.0 {
                 return None;
             }
             let noise = within / free;

@@ -145,6 +145,32 @@ fn triples_with_a_design_that_is_not_feasible_are_left_out() {
     assert!(none.end().iter().flatten().all(Option::is_none), "nothing varies");
 }
 
+/// What is asked for follows the first input alone: of a Latin plan the share of the others is what chance gives.
+#[test]
+fn a_share_is_told_only_from_so_many_designs_that_chance_gives_little() {
+    let shares = |samples: &str, feasible: &dyn Fn(u64) -> bool| {
+        let settings = [("method", "latin"), ("samples", samples), ("objectives", "L min")];
+        let inputs = ["R", "r", "a_p"].map(|symbol| [symbol, "10", "20", "", "", ""]);
+        let bytes = with_variants(&settings, &inputs, &[]);
+        let sheet = sweep_sheet::read(&bytes, KINDS[0].form(), Language::En).unwrap().unwrap();
+        let plan = asked::plan(KINDS[0], &sheet.fields, sheet.designs).unwrap().0;
+        let mut shares = Shares::new(&plan);
+        shares.take(&rows(&plan, |x| x[0], feasible));
+        shares.end().into_iter().map(|of_input| of_input[0]).collect::<Vec<_>>()
+    };
+    for (samples, feasible) in [("7", 1), ("63", 1), ("126", 2)] {
+        assert_eq!(shares(samples, &|id| id % feasible == 0), [None; 3], "{samples}");
+    }
+    // 64 of 320 would be two in a slice.
+    assert_eq!(shares("320", &|id| id % 5 == 0), [None; 3]);
+    for (samples, feasible) in [("64", 1), ("128", 2), ("320", 2)] {
+        let told = shares(samples, &|id| id % feasible == 0);
+        let told: Vec<f64> = told.into_iter().map(Option::unwrap).collect();
+        // Two standard deviations of what chance gives.
+        assert!(told[0] > 0.95 && told[1] < 0.18 && told[2] < 0.18, "{samples}: {told:?}");
+    }
+}
+
 #[test]
 fn the_shares_of_a_list_follow_its_values_and_not_their_order() {
     // R and a_p spread evenly, neither along the order of the list; what is asked for hangs on R alone.
