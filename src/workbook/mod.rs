@@ -48,6 +48,7 @@ pub mod style;
 mod summary_sheet;
 mod survey;
 pub mod sweep_book;
+mod sweep_charts;
 mod sweep_effects;
 pub mod sweep_sheet;
 pub mod table_sheet;

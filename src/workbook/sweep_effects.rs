@@ -9,7 +9,8 @@ use super::cell::{row_height, write_text};
 use super::error::WriteError;
 use super::page::Page;
 use super::style::Styles;
-use super::sweep_book::{BEST, CHART_ROWS, DONE, HEADINGS, SIZE, SweepBook};
+use super::sweep_book::{HEADINGS, SweepBook};
+use super::sweep_charts::{BEST, CHART_ROWS, DONE, SIZE};
 use crate::sweep::objective::Objective;
 use crate::text::{Text, t};
 

@@ -285,6 +285,44 @@ fn the_top_shows_the_whole_front_and_says_how_many_of_it_are_not_built() {
     assert!(!parts.text("xl/sharedStrings.xml").contains("not built: "));
 }
 
+#[test]
+fn charts_part_designs_that_break_a_constraint_from_the_feasible_the_front_and_others_of_the_top() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let settings = [
+        ("method", "factorial"),
+        ("level", "limits"),
+        ("objectives", "gap_true max; e_max min"),
+        ("constraints", "N_max >= 5"),
+    ];
+    let inputs = [["R", "22", "30", "4", "", ""], ["N", "", "", "", "3; 4; 5", ""], ["e", "1", "4", "0.5", "", ""]];
+    fs::write(at.join("a.xlsx"), with_variants_of(&thick(quick()), &settings, &inputs, &[])).unwrap();
+    done(at, "-o s --csv");
+    let csv = fs::read_to_string(at.join("s/summary.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    let cell = |row: &[&str], name: &str| row[rows[0].iter().position(|one| *one == name).unwrap()].to_owned();
+    let done: Vec<_> = rows[1..].iter().filter(|row| cell(row, "state") == "done").collect();
+    let broken = done.iter().filter(|row| cell(row, "feasible") == "false").count();
+    let front = done.iter().filter(|row| cell(row, "front") == "true").count();
+    let feasible = done.len() - broken - front;
+    assert!(broken > 0 && front > 0 && feasible > 0, "{broken} {feasible} {front}");
+    let parts = Parts::of(&fs::read(at.join("s/a-sweep.xlsx")).unwrap());
+    let chart = (1..)
+        .map(|number| format!("xl/charts/chart{number}.xml"))
+        .take_while(|part| parts.has(part))
+        .map(|part| parts.text(&part))
+        .find(|chart| chart.contains("gap_true [mm] / e_max") || chart.contains("e_max [mm] / gap_true"))
+        .unwrap();
+    let mut first = 2;
+    for (name, count) in [("Constraint broken", broken), ("Feasible", feasible), ("Front", front)] {
+        let series = chart.split("<c:ser>").find(|series| series.contains(&format!(">{name}<"))).unwrap();
+        let last = first + count - 1;
+        assert!(series.contains(&format!("POINTS!$E${first}:$E${last}<")), "{name} {first} {last}: {series}");
+        first = last + 1;
+    }
+    assert!(!chart.contains("Others of the top"), "with --top 0 there are none");
+}
+
 /// On paper the figures keep their size: columns go on beside, with number and inputs again, and of many rows both ends are printed.
 #[test]
 fn all_designs_are_printed_at_a_size_that_can_be_read() {

@@ -452,16 +452,27 @@ impl Setter<'_> {
     fn figure(&mut self, x: &str, y: &str) -> Option<Figure> {
         let Results { all, top, .. } = *self.results;
         let best: BTreeSet<u64> = ids(top).collect();
+        let state = all.column("state")?;
+        let done = |row: usize| state.text(row) == Some("done");
         let (across, up, front) = (all.column(x)?, all.column(y)?, all.column(FRONT)?);
+        let feasible = all.column("feasible")?;
         let kinds = [
-            (Ink::Thin, RADII[0], t("los demás diseños hechos", "other designs that are done")),
+            (Ink::Thin, RADII[0], t("incumplen una restricción", "a constraint is broken")),
+            (Ink::Reverse, RADII[0], t("los demás diseños válidos", "other feasible designs")),
             (Ink::Profile, RADII[1], t("otros de los mejores", "others of the best")),
             (Ink::Obverse, RADII[1], t("el frente", "the front")),
         ];
         let mut clouds =
             kinds.each_ref().map(|(ink, radius, _)| Dots { colour: pen(*ink).colour, radius: *radius, at: Vec::new() });
         for (row, id) in ids(all).enumerate() {
-            let kind = if front.truth(row) { 2 } else { usize::from(best.contains(&id)) };
+            let kind = match (front.truth(row), best.contains(&id)) {
+                (true, _) => 3,
+                (false, true) => 2,
+                (false, false) => usize::from(feasible.truth(row)),
+            };
+            if !done(row) {
+                continue;
+            }
             if let (Some(x), Some(y)) = (across.number(row), up.number(row)) {
                 clouds[kind].at.push([x, y]);
             }
