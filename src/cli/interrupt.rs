@@ -18,6 +18,11 @@ static CHILDREN: AtomicUsize = AtomicUsize::new(0);
 /// Ends the process with exit code 130 when it is interrupted; gives a flag that becomes true then, for whoever waits
 /// for a child process. Where the system offers no such signal, nothing changes.
 pub(super) fn listen() -> Arc<AtomicBool> {
+    listen_saying("interrupted: unfinished files are removed, finished sets stay")
+}
+
+/// The same, with what is said at the end.
+pub(super) fn listen_saying(told: &'static str) -> Arc<AtomicBool> {
     let flag = Arc::new(AtomicBool::new(false));
     let raised = Arc::clone(&flag);
     let _ = ctrlc::set_handler(move || {
@@ -30,7 +35,7 @@ pub(super) fn listen() -> Arc<AtomicBool> {
             }
             sleep(Duration::from_millis(10));
         }
-        let _ = writeln!(std::io::stderr(), "interrupted: unfinished files are removed, finished sets stay");
+        let _ = writeln!(std::io::stderr(), "{told}");
         std::process::exit(code(Exit::Interrupted).into());
     });
     flag

@@ -51,8 +51,7 @@ pub fn plan(kind: &dyn Kind, fields: &Fields, designs: Option<Designs>) -> Resul
     let mut reading = Reading { kind, fields, method: fields.get(&METHOD), findings: Vec::new(), notes: Vec::new() };
     let level = fields.get(&LEVEL);
     let inputs = reading.inputs(designs);
-    let objectives = reading.objectives(level);
-    let constraints = reading.constraints(level);
+    let (objectives, constraints) = reading.measured(level);
     let count = reading.count(&inputs);
     if reading.method == Method::Saltelli && objectives.is_empty() {
         reading.wrong(OBJECTIVES.key(), &NothingExplained {});
@@ -110,6 +109,10 @@ impl Reading<'_> {
                 Err(finding) => self.findings.push(*finding),
             }
         }
+        let sampled = matches!(self.method, Method::Latin | Method::Sobol | Method::Saltelli);
+        if !sampled && self.fields.get(&SAMPLES).is_some() {
+            self.unread_samples();
+        }
         // A plan for indices takes two points of the sequence side by side.
         let most = match self.method {
             Method::Sobol => sobol::MOST,
@@ -124,7 +127,7 @@ impl Reading<'_> {
     }
 
     /// An input of a row.
-    fn input(&self, row: &Entry<'_>) -> Result<Input, Box<Finding>> {
+    fn input(&mut self, row: &Entry<'_>) -> Result<Input, Box<Finding>> {
         let at = |columns: &[&Parameter]| {
             let cells: Vec<CellPlace> = columns.iter().flat_map(|column| row.cell(column)).collect();
             Place::Cells(cells)
@@ -152,7 +155,12 @@ impl Reading<'_> {
                         Box::new(told.at(at(&[&VALUES.row])))
                     })
                 };
-                Levels::Values(pieces(&values).map(read).collect::<Result<_, _>>()?)
+                let read: Vec<Value> = pieces(&values).map(read).collect::<Result<_, _>>()?;
+                if let Some((_, twice)) = pieces(&values).enumerate().find(|(at, _)| read[..*at].contains(&read[*at])) {
+                    let told = ValueTwice { symbol, text: excerpt(twice, SHOWN) };
+                    return Err(Box::new(told.at(at(&[&VALUES.row]))));
+                }
+                Levels::Values(read)
             }
             (Some(from), Some(to), None) if !matches!(parameter.kind, FieldKind::Choice(_)) => {
                 self.range(parameter, [from, to], step, distribution, &at)?
@@ -166,7 +174,7 @@ impl Reading<'_> {
     }
 
     fn range(
-        &self,
+        &mut self,
         parameter: &'static Parameter,
         [from, to]: [f64; 2],
         step: Option<f64>,
@@ -227,7 +235,13 @@ impl Reading<'_> {
             let told = WrongStep { symbol, step: typed(step), range: typed(((to - from) * 1e9).round() / 1e9) };
             return Err(Box::new(told.at(at(&[&STEP.row]))));
         }
-        Ok(Levels::Steps { from, step, count: floor(steps) })
+        let levels = Levels::Steps { from, step, count: floor(steps) };
+        let last = ((from + (steps - 1.0) * step) * 1e9).round() / 1e9;
+        if to - last > 1e-6 * step {
+            let told = LastBeforeTo { symbol, last: typed(last), to: typed(to) };
+            self.notes.push(told.at(at(&[&TO.row, &STEP.row])));
+        }
+        Ok(levels)
     }
 
     /// How many designs there are; `None` where that is not known, or too many.
@@ -256,14 +270,33 @@ impl Reading<'_> {
         u64::try_from(count).ok().filter(|count| *count > 0 && *count <= MOST)
     }
 
+    /// A caution that a plan which samples nothing does not read how many designs are sampled.
+    fn unread_samples(&mut self) {
+        let told = SamplesUnread { method: self.method.key() }.at(Place::Parameters(vec![SAMPLES.key()]));
+        self.notes.push(self.fields.locate(told));
+    }
+
+    /// What is asked of the designs.
+    fn measured(&mut self, level: Level) -> (Vec<Objective>, Vec<Constraint>) {
+        let asked = self.fields.get(&OBJECTIVES).is_some() || self.fields.get(&CONSTRAINTS).is_some();
+        if asked && self.kind.measures().iter().all(|one| one.level > level) {
+            self.wrong(LEVEL.key(), &LevelWithoutMeasures {});
+            return (Vec::new(), Vec::new());
+        }
+        (self.objectives(level), self.constraints(level))
+    }
+
     fn objectives(&mut self, level: Level) -> Vec<Objective> {
         let text = self.fields.get(&OBJECTIVES).unwrap_or_default();
-        let mut objectives = Vec::new();
+        let mut objectives: Vec<Objective> = Vec::new();
         for piece in pieces(&text) {
             match direction(piece) {
                 None => self.wrong(OBJECTIVES.key(), &ObjectiveUnread { text: excerpt(piece, SHOWN) }),
                 Some((key, most)) => {
                     let measure = self.measure(OBJECTIVES.key(), key, level);
+                    if let Some(twice) = measure.filter(|one| objectives.iter().any(|it| it.measure.key == one.key)) {
+                        self.wrong(OBJECTIVES.key(), &ObjectiveTwice { key: twice.key });
+                    }
                     objectives.extend(measure.map(|measure| Objective { measure, most }));
                 }
             }

@@ -183,6 +183,36 @@ rules! {
         remedy "acerque el intervalo a la media, o escriba uniform", "bring the range nearer to the mean, or write uniform";
         why "Lejos de la media queda tan poco que los diseños serían todos el mismo.", "Far from the mean so little is left that all designs would be the same one.";
         example book!("impeller", "SWEEP!C6" = "sobol", "SWEEP!C7" = "64", "SWEEP!D16" = "", "SWEEP!F16" = "normal 5000 1");
+    "D0130" ObjectiveTwice Stop { key: &'static str }
+        es "{key} es objetivo dos veces"
+        en "{key} is an objective twice"
+        remedy "deje una sola vez la magnitud, con min o con max", "leave the measure once, with min or with max";
+        why "Una magnitud no puede ser a la vez mínima y máxima: todos los diseños estarían en el frente.", "A measure cannot be small and large at once: every design would be on the front.";
+        example book!("impeller", "SWEEP!C10" = "time_s min; time_s max");
+    "D0131" ValueTwice Stop { symbol: &'static str, text: String }
+        es "«{text}» está dos veces entre los valores de {symbol}"
+        en "\"{text}\" is twice among the values of {symbol}"
+        remedy "deje cada valor una sola vez", "leave each value once";
+        why "Los mismos diseños se calcularían y contarían dos veces.", "The same designs would be worked out and counted twice.";
+        example book!("impeller", "SWEEP!E17" = "4; 5; 4");
+    "D0132" SamplesUnread Caution { method: &'static str }
+        es "con method = {method} no se lee samples"
+        en "with method = {method}, samples is not read"
+        remedy "vacíe la celda, o elija latin, sobol o saltelli", "empty the cell, or choose latin, sobol or saltelli";
+        why "Cuántos diseños hay se sigue de los niveles, o de la lista.", "How many designs there are follows from the levels, or from the list.";
+        example book!("impeller", "SWEEP!C7" = "64");
+    "D0133" LastBeforeTo Caution { symbol: &'static str, last: Typed, to: Typed }
+        es "el último valor de {symbol} es {last}: el paso no llega a {to}"
+        en "the last value of {symbol} is {last}: the step does not meet {to}"
+        remedy "cambie el paso o el extremo, si {to} debe estar en el plan", "change the step or the end, if {to} is to be in the plan";
+        why "Los niveles son desde y un número entero de pasos.", "The levels are from, and a whole number of steps.";
+        example book!("impeller", "SWEEP!D16" = "2");
+    "D0134" LevelWithoutMeasures Stop {}
+        es "con level = limits este libro no tiene ninguna magnitud"
+        en "with level = limits, this workbook has no measure"
+        remedy "ponga level = program, o vacíe objectives y constraints", "set level = program, or empty objectives and constraints";
+        why "De un programa que ya está escrito no se sabe nada antes de leerlo.", "Of a program that is written already nothing is known before it is read.";
+        example book!("lathe", "SWEEP!C9" = "limits");
 
     "D0201" OtherPlan Stop { path: String }
         es "{path} contiene filas de otro plan, de otro libro o de otra versión"
@@ -214,10 +244,10 @@ rules! {
         remedy "compruebe el disco si se repite", "check the disk if this happens again";
         why "rodete escribe cada trozo entero o no lo escribe; algo lo cambió después.", "rodete writes a chunk whole or not at all; something changed it afterwards.";
         example Example::Made { key: "sweep-torn", how: t("un trozo al que le faltan los últimos bytes", "a chunk whose last bytes are missing") };
-    "D0206" NoneDone Stop { count: u64, code: String }
+    "D0206" NoneDone Stop { count: u64, code: String, path: String }
         es "rodete rechaza los {count} diseños del plan; el motivo más frecuente es {code}"
         en "rodete rejects all {count} designs of the plan; the most frequent reason is {code}"
-        remedy "lea la hoja POR_QUE de los resultados y cambie los intervalos", "read the sheet WHY of the results and change the ranges";
+        remedy "lea la hoja POR_QUE de {path} y cambie los intervalos", "read the sheet WHY of {path} and change the ranges";
         why "Ningún diseño del plan se puede fabricar.", "No design of the plan can be made.";
         example Example::Made { key: "sweep-none", how: t("un plan cuyos diseños se contradicen todos", "a plan whose designs all contradict themselves") };
     "D0207" FrontCut Caution { most: usize }

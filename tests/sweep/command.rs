@@ -378,6 +378,9 @@ fn a_plan_whose_every_design_is_refused_ends_with_3_and_keeps_its_rows() {
     fs::write(folder.path().join("a.xlsx"), with_variants(&settings, &[["e", "50", "60", "5", "", ""]], &[])).unwrap();
     let output = sweep(folder.path(), "-o s");
     assert_eq!(output.status.code(), Some(3));
+    // The remedy says where to read why.
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(told.contains("read the sheet WHY of s/a-sweep.xlsx and change the ranges"), "{told}");
     assert!(folder.path().join("s/summary.parquet").is_file() && folder.path().join("s/a-sweep.xlsx").is_file());
 }
 

@@ -103,6 +103,19 @@ fn a_run_that_is_interrupted_or_killed_anywhere_is_gone_on_with() {
 }
 
 #[test]
+fn a_run_that_is_interrupted_says_how_to_go_on() {
+    let folder = folder();
+    let mut command = sweep(folder.path(), "-o s --chunks 24 --jobs 1");
+    let child = command.stderr(Stdio::piped()).spawn().unwrap();
+    listening(&child);
+    send(&child, Signal::INT);
+    let ended = child.wait_with_output().unwrap();
+    let told = String::from_utf8(ended.stderr).unwrap();
+    assert_eq!(ended.status.code(), Some(130), "{told}");
+    assert!(told.ends_with("interrupted: run the same command again to go on\n"), "{told}");
+}
+
+#[test]
 fn what_was_saved_of_a_chunk_is_not_worked_out_again() {
     let folder = folder();
     let at = folder.path();

@@ -260,3 +260,34 @@ fn a_normal_distribution_far_from_its_range_is_that_of_scipy_or_refused_by_its_c
         assert_eq!(told, [("D0129", "B7,C7,F7".to_owned())], "{normal}");
     }
 }
+
+/// What is told of a plan over one row of inputs: codes with their cells, and the sentences.
+fn told(settings: &[(&str, &str)], input: [&str; 6]) -> Vec<(&'static str, String, String)> {
+    let sheet = sweep_sheet::read(&with_variants(settings, &[input], &[]), KINDS[0].form(), Language::En).unwrap();
+    let sheet = sheet.unwrap();
+    let findings =
+        asked::plan(KINDS[0], &sheet.fields, sheet.designs).map_or_else(|findings| findings, |(_, notes)| notes);
+    findings.iter().map(|one| (one.code(), place(one), one.what.en.to_string())).collect()
+}
+
+#[test]
+fn what_contradicts_or_repeats_itself_in_a_plan_is_told_by_its_cell() {
+    let one = |settings: &[(&str, &str)], input: [&str; 6]| {
+        let told = told(settings, input);
+        assert_eq!(told.len(), 1, "{told:?}");
+        (told[0].0, told[0].1.clone(), told[0].2.clone())
+    };
+    let blades = ["N", "", "", "", "4; 5", ""];
+    for objectives in ["time_s min; time_s max", "time_s min; clearance_mm max; time_s min"] {
+        let (code, cell, _) = one(&[("method", "factorial"), ("objectives", objectives)], blades);
+        assert_eq!((code, cell.as_str()), ("D0130", "C3"));
+    }
+    let (code, cell, _) = one(&[("method", "factorial")], ["N", "", "", "", "4; 5; 4.0", ""]);
+    assert_eq!((code, cell.as_str()), ("D0131", "E5"));
+    let (code, cell, _) = one(&[("method", "factorial"), ("samples", "64")], blades);
+    assert_eq!((code, cell.as_str()), ("D0132", "C3"));
+    let (code, cell, what) = one(&[("method", "factorial")], ["R", "21", "30", "2", "", ""]);
+    assert_eq!((code, cell.as_str()), ("D0133", "C5,D5"));
+    assert!(what.contains("29 mm") && what.contains("30 mm"), "{what}");
+    assert_eq!(told(&[("method", "factorial")], ["a_p", "0.1", "0.7", "0.1", "", ""]), []);
+}

@@ -112,7 +112,8 @@ pub(super) fn merge(
     }
     if ranked.counts.done == 0 {
         let code = ranked.why.first().map_or_else(String::new, |(code, _)| code.clone());
-        return Err(NoneDone { count: plan.count, code }.refused(Exit::Refused, Place::File));
+        let path = show::path(&rows.place().join(&names[0]));
+        return Err(NoneDone { count: plan.count, code, path }.refused(Exit::Refused, Place::File));
     }
     let names: Vec<_> = names.iter().map(|name| printable(&name.to_string_lossy())).collect();
     let folder = show::path(rows.place());

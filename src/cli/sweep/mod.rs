@@ -63,7 +63,11 @@ pub(super) struct Study<'a> {
 
 /// Works out what is asked for, and prints what came of it.
 pub(super) fn run(arguments: &Sweep, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
-    let interrupted = interrupt::listen();
+    static INTERRUPTED: Text = t(
+        "interrumpido: repita el mismo comando y sigue donde estaba",
+        "interrupted: run the same command again to go on",
+    );
+    let interrupted = interrupt::listen_saying(INTERRUPTED.get(spoken(arguments.lang, None)));
     let chunk = match arguments.chunk.as_deref().map(chunk_of).transpose() {
         Ok(chunk) => chunk,
         Err(refusal) => return refused(&refusal, spoken(arguments.lang, None), terminal),
