@@ -21,7 +21,7 @@ pub static METHOD: Field<Method, Required> = Field::choice(
     "sweep_method",
     t("Cómo se eligen los diseños", "How the designs are chosen"),
     t(
-        "factorial: todos los niveles con todos; latin y sobol: samples diseños repartidos; saltelli: grupos para los índices de Sobol; list: los de la hoja DISEÑOS",
+        "«factorial»: todos los niveles con todos; «latino» y «sobol»: tantos diseños como diga samples, bien repartidos; «saltelli»: grupos para los índices de Sobol; «lista»: los de la hoja DISEÑOS",
         "factorial: every level with every other; latin and sobol: samples designs, spread evenly; saltelli: groups for Sobol's indices; list: those of the sheet DESIGNS",
     ),
 );
@@ -33,7 +33,7 @@ pub static SAMPLES: Field<u32, Optional> = Field::whole(
     [1, SAMPLES_MOST],
     t("Número de diseños", "Number of designs"),
     t(
-        "Con latin y sobol; con saltelli, de grupos; sobol y saltelli: mejor una potencia de dos",
+        "Con «latino» y «sobol»; con «saltelli», de grupos. Con «sobol» y «saltelli», mejor una potencia de dos",
         "With latin and sobol; with saltelli, of groups; sobol and saltelli: best a power of two",
     ),
 );
@@ -53,7 +53,7 @@ pub static LEVEL: Field<Level, Usual> = Field::choice_or(
     "sweep_level",
     t("Con qué se comprueba cada diseño", "What each design is checked by"),
     t(
-        "limits: los límites derivados; program, o vacía: además los programas, releídos, con todas las comprobaciones",
+        "«límites»: los límites derivados; «programa», o vacía: además los programas, releídos, con todas las comprobaciones",
         "limits: the derived limits; program, or empty: the programs as well, read back, with all checks",
     ),
 );
@@ -63,7 +63,7 @@ pub static OBJECTIVES: Field<String, Optional> = Field::line(
     "sweep_objectives",
     400,
     t("Lo que debe ser mínimo o máximo", "What is to be small or large"),
-    t("Como time_s min; clearance_mm max", "Such as time_s min; clearance_mm max"),
+    t("Como «time_s min; clearance_mm max»", "Such as time_s min; clearance_mm max"),
 );
 /// What must hold.
 pub static CONSTRAINTS: Field<String, Optional> = Field::line(
@@ -71,7 +71,7 @@ pub static CONSTRAINTS: Field<String, Optional> = Field::line(
     "sweep_constraints",
     400,
     t("Lo que debe cumplirse, además de no haber paradas", "What must hold, beside there being no stops"),
-    t("Como clearance_mm >= 0.5; time_s <= 600", "Such as clearance_mm >= 0.5; time_s <= 600"),
+    t("Como «clearance_mm >= 0.5; time_s <= 600»", "Such as clearance_mm >= 0.5; time_s <= 600"),
 );
 
 const SETTINGS: &[&Parameter] = &[&METHOD.row, &SAMPLES.row, &SEED.row, &LEVEL.row, &OBJECTIVES.row, &CONSTRAINTS.row];
@@ -111,7 +111,7 @@ pub static VALUES: Field<String, Optional> = Field::line(
     "",
     1000,
     t("O valores, separados por punto y coma", "Or values, parted by semicolons"),
-    t("Como 4; 5 o yes; no", "Such as 4; 5 or yes; no"),
+    t("Como «4; 5» o «sí; no»", "Such as 4; 5 or yes; no"),
 );
 /// How a range is sampled.
 pub static DISTRIBUTION: Field<String, Optional> = Field::line(
@@ -120,8 +120,8 @@ pub static DISTRIBUTION: Field<String, Optional> = Field::line(
     60,
     t("Distribución", "Distribution"),
     t(
-        "uniform, o vacía; normal y su media y desviación típica, como normal 2 0.05, cortada en desde y hasta",
-        "uniform, or empty; normal with mean and standard deviation, such as normal 2 0.05, cut at from and to",
+        "«uniforme», o vacía; o «normal» con media y desviación típica, como «normal 2 0.05»: decimales con punto. Se corta en desde y hasta",
+        "uniform, or empty; normal with mean and standard deviation, such as normal 2 0.05: decimals with a point. Cut at from and to",
     ),
 );
 /// What a person wants to remember.

@@ -78,7 +78,7 @@ rules! {
     "D0112" DistributionUnread Stop { text: String }
         es "«{text}» no es una distribución"
         en "\"{text}\" is not a distribution"
-        remedy "escriba uniform, o normal con media y desviación típica, como normal 2 0.05", "write uniform, or normal with mean and standard deviation, such as normal 2 0.05";
+        remedy "escriba uniforme, o normal con media y desviación típica y los decimales con punto, como normal 2 0.05", "write uniform, or normal with mean and standard deviation, decimals with a point, such as normal 2 0.05";
         why "La distribución dice cómo se muestrea el intervalo.", "The distribution says how the range is sampled.";
         example book!("impeller", "SWEEP!C6" = "sobol", "SWEEP!C7" = "64", "SWEEP!D16" = "", "SWEEP!F16" = "gauss");
     "D0113" DistributionWithoutRange Stop { symbol: Key }
@@ -180,7 +180,7 @@ rules! {
     "D0129" DistributionElsewhere Stop { text: String }
         es "de «{text}» no hay casi nada entre desde y hasta: no se puede muestrear"
         en "almost nothing of \"{text}\" lies between from and to: it cannot be sampled"
-        remedy "acerque el intervalo a la media, o escriba uniform", "bring the range nearer to the mean, or write uniform";
+        remedy "acerque el intervalo a la media, o escriba uniforme", "bring the range nearer to the mean, or write uniform";
         why "Lejos de la media queda tan poco que los diseños serían todos el mismo.", "Far from the mean so little is left that all designs would be the same one.";
         example book!("impeller", "SWEEP!C6" = "sobol", "SWEEP!C7" = "64", "SWEEP!D16" = "", "SWEEP!F16" = "normal 5000 1");
     "D0130" ObjectiveTwice Stop { key: &'static str }
