@@ -7,8 +7,9 @@ use rodete::kinds::KINDS;
 use rodete::parameter::Value;
 use rodete::sweep::asked;
 use rodete::sweep::plan::Plan;
+use rodete::sweep::row::judged;
 use rodete::text::Language;
-use rodete::workbook::sweep_sheet;
+use rodete::workbook::{self, sweep_sheet};
 
 use crate::common::workbook::{Parts, place, with_variants, written_with_variants};
 
@@ -290,4 +291,28 @@ fn what_contradicts_or_repeats_itself_in_a_plan_is_told_by_its_cell() {
     assert_eq!((code, cell.as_str()), ("D0133", "C5,D5"));
     assert!(what.contains("29 mm") && what.contains("30 mm"), "{what}");
     assert_eq!(told(&[("method", "factorial")], ["a_p", "0.1", "0.7", "0.1", "", ""]), []);
+}
+
+#[test]
+fn every_input_that_the_example_of_the_lathe_varies_changes_what_it_asks_for() {
+    for kind in KINDS.iter().filter(|kind| kind.form().kind == "lathe") {
+        let bytes = written_with_variants(*kind, Language::En);
+        let base = workbook::read(&bytes, &[kind.form()]).unwrap().values;
+        let sheet = sweep_sheet::read(&bytes, kind.form(), Language::En).unwrap().unwrap();
+        let plan = asked::plan(*kind, &sheet.fields, sheet.designs).unwrap().0;
+        let own: Vec<Value> = plan.inputs.iter().map(|one| base.values[one.parameter.key].clone()).collect();
+        for (at, input) in plan.inputs.iter().enumerate() {
+            let asked = |level: u64| {
+                let mut inputs = own.clone();
+                inputs[at] = input.level(level)?;
+                let row = judged(*kind, &base, &plan, 0, inputs);
+                let of =
+                    |key: &str| kind.measures().iter().position(|one| one.key == key).and_then(|at| row.measures[at]);
+                let costs = plan.objectives.iter().map(|one| of(one.measure.key).map(f64::to_bits)).collect::<Vec<_>>();
+                Some((row.feasible, costs))
+            };
+            let seen: BTreeSet<_> = (0..input.levels.count().unwrap()).filter_map(asked).collect();
+            assert!(seen.len() > 1, "{} {}: {seen:?}", kind.form().kind, input.symbol());
+        }
+    }
 }

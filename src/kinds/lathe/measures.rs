@@ -26,6 +26,11 @@ pub(super) const MEASURES: &[Measure] = &[
 /// A few designs.
 pub(super) static SUGGESTED: Suggested = Suggested {
     case: None,
-    inputs: &[("S_max", Varied::Steps(2000.0, 3000.0, 250.0)), ("L4", Varied::Values("25; 30; 35"))],
-    objectives: "t min; alarms min",
+    // Which bar, on which machine: the rapids are most of the time beside the cut, and a thicker bar is more to remove.
+    inputs: &[
+        ("D", Varied::Values("50; 52; 54")),
+        ("G_X", Varied::Steps(4000.0, 12_000.0, 2000.0)),
+        ("G_Z", Varied::Values("6000; 10000; 14000")),
+    ],
+    objectives: "t min; V_r min",
 };
