@@ -9,10 +9,10 @@ use crate::text::Text;
 /// The live part of a form.
 #[derive(Clone, Debug)]
 pub struct LiveForm {
-    /// The defined names of the inputs that must be numbers before anything is computed.
+    /// The defined names of the inputs that must be numbers within their ranges before anything is computed.
     pub inputs: &'static [&'static str],
-    /// What must hold between them before anything is computed, and the words for it where it does not.
-    pub sound: (&'static str, Text),
+    /// What must not be between them before anything is computed.
+    pub unsound: Vec<Wrong>,
     /// When limits stand here that do not decide, and what is said then in place of their holding.
     pub undecided: Option<(&'static str, Text)>,
     /// The derived values, one a row.
@@ -65,7 +65,7 @@ impl LiveRow {
     /// The same with a limit: when it is broken, the words for it, and the input that is to be changed.
     #[must_use]
     pub fn wrong(mut self, when: impl Into<Formula>, words: Text, input: &'static str) -> Self {
-        self.wrong.push(Wrong { when: when.into(), words, input });
+        self.wrong.push(Wrong::new(when, words, input));
         self
     }
 
@@ -85,6 +85,14 @@ pub struct Wrong {
     pub words: Text,
     /// The defined name of the input that is to be changed.
     pub input: &'static str,
+}
+
+impl Wrong {
+    /// A limit that is broken where a formula is true, with the words for it and the input that is to be changed.
+    #[must_use]
+    pub fn new(when: impl Into<Formula>, words: Text, input: &'static str) -> Self {
+        Self { when: when.into(), words, input }
+    }
 }
 
 /// A view of the part on a hidden sheet, scaled so that it is 2 wide about the origin.

@@ -12,6 +12,7 @@ use super::drawn::Drawn;
 use super::error::WriteError;
 use super::guard;
 use super::live_form::LivePart;
+use super::live_ranges;
 use super::page::Page;
 use super::style::Styles;
 use super::validation::{range_and_note, validation};
@@ -153,7 +154,6 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
             form,
             sheet: self.sheet.name.get(self.language),
             column,
-            lists: &[],
             language: self.language,
         })
     }
@@ -268,6 +268,9 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         if !matches!(parameter.kind, FieldKind::Schema) {
             let optional = !parameter.required || self.sheet.optional;
             sheet.add_data_validation(row, VALUE, row, VALUE, &validation(parameter, optional, language)?)?;
+            if let Some(red) = live_ranges::red(parameter, &format!("$C${}", row + 1), styles) {
+                sheet.add_conditional_format(row, VALUE, row, VALUE, &red)?;
+            }
         }
         Ok(())
     }

@@ -6,6 +6,7 @@ use super::cell::{row_height, write_text};
 use super::error::WriteError;
 use super::form_sheet::label;
 use super::guard::{self, Copy, Guard};
+use super::live_ranges;
 use super::page::Page;
 use super::style::Styles;
 use super::validation::validation;
@@ -101,6 +102,10 @@ impl ListSheet<'_> {
             if !matches!(parameter.kind, FieldKind::Line { .. }) {
                 let validation = validation(parameter, true, language)?;
                 sheet.add_data_validation(FIRST, column, most, column, &validation)?;
+                let cell = format!("{}{}", column_number_to_name(column), FIRST + 1);
+                if let Some(red) = live_ranges::red(parameter, &cell, styles) {
+                    sheet.add_conditional_format(FIRST, column, most, column, &red)?;
+                }
             }
         }
         sheet.ignore_error_range(FIRST, 0, most, last, IgnoreError::NumberStoredAsText)?;

@@ -12,8 +12,10 @@ use super::cell::write_text;
 use super::error::WriteError;
 use super::form_sheet::Layout;
 use super::list_sheet;
+use super::live_ranges;
 use super::style::{Styles, digits};
 use crate::kind::live_form::{LiveForm, LiveLook, LiveRow, LiveView};
+use crate::parameter::Form;
 use crate::parameter::list::List;
 use crate::text::{Language, Text, t};
 
@@ -39,8 +41,6 @@ pub struct LivePart<'a> {
     pub sheet: &'a str,
     /// Its first column.
     pub column: ColNum,
-    /// The lists of the form, for the view.
-    pub lists: &'a [List],
     /// The language.
     pub language: Language,
 }
@@ -88,7 +88,7 @@ impl LiveRow {
 }
 
 /// A formula that is computed when the workbook is opened.
-fn uncomputed(formula: &str) -> Formula {
+pub(super) fn uncomputed(formula: &str) -> Formula {
     Formula::new(format!("={formula}")).set_result(UNCOMPUTED)
 }
 
@@ -112,33 +112,38 @@ impl LivePart<'_> {
             t("Límites que no se cumplen: vea las celdas rojas: ", "Limits that do not hold, see the red cells: ");
         static MISSING: Text = t("Faltan números o no son números: ", "Numbers that are missing or are no numbers: ");
         let language = self.language;
-        let (count, all) = (self.count(), self.form.inputs.len());
-        let unsound = self.form.sound.1.get(language);
         let mut hold = format!("\"{}\"", HOLD.get(language));
         if let Some((when, words)) = &self.form.undecided {
             hold = format!("IF({when},\"{}\",{hold})", words.get(language));
         }
+        let unsound =
+            self.form.unsound.iter().rev().fold("\"\"".to_owned(), |rest, one| {
+                format!("IF({},\"{}\",{rest})", one.when, one.words.get(language))
+            });
         let formula = format!(
-            "IF(live_wrong>0,\"{}\"&live_wrong,IF({count}<{all},\"{}\"&({all}-{count}),IF(live_ok,{hold},\"{unsound}\")))",
+            "IF(live_outside>0,{outside}&IF(live_outside>1,\" (+\"&(live_outside-1)&\")\",\"\"),IF(live_wrong>0,\"{}\"&live_wrong,IF(live_missing>0,\"{}\"&live_missing&\" (\"&{missing}&\")\",IF(live_ok,{hold},{unsound}))))",
             BROKEN.get(language),
             MISSING.get(language),
+            outside = live_ranges::first_outside(),
+            missing = live_ranges::first_missing(),
         );
         sheet.merge_range(row, first, row, last, "", &styles.source)?;
         sheet.write_formula_with_format(row, first, uncomputed(&formula), &styles.source)?;
         let rule = |when: &str, format: &Format| {
             ConditionalFormatFormula::new().set_rule(format!("={when}").as_str()).set_format(format.clone())
         };
-        let holds = self.form.undecided.as_ref().map_or_else(
-            || "AND(live_ok,live_wrong=0)".to_owned(),
-            |(when, _)| format!("AND(live_ok,live_wrong=0,NOT({when}))"),
-        );
-        sheet.add_conditional_format(row, first, row, last, &rule("OR(NOT(live_ok),live_wrong>0)", &styles.stale))?;
+        let broken = "live_outside+live_wrong+live_missing>0";
+        let undecided = self.form.undecided.as_ref().map_or_else(String::new, |(when, _)| format!(",NOT({when})"));
+        let holds = format!("AND(live_ok,NOT({broken}){undecided})");
+        sheet.add_conditional_format(
+            row,
+            first,
+            row,
+            last,
+            &rule(&format!("OR(NOT(live_ok),{broken})"), &styles.stale),
+        )?;
         sheet.add_conditional_format(row, first, row, last, &rule(&holds, &styles.holds))?;
         Ok(())
-    }
-
-    fn count(&self) -> String {
-        format!("COUNT({})", self.form.inputs.join(","))
     }
 
     /// Writes the values beside the inputs from a row on, and the view below them. Returns the defined names with their cells.
@@ -183,19 +188,28 @@ impl LivePart<'_> {
                 sheet.add_conditional_format(row, self.column + 1, row, self.column + 3, &rule)?;
             }
             for wrong in &one.wrong {
-                let Some((_, input)) = layout.names.iter().find(|(name, _)| *name == wrong.input) else { continue };
-                let rule = format!("={}", one.once(&wrong.when, "FALSE"));
-                let rule = ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(styles.stale.clone());
-                sheet.add_conditional_format(*input, 2, *input, 2, &rule)?;
+                culprit(sheet, layout, wrong.input, &one.once(&wrong.when, "FALSE"), styles)?;
             }
+        }
+        for wrong in &form.unsound {
+            culprit(sheet, layout, wrong.input, &format!("IF(live_given,{},FALSE)", wrong.when), styles)?;
         }
         // What the other formulas ask stands below them.
         let wrong: Vec<String> =
             form.rows.iter().filter_map(LiveRow::broken).map(|broken| format!("IF({broken},1,0)")).collect();
         // Not AND: it would compute with what is no number.
-        let sound = format!("IF({}={},{},FALSE)", self.count(), form.inputs.len(), form.sound.0);
-        let wrong = wrong.join("+");
-        for (name, formula) in [("live_ok", sound), ("live_wrong", wrong)] {
+        let unsound = form.unsound.iter().map(|one| one.when.as_ref()).collect::<Vec<_>>();
+        let sound = match unsound.as_slice() {
+            [] => "live_given".to_owned(),
+            all => format!("IF(live_given,NOT(OR({})),FALSE)", all.join(",")),
+        };
+        for (name, formula) in [
+            ("live_given", live_ranges::given(form.inputs.len())),
+            ("live_ok", sound),
+            ("live_wrong", wrong.join("+")),
+            ("live_outside", live_ranges::outside()),
+            ("live_missing", live_ranges::missing()),
+        ] {
             row += 1;
             write_text(sheet, row, self.column, name, &styles.faint)?;
             sheet.write_formula_with_format(row, self.column + 1, uncomputed(&formula), &styles.faint)?;
@@ -251,29 +265,30 @@ impl LivePart<'_> {
         chart
     }
 
-    /// Writes the hidden sheet of the view.
+    /// Writes the hidden sheets: the view, and the ranges of the form's numbers.
     ///
     /// # Errors
     /// For more cells than a sheet has.
-    pub fn write_view(&self, workbook: &mut Workbook) -> Result<(), WriteError> {
+    pub fn write_hidden(&self, workbook: &mut Workbook, form: &Form) -> Result<(), WriteError> {
+        live_ranges::write(workbook, form, self.form, self.language)?;
         let sheet = workbook.add_worksheet().set_name(SHEET)?;
         sheet.set_hidden(true);
         for (column, formulas) in (0..).zip(&self.form.view.columns) {
             for (row, formula) in (0..).zip(formulas) {
-                sheet.write_formula(row, column, uncomputed(&self.resolved(formula)?))?;
+                sheet.write_formula(row, column, uncomputed(&self.resolved(formula, form.lists)?))?;
             }
         }
         Ok(())
     }
 
     /// A formula with the columns of lists in it made ranges.
-    fn resolved(&self, formula: &str) -> Result<String, WriteError> {
+    fn resolved(&self, formula: &str, lists: &[List]) -> Result<String, WriteError> {
         let mut text = String::with_capacity(formula.len());
         let mut rest = formula;
         while let Some((before, after)) = rest.split_once('[') {
             let lost = || WriteError::Reference(formula.to_owned());
             let (reference, after) = after.split_once(']').ok_or_else(lost)?;
-            let range = self.lists.iter().find_map(|list| list_sheet::cells(list, reference, self.language));
+            let range = lists.iter().find_map(|list| list_sheet::cells(list, reference, self.language));
             text.push_str(before);
             text.push_str(&range.ok_or_else(lost)?);
             rest = after;
@@ -281,4 +296,13 @@ impl LivePart<'_> {
         text.push_str(rest);
         Ok(text)
     }
+}
+
+/// Turns an input red where a formula is true.
+fn culprit(sheet: &mut Worksheet, layout: &Layout, input: &str, when: &str, styles: &Styles) -> Result<(), WriteError> {
+    let Some((_, row)) = layout.names.iter().find(|(name, _)| *name == input) else { return Ok(()) };
+    let rule = format!("={when}");
+    let rule = ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(styles.stale.clone());
+    sheet.add_conditional_format(*row, 2, *row, 2, &rule)?;
+    Ok(())
 }

@@ -28,6 +28,7 @@ pub mod list_sheet;
 pub mod listing;
 pub mod live;
 mod live_form;
+mod live_ranges;
 pub mod long_rows;
 pub mod names;
 pub mod offsets_sheet;

@@ -153,7 +153,7 @@ fn write_all<W: Write + Seek + Send>(
         made.extend(sweep_sheet::write(&mut workbook, variants, &look)?);
     }
     if let Some(live) = &live {
-        LivePart { form: live, sheet: "", column: 0, lists: form.lists, language }.write_view(&mut workbook)?;
+        LivePart { form: live, sheet: "", column: 0, language }.write_hidden(&mut workbook, form)?;
     }
     save(&mut workbook, additions, out)?;
     Ok(made)

@@ -10,8 +10,8 @@ use rodete::finding::Finding;
 use rodete::kind::Kind;
 use rodete::kinds::KINDS;
 use rodete::kinds::lathe::setup::Given;
-use rodete::parameter::Value;
 use rodete::parameter::field::Fields;
+use rodete::parameter::Value;
 use rodete::table::Entry;
 use rodete::text::Language;
 use rodete::workbook::Filled;
@@ -446,4 +446,44 @@ fn the_plan_of_a_lathe_has_turret_and_tools_where_the_simulation_has_them() {
             );
         }
     }
+}
+
+/// What one wrong number is called, and what a number of a list is.
+#[test]
+fn a_form_names_the_number_that_is_outside_its_range() {
+    if !libreoffice() {
+        return;
+    }
+    const CASES: [(&str, &str, &str, &str); 6] = [
+        ("impeller", "blades_N", "0", "N: outside the allowed range (whole number, 1 to 60)"),
+        ("impeller", "blades_N", "3.5", "N: outside the allowed range (whole number, 1 to 60)"),
+        ("impeller", "thickness_e", "-1", "e: outside the allowed range ("),
+        ("impeller", "depth_a_p", "20", "a_p must be less than R − r"),
+        ("lathe", "TOOLS", "9", "TOOLS, T: outside the allowed range (whole number, 1 to 8)"),
+        ("lathe", "TOOLS", "1.5", "TOOLS, T: outside the allowed range (whole number, 1 to 8)"),
+    ];
+    let folder = tempfile::tempdir().expect("a folder");
+    let books: Vec<(String, Vec<u8>)> = CASES
+        .iter()
+        .enumerate()
+        .map(|(at, (kind, name, value, _))| {
+            let case = if *kind == "lathe" { "shaft" } else { "tfg-2021" };
+            let bytes = form(kind, case, Language::En);
+            let changed = match *name {
+                "TOOLS" => with_on(&bytes, name, "A6", &typed(value)),
+                _ => with_on(&bytes, "DATA", &cell_of(&bytes, name), &typed(value)),
+            };
+            (format!("named-{at}"), changed)
+        })
+        .collect();
+    for ((kind, name, value, words), mut book) in CASES.iter().zip(recalculated(folder.path(), false, &books)) {
+        let said = range(&mut book, "DATA").get_value((0, 2)).map(ToString::to_string).unwrap_or_default();
+        assert!(said.starts_with(words), "{kind} {name} = {value}: {said}");
+    }
+    let parts = Parts::of(&books[3].1);
+    let cell = cell_of(&books[3].1, "depth_a_p");
+    let rule = "IF(live_given,depth_a_p&gt;=torus_R-meridian_r,FALSE)";
+    let ruled = parts.text("xl/worksheets/sheet1.xml");
+    let of = ruled.split("<conditionalFormatting sqref=\"").filter(|one| one.contains(rule));
+    assert!(of.clone().count() == 1 && of.clone().all(|one| one.starts_with(&cell)), "the culprit turns red");
 }

@@ -1,6 +1,6 @@
 //! The live form of the impeller: its closed limits, and the blades in plan.
 
-use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
+use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, Wrong};
 use crate::table::{Formula, Unit};
 use crate::text::t;
 
@@ -32,10 +32,18 @@ pub fn live() -> LiveForm {
             "height_H",
             "safety_d_s",
         ],
-        sound: (
-            "AND(torus_R*(1-0.000001)>meridian_r,meridian_r>0,torus_R-meridian_r>depth_a_p,blades_N>=1,intervals_n>=1)",
-            t("R ha de ser mayor que r, y R − r mayor que a_p", "R must be larger than r, and R − r larger than a_p"),
-        ),
+        unsound: vec![
+            Wrong::new(
+                "meridian_r>=torus_R*(1-0.000001)",
+                t("R ha de ser mayor que r", "R must be larger than r"),
+                "meridian_r",
+            ),
+            Wrong::new(
+                "depth_a_p>=torus_R-meridian_r",
+                t("a_p ha de ser menor que R − r", "a_p must be less than R − r"),
+                "depth_a_p",
+            ),
+        ],
         undecided: Some((
             CLEAR,
             t(

@@ -19,10 +19,7 @@ const QUILL: f64 = 60.0;
 pub fn live() -> LiveForm {
     LiveForm {
         inputs: &["stock_D", "stock_L", "held_L4", "facing_L5", "chuck_L1", "jaws_L2", "chuck_D_c"],
-        sound: (
-            "AND(stock_D>0,stock_L>0,chuck_D_c>0)",
-            t("D, L y D_c han de ser mayores que 0", "D, L and D_c must be greater than 0"),
-        ),
+        unsound: Vec::new(),
         undecided: None,
         rows: rows(),
         view: view(),

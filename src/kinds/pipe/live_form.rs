@@ -1,6 +1,6 @@
 //! What the live cells of both pipe workbooks share: the standard's sizes, looked up in a form as they are chosen.
 
-use crate::kind::live_form::LiveRow;
+use crate::kind::live_form::{LiveRow, Wrong};
 use crate::kinds::pipe::size::{NPS, SCHEDULES, SIZES};
 use crate::table::Formula;
 use crate::text::{Text, t};
@@ -114,8 +114,15 @@ pub(super) fn rows() -> Vec<LiveRow> {
     rows
 }
 
+/// A wall that leaves no bore: nothing is computed with it.
+pub(super) fn thick(pipe: &Names) -> Wrong {
+    let [D, thick] = pipe.live;
+    let words = t("debe ser menor que el radio", "must be less than the radius");
+    Wrong::new(format!("IF(ISNUMBER({D}),{thick}>={D}/2,FALSE)"), words, pipe.wall)
+}
+
 fn pipe(pipe: &Names, symbols: [&'static str; 2], meanings: &[Text; 2]) -> Vec<LiveRow> {
-    let Names { size, schedule, diameter, wall, live: [D, thick], found } = *pipe;
+    let Names { size, schedule, diameter, wall, live: [D, own_t], found } = *pipe;
     let value = |column: char, typed: &str| {
         format!(
             "IF({found}>0,INDEX(Plan!${column}$1:${column}${},{found}),IF(AND(LEN({size})=0,LEN({schedule})=0,ISNUMBER({diameter}),ISNUMBER({wall})),{typed},\"\"))",
@@ -125,6 +132,7 @@ fn pipe(pipe: &Names, symbols: [&'static str; 2], meanings: &[Text; 2]) -> Vec<L
     let named = format!("AND(LEN({size})>0,LEN({schedule})>0)");
     let other = |typed: &str, own: &str| format!("IF(ISNUMBER({typed}),ABS({typed}-{own})>0.000000001,FALSE)");
     let [of_D, of_t] = meanings.clone();
+    let Wrong { when, words, input } = thick(pipe);
     vec![
         LiveRow::length(symbols[0], D, of_D, value('B', diameter))
             .always()
@@ -139,14 +147,10 @@ fn pipe(pipe: &Names, symbols: [&'static str; 2], meanings: &[Text; 2]) -> Vec<L
                 size,
             )
             .wrong(
-                format!("IF({found}>0,OR({},{}),FALSE)", other(diameter, D), other(wall, thick)),
+                format!("IF({found}>0,OR({},{}),FALSE)", other(diameter, D), other(wall, own_t)),
                 t("D o t no es la del tamaño", "D or t is not that of the size"),
                 diameter,
             ),
-        LiveRow::length(symbols[1], thick, of_t, value('C', wall)).always().wrong(
-            format!("IF(ISNUMBER({D}),{thick}>={D}/2,FALSE)"),
-            t("debe ser menor que el radio", "must be less than the radius"),
-            wall,
-        ),
+        LiveRow::length(symbols[1], own_t, of_t, value('C', wall)).always().wrong(when, words, input),
     ]
 }

@@ -5,7 +5,7 @@
 //! along a = (o − c n)/s · (s sin γ − c cos γ) + n (s cos γ + c sin γ).
 
 use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
-use crate::kinds::pipe::live_form::{found, rows as pipes, sizes};
+use crate::kinds::pipe::live_form::{HEADER, found, rows as pipes, sizes, thick};
 use crate::table::{Formula, Unit};
 use crate::text::t;
 
@@ -35,13 +35,7 @@ pub fn live() -> LiveForm {
             "greatest_height_D_max",
             "lead_in",
         ],
-        sound: (
-            "AND(live_header_t<live_header_D/2,angle_theta>0,angle_theta<180,taper_Psi>0,height_d0>0)",
-            t(
-                "θ ha de estar entre 0 y 180, y Ψ y d0 ser mayores que 0",
-                "θ must be between 0 and 180, and Ψ and d0 greater than 0",
-            ),
-        ),
+        unsound: vec![thick(&HEADER)],
         undecided: None,
         rows: rows(),
         view: view(),

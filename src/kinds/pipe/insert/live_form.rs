@@ -2,7 +2,7 @@
 
 use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
 use crate::kinds::pipe::insert::enveloped;
-use crate::kinds::pipe::live_form::{found, rows as pipes, sizes};
+use crate::kinds::pipe::live_form::{BRANCH, found, rows as pipes, sizes, thick};
 use crate::table::{Formula, Unit};
 use crate::text::t;
 
@@ -25,10 +25,7 @@ pub fn live() -> LiveForm {
             "offset_Z",
             "divisions_N",
         ],
-        sound: (
-            "AND(live_branch_t<live_branch_D/2,angle_theta>0,angle_theta<180,divisions_N>=1)",
-            t("θ ha de estar entre 0 y 180, y N ser 1 o más", "θ must be between 0 and 180, and N 1 or more"),
-        ),
+        unsound: vec![thick(&BRANCH)],
         undecided: None,
         rows: rows(),
         view: view(),
