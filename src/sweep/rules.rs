@@ -189,7 +189,7 @@ rules! {
         remedy "deje una sola vez la magnitud, con min o con max", "leave the measure once, with min or with max";
         why "Una magnitud no puede ser a la vez mínima y máxima: todos los diseños estarían en el frente.", "A measure cannot be small and large at once: every design would be on the front.";
         example book!("impeller", "SWEEP!C10" = "time_s min; time_s max");
-    "D0131" ValueTwice Stop { symbol: &'static str, text: String }
+    "D0131" ValueTwice Stop { symbol: Key, text: String }
         es "«{text}» está dos veces entre los valores de {symbol}"
         en "\"{text}\" is twice among the values of {symbol}"
         remedy "deje cada valor una sola vez", "leave each value once";
@@ -201,7 +201,7 @@ rules! {
         remedy "vacíe la celda, o elija latin, sobol o saltelli", "empty the cell, or choose latin, sobol or saltelli";
         why "Cuántos diseños hay se sigue de los niveles, o de la lista.", "How many designs there are follows from the levels, or from the list.";
         example book!("impeller", "SWEEP!C7" = "64");
-    "D0133" LastBeforeTo Caution { symbol: &'static str, last: Typed, to: Typed }
+    "D0133" LastBeforeTo Caution { symbol: Key, last: Typed, to: Typed }
         es "el último valor de {symbol} es {last}: el paso no llega a {to}"
         en "the last value of {symbol} is {last}: the step does not meet {to}"
         remedy "cambie el paso o el extremo, si {to} debe estar en el plan", "change the step or the end, if {to} is to be in the plan";
