@@ -143,7 +143,7 @@ rules! {
     "U0128" WorkbookUnchanged Note { workbook: String }
         es "generado con {workbook}, que no ha cambiado; los bloques del programa no se comparan con él"
         en "made from {workbook}, which has not changed; the blocks of the program are not compared with it"
-        remedy "para compararlos, genere otra vez el libro y compare los archivos", "to compare them, build the workbook again and compare the files";
+        remedy "", "";
         why "El programa lleva la suma SHA-256 de su libro, y el libro todavía la tiene.",
             "The program carries the SHA-256 of its workbook, and the workbook still has it.";
         example line!("verify" "a.ngc";

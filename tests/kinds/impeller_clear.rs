@@ -133,15 +133,20 @@ fn one_tool_for_both_is_told_of_once_and_sticks_out_alike() {
 
 #[test]
 fn the_largest_tool_for_a_rest_is_told_when_it_is_asked_for() {
-    assert!(told(&outcome(&[]), "at most in the corner").is_none());
+    assert!(told(&outcome(&[]), "left in the corner of blades").is_none());
     let asked = outcome(&[("h_r", Value::Real(0.6))]);
-    let what = told(&asked, "at most in the corner").unwrap();
+    let what = told(&asked, "left in the corner of blades").unwrap();
     let d: f64 = what.split("end mill is ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
     assert!((2.0..6.0).contains(&d), "{what}");
     // With that tool the plan leaves no more: the plan has these passes, and others.
     let with = outcome(&[("d_f", Value::Real(d))]);
     let root = quantity(&with, "root_height").unwrap();
     assert!(root <= 0.62, "{root} {what}");
+    // A tool that leaves less is an answer to less.
+    let asked = outcome(&[("h_r", Value::Real(0.4)), ("d_f", Value::Real(2.0))]);
+    let what = told(&asked, "left in the corner of blades").unwrap();
+    let d: f64 = what.split("end mill is ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!((2.0..6.0).contains(&d), "{what}");
 }
 
 #[test]

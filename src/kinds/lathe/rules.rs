@@ -247,7 +247,7 @@ rules! {
         en "in the second set-up the jaws close on X{X} and hold {length}"
         remedy "", "";
         why "Compare el diámetro y la longitud con lo que hay en la máquina.", "Compare the diameter and the length with what is on the machine.";
-        example book!("lathe", "Z_s" = "-40", "PROGRAM 2!A6" = "M30");
+        example book!("lathe", "Z_s" = "-40", "PROGRAM 2!A6" = "G0 X200. Z100.", "PROGRAM 2!A7" = "M30");
     "L0218" NothingToCompare Caution {}
         es "de la pieza no queda nada que comparar con el perfil de la hoja PERFIL del libro"
         en "nothing is left of the part to compare with the profile on the workbook's sheet PROFILE"

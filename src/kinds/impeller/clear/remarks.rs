@@ -95,7 +95,7 @@ pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
             )
         },
     );
-    let uncut = Size::number((why.uncut * 1000.0).ceil() / 10.0, 1);
+    let uncut = Size::number((why.uncut * 1000.0).floor() / 10.0, 1);
     let key = match why.tool {
         Which::Rough => form::D_T.key(),
         Which::Finish => fields::D_F.key(),

@@ -38,8 +38,8 @@ rules! {
         why "El desbaste dejaría sin metal que acabar lo que la de acabado no alcanza.", "Roughing goes where the finishing tool cannot follow.";
         example book!("impeller", "d_t" = "3", "d_f" = "6");
     "P1206" ToolDoesNotFit Stop { tool: Text, d: Size, largest: Text, uncut: Size }
-        es "{tool} de {d} no pasa entre los álabes: {largest}; aun sin demasía dejaría sin cortar el {uncut} % de los canales"
-        en "{tool} of {d} does not pass between the blades: {largest}; even without an allowance it would leave {uncut} % of the channels uncut"
+        es "{tool} de {d} no pasa entre los álabes: {largest}; aun sin demasía dejaría sin cortar al menos el {uncut} % de los canales"
+        en "{tool} of {d} does not pass between the blades: {largest}; even without an allowance it would leave at least {uncut} % of the channels uncut"
         remedy "use una herramienta menor, menos álabes o álabes más delgados; con partly = sí se corta hasta donde cabe", "use a smaller tool, fewer blades, or thinner blades; with partly = yes it cuts as far as it fits";
         why "Una herramienta más ancha que el canal corta los dos álabes.", "A tool wider than the channel cuts into both blades.";
         example book!("impeller", "N" = "6");
