@@ -412,9 +412,11 @@ fn the_display_of_a_turning_says_what_is_in_force_at_blocks_without_motion() {
     // Before the first block the turret stands at its reference point, and nothing runs.
     assert_eq!([said("time=0", "X"), said("time=0", "Z"), said("time=0", "S")], ["230.000", "151.000", "0"]);
     assert!(said("time=0", "cells").starts_with("M5 M9"));
-    // The first rapid motion is on its way.
-    let x: f64 = said("time=0.3", "X").parse().expect("a number");
-    assert!(54.0 < x && x < 110.0, "{x}");
+    // The first rapid motion is on its way, each axis at its own rate: X, which has less to go, is there first.
+    let [x, z] = ["X", "Z"].map(|axis| said("time=0.3", axis).parse::<f64>().expect("a number"));
+    assert!(x == 54.0 && 5.0 < z && z < 150.0, "{x} {z}");
+    let early: f64 = said("time=0.1", "X").parse().expect("a number");
+    assert!(54.0 < early && early < 230.0, "{early}");
     assert_eq!([said("goto=N200", "T"), said("goto=N195", "T")], ["5", "4"]);
     assert!(said("goto=N155", "cells").contains("G1 G4"), "a dwell leaves the motion code in force");
     assert!(said("time=9999", "cells").starts_with("M5 M9") && said("time=9999", "S") == "0");
