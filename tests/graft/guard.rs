@@ -57,7 +57,7 @@ fn changed(book: &[u8]) -> Option<String> {
     read(book).stale.map(|finding| finding.what.en.into_owned())
 }
 
-/// What is typed into a lathe's workbook after the build, and the sheet that `check` names.
+/// What is typed into a lathe's workbook after the build: sheet and cell are what `check` names.
 const EDITS: [(&str, &str, &str); 6] = [
     ("TOOLS", "F7", "12.8"),
     ("TOOLS", "F8", "9.525000001"),
@@ -78,7 +78,7 @@ fn check_sees_every_change_of_a_list_in_the_owners_workbook() {
     assert_eq!(changed(&built), None);
     for (sheet, address, text) in EDITS {
         let told = changed(&typed(&built, sheet, address, text)).unwrap_or_default();
-        assert!(told.contains(&format!("were made: {sheet};")), "{sheet}!{address} = {text}: {told}");
+        assert!(told.contains(&format!("were made: {sheet} ({address})")), "{sheet}!{address} = {text}: {told}");
     }
 }
 
