@@ -4,7 +4,7 @@
 //! each the nearest place of the exact cut is sought: how far the beam passes from its root is how far the cut is off. Half
 //! a kerf back across the cut face lies the edge that is cut, which is off the branch, grown by its gap, by no more than the beam
 //! is off the root, since the root's own edge lies on it. The face that is cut is off its angle by what the torch is off, and by
-//! what the beams of neighbouring places open it ([`crossing`]).
+//! what the beams of neighbouring places open it (see `crossing.rs`).
 //!
 //! The torch is the convex body about its tip, its shoulder and the end of its body, three discs square to its axis. For any
 //! direction u across the pipe's axis no point of it comes nearer to that axis than the least of u·c − ρ|u × a| over the discs
