@@ -1,12 +1,13 @@
 //! Rows as a Parquet file: written row group by row group, and read back.
 //!
-//! Columns may be empty in any row but for `id`: what a design does not have is null, never 0. The units and what the plan says
-//! stand in the file's key-value data. The same rows and data give the same bytes.
+//! Columns may be empty in any row but for `id`: what a design does not have is null, never 0. The units, what the plan says and a
+//! checksum of each column stand in the file's key-value data. The same rows and data give the same bytes.
 
 use std::io::Write;
 use std::sync::Arc;
 
 use bytes::Bytes;
+use crc32fast::Hasher;
 use parquet::basic::{Compression, ConvertedType, LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::column::writer::{ColumnWriter, ColumnWriterImpl};
@@ -25,11 +26,15 @@ pub const GROUP: usize = 65_536;
 
 /// The key of what the plan says.
 pub const PLAN: &str = "rodete.plan";
+/// The keys of the columns' checksums begin so.
+const SUM: &str = "crc32.";
 
 /// A file that is being written.
 pub struct RowFile<W: Write + Send> {
     writer: SerializedFileWriter<W>,
     pending: Table,
+    /// The names of the columns, each with the checksum of what was written of it.
+    sums: Vec<(String, Hasher)>,
 }
 
 impl<W: Write + Send> RowFile<W> {
@@ -48,7 +53,8 @@ impl<W: Write + Send> RowFile<W> {
             .set_key_value_metadata(Some(told))
             .build();
         let writer = SerializedFileWriter::new(out, schema(table)?, Arc::new(properties))?;
-        Ok(Self { writer, pending: table.emptied() })
+        let sums = table.columns.iter().map(|one| (one.name.clone(), Hasher::new())).collect();
+        Ok(Self { writer, pending: table.emptied(), sums })
     }
 
     /// Takes rows in.
@@ -73,11 +79,17 @@ impl<W: Write + Send> RowFile<W> {
             let group = std::mem::replace(&mut self.pending, Table { columns: Vec::new() });
             self.group(&group)?;
         }
+        for (name, sum) in self.sums {
+            self.writer.append_key_value_metadata(KeyValue::new(format!("{SUM}{name}"), told_sum(sum)));
+        }
         self.writer.close().map(drop)
     }
 
     fn group(&mut self, rows: &Table) -> Result<()> {
         let mut group = self.writer.next_row_group()?;
+        for ((_, sum), column) in self.sums.iter_mut().zip(&rows.columns) {
+            column.cells.add_to(sum);
+        }
         for (at, column) in rows.columns.iter().enumerate() {
             let Some(mut out) = group.next_column()? else { return Err(uneven()) };
             let optional = at > 0;
@@ -94,6 +106,11 @@ impl<W: Write + Send> RowFile<W> {
         }
         group.close().map(drop)
     }
+}
+
+/// A checksum as the file says it.
+fn told_sum(sum: Hasher) -> String {
+    format!("{:08x}", sum.finalize())
 }
 
 fn put<D: DataType, T>(
@@ -151,25 +168,27 @@ pub fn bytes(rows: Table, plan: &str) -> Result<Vec<u8>> {
 /// The rows of a file with the columns of a table; of columns that are not wanted, nothing but the first is read.
 ///
 /// # Errors
-/// For a file that is torn or damaged, and for one of another plan.
+/// For a file that is torn, for one of another plan, and where what is read of a column has not the checksum of what was written.
 pub fn read(bytes: Vec<u8>, table: &Table, plan: &str, wanted: &dyn Fn(&str) -> bool) -> Result<Table> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     let told = file.metadata().file_metadata();
-    let stated = told.key_value_metadata().into_iter().flatten().find(|one| one.key == PLAN);
-    if stated.and_then(|one| one.value.as_deref()) != Some(plan)
-        || told.schema_descr().num_columns() != table.columns.len()
-    {
+    let stated = |key: &str| {
+        let mut all = told.key_value_metadata().into_iter().flatten();
+        all.find(|one| one.key == key).and_then(|one| one.value.as_deref())
+    };
+    if stated(PLAN) != Some(plan) || told.schema_descr().num_columns() != table.columns.len() {
         return Err(uneven());
     }
+    let reads = |at: usize, name: &str| at == 0 || wanted(name);
     let mut rows = table.emptied();
     for group in 0..file.num_row_groups() {
         let group = file.get_row_group(group)?;
         let count = usize::try_from(group.metadata().num_rows()).map_err(|_| uneven())?;
         for (at, column) in rows.columns.iter_mut().enumerate() {
-            let optional = at > 0;
-            if optional && !wanted(&column.name) {
+            if !reads(at, &column.name) {
                 continue;
             }
+            let optional = at > 0;
             match (group.get_column_reader(at)?, &mut column.cells) {
                 (ColumnReader::Int64ColumnReader(from), Cells::Whole(cells)) => {
                     take(from, count, optional, cells, Some)?
@@ -185,6 +204,13 @@ pub fn read(bytes: Vec<u8>, table: &Table, plan: &str, wanted: &dyn Fn(&str) -> 
                 }
                 _ => return Err(uneven()),
             }
+        }
+    }
+    for (_, column) in rows.columns.iter().enumerate().filter(|(at, column)| reads(*at, &column.name)) {
+        let mut sum = Hasher::new();
+        column.cells.add_to(&mut sum);
+        if stated(&format!("{SUM}{}", column.name)) != Some(&told_sum(sum)) {
+            return Err(ParquetError::General(format!("{} is not what was written", column.name)));
         }
     }
     Ok(rows)

@@ -1,5 +1,7 @@
 //! Rows by columns: what stands in a file, and what is read from one.
 
+use crc32fast::Hasher;
+
 use crate::kind::Kind;
 use crate::parameter::{FieldKind, Value};
 use crate::sweep::plan::Plan;
@@ -70,6 +72,29 @@ impl Cells {
             (Self::Text(cells), Self::Text(mut more)) => cells.append(&mut more),
             (Self::Truth(cells), Self::Truth(mut more)) => cells.append(&mut more),
             _ => {}
+        }
+    }
+
+    /// Adds the values to a checksum. An empty cell counts too: values that moved by a row have another one.
+    pub fn add_to(&self, sum: &mut Hasher) {
+        fn each<T>(sum: &mut Hasher, cells: &[Option<T>], add: impl Fn(&T, &mut Vec<u8>)) {
+            let mut bytes = Vec::new();
+            // In pieces: a checksum of a few bytes costs as much as one of many.
+            for piece in cells.chunks(1000) {
+                bytes.clear();
+                for cell in piece {
+                    bytes.push(u8::from(cell.is_some()));
+                    cell.iter().for_each(|value| add(value, &mut bytes));
+                }
+                sum.update(&bytes);
+            }
+        }
+        match self {
+            Self::Whole(cells) => each(sum, cells, |one, to| to.extend(one.to_le_bytes())),
+            Self::Number(cells) => each(sum, cells, |one, to| to.extend(one.to_bits().to_le_bytes())),
+            Self::Truth(cells) => each(sum, cells, |one, to| to.push(u8::from(*one))),
+            // No text holds the byte that ends it here.
+            Self::Text(cells) => each(sum, cells, |one, to| to.extend(one.bytes().chain([0xff]))),
         }
     }
 

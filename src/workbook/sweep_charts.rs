@@ -157,7 +157,7 @@ impl SweepBook<'_> {
 
     /// The cells of the charts: index, then what is charted, kind by kind.
     fn write_points(&self, sheet: &mut Worksheet, styles: &Styles, points: &Points) -> Result<(), WriteError> {
-        sheet.set_name(self.text(&POINTS))?;
+        sheet.set_name(self.text(&POINTS))?.set_hidden(true);
         let columns = std::iter::once("id").chain(points.names.iter().map(String::as_str));
         for (column, name) in (0..).zip(columns) {
             let heading = name.strip_prefix("in_").unwrap_or(name);
@@ -244,7 +244,7 @@ impl SweepBook<'_> {
 
     /// The columns of the parallel coordinates, one row a design, from 0 to 1; gives how many there are.
     fn write_curves(&self, sheet: &mut Worksheet, styles: &Styles, count: usize) -> Result<usize, WriteError> {
-        sheet.set_name(self.text(&CURVES_SHEET))?;
+        sheet.set_name(self.text(&CURVES_SHEET))?.set_hidden(true);
         let inputs = self.results.plan.inputs.iter().map(|one| format!("in_{}", one.symbol()));
         let names: Vec<String> =
             inputs.chain(self.results.plan.objectives.iter().map(|one| one.measure.key.to_owned())).collect();

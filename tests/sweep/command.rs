@@ -130,6 +130,22 @@ fn to_begin_anew_removes_what_a_run_left_and_nothing_else() {
 }
 
 #[test]
+fn what_a_chunk_took_stands_beside_its_rows_and_goes_with_them() {
+    let folder = folder("limits");
+    let at = folder.path();
+    done(at, "-o s --chunks 2 --jobs 1");
+    let log = chunks(at, "s")[1].with_extension("log.json");
+    let took: serde_json::Value = serde_json::from_slice(&fs::read(&log).unwrap()).unwrap();
+    let plan: serde_json::Value = serde_json::from_slice(&fs::read(at.join("s/plan.json")).unwrap()).unwrap();
+    assert_eq!(took["jobs"], 1);
+    assert_eq!(took["designs"].as_u64().unwrap(), plan["plan"]["count"].as_u64().unwrap().div_ceil(2));
+    assert!(took["seconds"].as_f64().unwrap() > 0.0 && took["host"].is_string(), "{took}");
+    assert!(!cfg!(target_os = "linux") || took["peak_memory_kib"].as_u64().unwrap() > 1000, "{took}");
+    done(at, "-o s --fresh --chunks 1");
+    assert!(!log.exists());
+}
+
+#[test]
 fn a_chunk_of_which_a_column_is_damaged_counts_as_missing() {
     let folder = folder("limits");
     let at = folder.path();

@@ -45,6 +45,18 @@ fn a_file_that_is_torn_or_of_another_plan_is_not_read() {
     }
 }
 
+#[test]
+fn a_bit_that_turned_over_is_never_read_as_another_row() {
+    let table = rows(40);
+    let bytes = file::bytes(table.clone(), "plan").unwrap();
+    for at in 0..8 * bytes.len() {
+        let mut spoilt = bytes.clone();
+        spoilt[at / 8] ^= 1 << (at % 8);
+        let read = file::read(spoilt, &table, "plan", &|_| true);
+        assert!(read.is_err() || read.unwrap() == table, "bit {} of byte {}", at % 8, at / 8);
+    }
+}
+
 /// Writes a chunk on a disk whose step of a number fails, and gives how many steps there were.
 fn write(folder: &Path, bytes: &[u8], fails: usize) -> (bool, usize) {
     let seen = Arc::new(AtomicUsize::new(0));

@@ -24,6 +24,8 @@ use crate::sweep::table::Table;
 const PLAN: &str = "plan.json";
 /// The ending of rows that are not yet a chunk.
 const PART: &str = ".part";
+/// The ending of what working a chunk out took.
+const LOG: &str = "log.json";
 
 /// How a folder is opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,9 +168,11 @@ impl<'a> Rows<'a> {
         write(&self.folder, &self.part(number), &self.bytes(rows)?)
     }
 
-    /// Writes a chunk, whole.
-    pub(super) fn write(&self, number: u64, rows: Table) -> Result<(), Refusal> {
+    /// Writes a chunk, whole, and beside it what working it out took: that is not the same on every machine, and no part of the rows.
+    pub(super) fn write(&self, number: u64, rows: Table, log: &Value) -> Result<(), Refusal> {
         write(&self.folder, &self.name(number), &self.bytes(rows)?)?;
+        let beside = Path::new(&self.name(number)).with_extension(LOG);
+        write(&self.folder, beside.as_os_str(), format!("{log:#}\n").as_bytes())?;
         self.folder.remove(&self.part(number))
     }
 
@@ -197,7 +201,7 @@ fn clear(outer: &Folder, place: &Path, stem: &str) -> Result<(), Refusal> {
     let chunk = |file: &str| {
         let sum = file.trim_start_matches('.').split_once('-').map(|(sum, _)| sum);
         let of_plan = sum.is_some_and(|sum| sum.len() == 8 && sum.bytes().all(|one| one.is_ascii_hexdigit()));
-        of_plan && file.contains("-of-") && (file.ends_with(".parquet") || file.ends_with(PART))
+        of_plan && file.contains("-of-") && [".parquet", PART, LOG].iter().any(|end| file.ends_with(end))
     };
     let top = |file: &str| {
         let number = file.strip_prefix(stem).and_then(|rest| rest.strip_prefix('-')).and_then(|rest| rest.get(..6));

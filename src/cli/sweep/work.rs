@@ -2,7 +2,7 @@
 
 #![expect(
     clippy::disallowed_methods,
-    reason = "the door to processors and clock: how many designs at once, and when to save"
+    reason = "the door to processors, clock and memory: how many designs at once, when to save, what it took"
 )]
 
 use std::env;
@@ -125,8 +125,9 @@ impl<'a> Workshop<'a> {
         let range = self.study.plan.chunk(number, rows.chunks());
         let mut done = rows.saved(number);
         progress.known(&done);
-        let mut next = range.start + u64::try_from(done.rows()).unwrap_or_default();
-        let (mut size, mut saved) = (LEAST * self.jobs, Instant::now());
+        let begin = range.start + u64::try_from(done.rows()).unwrap_or_default();
+        let (mut next, started) = (begin, Instant::now());
+        let (mut size, mut saved) = (LEAST * self.jobs, started);
         while next < range.end {
             let end = range.end.min(next + u64::try_from(size).unwrap_or(1));
             let begun = Instant::now();
@@ -146,8 +147,30 @@ impl<'a> Workshop<'a> {
                 saved = Instant::now();
             }
         }
-        rows.write(number, done)
+        let log = serde_json::json!({
+            "host": host(),
+            "jobs": self.jobs,
+            "designs": range.end - begin,
+            "seconds": (started.elapsed().as_secs_f64() * 1000.0).round() / 1000.0,
+            "peak_memory_kib": peak_memory(),
+        });
+        rows.write(number, done, &log)
     }
+}
+
+/// This computer's name in its network; empty where the system does not say it.
+fn host() -> String {
+    #[cfg(unix)]
+    return rustix::system::uname().nodename().to_string_lossy().into_owned();
+    #[cfg(not(unix))]
+    return env::var("COMPUTERNAME").unwrap_or_default();
+}
+
+/// The most memory that this process has held, KiB; `None` where the system does not say it as Linux does: proc(5), `VmHWM`.
+fn peak_memory() -> Option<u64> {
+    let told = std::fs::read_to_string("/proc/self/status").ok()?;
+    let most = told.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    most.trim().strip_suffix(" kB")?.parse().ok()
 }
 
 /// Designs that were tried for a forecast.
