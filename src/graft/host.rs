@@ -6,6 +6,7 @@ use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::store::sha256;
 use crate::workbook::gate;
+use crate::workbook::guard::STALE;
 use crate::workbook::limits;
 use crate::workbook::listing::SheetKind;
 use crate::workbook::names::Present;
@@ -86,6 +87,8 @@ impl<'a> Host<'a> {
         let ours = BTreeMap::new();
         let mut host = Self { parts, root, book, relations, types, styles, sheets, ours, notes };
         host.ours = host.known(&cells)?;
+        let copies = host.copies()?;
+        host.notes.extend(copies);
         Ok(host)
     }
 
@@ -155,6 +158,21 @@ impl<'a> Host<'a> {
             ours.insert(slug, index);
         }
         Ok(ours)
+    }
+
+    /// The cautions on sheets that turn red with ours, and are not: copies that somebody made, with the figures of that day.
+    fn copies(&mut self) -> Result<Vec<Finding>, Refusal> {
+        let ours: BTreeSet<usize> = self.ours.values().copied().collect();
+        let rule = format!(">{STALE}&lt;&gt;0<");
+        let mut found = Vec::new();
+        for index in (0..self.sheets.len()).filter(|index| !ours.contains(index)) {
+            let Some(text) = self.parts.bytes(&self.sheets[index])? else { continue };
+            if memchr::memmem::find(&text, rule.as_bytes()).is_some() {
+                let sheet = self.book.sheets.get(index).map(|one| excerpt(&one.name, SHOWN)).unwrap_or_default();
+                found.push(SheetCopied { sheet }.at(Place::File));
+            }
+        }
+        Ok(found)
     }
 
     fn strings(&mut self, none: bool) -> Result<Vec<String>, Refusal> {

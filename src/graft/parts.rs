@@ -31,6 +31,8 @@ pub mod kind {
 
 /// The namespace that types of relationships begin with.
 pub const RELATIONSHIPS: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+/// The ending of a part of relationships, and its type: ECMA-376 part 2, annex E.
+pub const RELS: [&str; 2] = ["rels", "application/vnd.openxmlformats-package.relationships+xml"];
 /// The list of content types.
 pub const CONTENT_TYPES: &str = "[Content_Types].xml";
 
@@ -203,14 +205,17 @@ impl ContentTypes {
         let own = self.root.children.iter().find(|one| {
             one.local() == "Override" && one.attribute("PartName").is_some_and(|name| normal(name) == part)
         });
-        let usual = || {
-            let extension = part.rsplit('.').next().unwrap_or_default();
-            self.root.children.iter().find(|one| {
-                one.local() == "Default"
-                    && one.attribute("Extension").is_some_and(|one| one.eq_ignore_ascii_case(extension))
-            })
+        let usual = || self.usual(part.rsplit('.').next().unwrap_or_default());
+        own.and_then(|one| one.attribute("ContentType")).or_else(usual)
+    }
+
+    /// The type of parts with such an ending, where they have none of their own.
+    pub fn usual(&self, extension: &str) -> Option<&str> {
+        let of_ending = |one: &&Element| {
+            one.local() == "Default"
+                && one.attribute("Extension").is_some_and(|one| one.eq_ignore_ascii_case(extension))
         };
-        own.or_else(usual).and_then(|one| one.attribute("ContentType"))
+        self.root.children.iter().find(of_ending).and_then(|one| one.attribute("ContentType"))
     }
 
     /// Takes parts out and puts others in, each with its type.

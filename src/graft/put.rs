@@ -12,7 +12,7 @@ use super::book::{Book, Name};
 use super::donor::{self, Donor, Opened};
 use super::host::{Host, OTHERS, SOURCE, refused, unfit};
 use super::marks::{self, mentions};
-use super::parts::{CONTENT_TYPES, RELATIONSHIPS, Relation, folder, kind, normal, relations_of};
+use super::parts::{CONTENT_TYPES, RELATIONSHIPS, RELS, Relation, folder, kind, normal, relations_of};
 use super::rules::*;
 use super::seen::Seen;
 use super::sheet::{Title, emptied, moved};
@@ -111,6 +111,12 @@ impl Host<'_> {
         let new = going.iter().filter(|one| one.to >= self.sheets.len()).map(|one| one.name.clone());
         let expected: Vec<String> = sheets.chain(new).collect();
         let gone: BTreeSet<String> = gone.into_iter().chain(calculation).collect();
+        let [ending, kind] = RELS;
+        if self.types.usual(ending).is_none() {
+            // Some writers name each part of relationships with its type, and give the ending none.
+            let untyped = added.parts.iter().filter(|(part, _)| part.ends_with(ending));
+            added.types.extend(untyped.map(|(part, _)| (part.clone(), kind.to_owned())));
+        }
         self.types.change(&gone, &added.types);
         let mut changed = BTreeMap::from([
             (self.parts.name(&self.root).unwrap_or_default().to_owned(), self.book.finish()),
@@ -124,7 +130,9 @@ impl Host<'_> {
         let bytes = self.parts.package.changed(&gone, &changed, &added.parts)?;
         let edited = changed.keys().chain(&gone).map(|name| normal(name)).collect();
         let placed: Vec<&str> = going.iter().map(|one| one.name.as_str()).collect();
-        Seen { host: &mut self.parts, donor: donor.bytes, edited, sheets: &expected, placed: &placed }.judge(&bytes)?;
+        let added: Vec<&str> = added.parts.iter().map(|(part, _)| part.as_str()).collect();
+        Seen { host: &mut self.parts, donor: donor.bytes, edited, sheets: &expected, placed: &placed, added: &added }
+            .judge(&bytes)?;
         Ok(bytes)
     }
 
@@ -244,7 +252,9 @@ impl Host<'_> {
         }
         if let Some(first) = forms.first() {
             if donor.has_results() {
-                let built = self.ours.is_empty() && self.book.global(STALE).is_some();
+                // The guard's name leads to its cell; a name of the engineer's may be called the same and lead anywhere.
+                let guarded = self.book.global(STALE).and_then(|name| cell(&name.formula));
+                let built = self.ours.is_empty() && guarded.is_some_and(|(_, at)| at == guard::COUNT);
                 return Err(if built { refused(&ResultsThere {}) } else { taken(first) });
             }
             // A form's own row of that name says that it is one.

@@ -165,6 +165,14 @@ rules! {
             "rodete keeps the workbook of before once only, and does not replace a copy that may be the first one.";
         example made!("into-kept", "new --into de un libro que ya tiene al lado un archivo .bak",
             "new --into of a workbook that has a .bak file beside it");
+    "B0126" SheetCopied Caution { sheet: String }
+        es "la hoja {sheet} es una copia de una de rodete: sus cifras se quedan como están, diga lo que diga su línea"
+        en "sheet {sheet} is a copy of one of rodete's: its figures stay as they are, whatever its line says"
+        remedy "bórrela, o guarde la copia en otro libro", "delete it, or keep the copy in another workbook";
+        why "Su línea «Datos verificados» cuenta los cambios del formulario y sigue a la última generación; las cifras son de otra.",
+            "Its line \"Verified inputs\" counts the changes of the form and goes with the last build; the figures are of another.";
+        example made!("into-copied", "build --into de un libro con una copia de una hoja de resultados",
+            "build --into of a workbook with a copy of a sheet of the results");
     "B0131" NotPutIn Stop { what: String }
         es "las hojas no han entrado en el libro como debían: {what}"
         en "the sheets did not go into the workbook as they should: {what}"

@@ -9,7 +9,7 @@ use crate::finding::{Exit, Refusal};
 use crate::workbook::gate;
 
 use super::host::{refused, unfit};
-use super::parts::Parts;
+use super::parts::{ContentTypes, Parts};
 use super::rules::BookTooLarge;
 
 /// What the workbook must be.
@@ -25,6 +25,8 @@ pub struct Seen<'s, 'h> {
     pub sheets: &'s [String],
     /// The sheets that were put in.
     pub placed: &'s [&'s str],
+    /// The parts that were put in.
+    pub added: &'s [&'s str],
 }
 
 impl Seen<'_, '_> {
@@ -44,6 +46,11 @@ impl Seen<'_, '_> {
         // The reader does not follow targets through folders.
         let plain = if gated.plain.is_empty() { None } else { Some(gated.package.with(&gated.plain)?) };
         let mut parts = Parts::new(gated.package);
+        // ECMA-376 part 2: every part has a content type.
+        let types = ContentTypes::of(&mut parts)?;
+        if let Some(part) = self.added.iter().find(|part| types.of_part(part).is_none()) {
+            return Err(unfit(part));
+        }
         let kept: Vec<String> =
             self.host.all().filter(|part| !self.edited.contains(*part)).map(str::to_owned).collect();
         for part in kept {

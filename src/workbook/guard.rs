@@ -32,6 +32,8 @@ pub const KEY: &str = "verified";
 pub static NAME: Text = t(SHEET, SHEET);
 /// The defined name of how many inputs differ.
 pub const STALE: &str = "stale_inputs";
+/// The cell of the guard's sheet that it leads to.
+pub const COUNT: &str = "C1";
 /// What stands in the first cell of that sheet.
 const MARK: &str = "rodete";
 /// How many columns of that sheet are read.

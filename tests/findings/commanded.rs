@@ -374,7 +374,7 @@ fn into(key: &str, folder: &Path) -> Option<&'static str> {
         }
         "into-precision" => (own(&["Notes"]).replace(BOOK, "<calcPr", "<calcPr fullPrecision=\"0\""), NEW),
         "into-results" => {
-            let name = "<definedNames><definedName name=\"stale_inputs\">DATA!$Z$1</definedName><definedName name=\"derived_k\">DATA!$Z$2</definedName>";
+            let name = "<definedNames><definedName name=\"stale_inputs\">DATA!$C$1</definedName><definedName name=\"derived_k\">DATA!$Z$2</definedName>";
             (form().replace(BOOK, "<definedNames>", name), "build own.xlsx --into --no-report")
         }
         "into-kept" => {
@@ -383,6 +383,11 @@ fn into(key: &str, folder: &Path) -> Option<&'static str> {
         }
         "into-manual" => (own(&["Notes"]).replace(BOOK, "<calcPr", "<calcPr calcMode=\"manual\""), NEW),
         "into-links" => (linked("externalLink"), NEW),
+        "into-copied" => {
+            let rule = "<cfRule type=\"expression\" priority=\"1\"><formula>stale_inputs&lt;&gt;0</formula></cfRule>";
+            let to = format!("</sheetData><conditionalFormatting sqref=\"A1\">{rule}</conditionalFormatting>");
+            (own(&["Notes"]).replace("xl/worksheets/sheet1.xml", "</sheetData>", &to), NEW)
+        }
         "into-protected" => (own(&["Notes"]), NEW),
         _ => return None,
     };

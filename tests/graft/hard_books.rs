@@ -72,3 +72,39 @@ fn every_kind_goes_into_a_hard_book() {
         assert_eq!(read(&formed).values, read(&built).values);
     }
 }
+
+/// LibreOffice up to 6.0 writes such a list of types: each part of relationships by name, and no type for the ending.
+#[test]
+fn every_new_part_has_a_type_where_the_host_has_none_for_relationships() {
+    let types =
+        |bytes: &[u8]| String::from_utf8(parts(bytes).remove("[Content_Types].xml").expect("types")).expect("UTF-8");
+    let own = types(&book("h1.xlsx"));
+    let usual =
+        own.split_inclusive('>').find(|one| one.contains("Default") && one.contains("\"rels\"")).expect("a default");
+    let named: String = parts(&book("h1.xlsx"))
+        .into_keys()
+        .filter(|part| part.ends_with(".rels"))
+        .map(|part| {
+            let kind = "application/vnd.openxmlformats-package.relationships+xml";
+            format!("<Override PartName=\"/{part}\" ContentType=\"{kind}\"/>")
+        })
+        .collect();
+    let listed = own.replace(usual, "").replace("</Types>", &format!("{named}</Types>"));
+    let mut out = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for (part, content) in parts(&book("h1.xlsx")) {
+        out.start_file(&*part, zip::write::SimpleFileOptions::default()).expect("a part");
+        let content = if part == "[Content_Types].xml" { listed.clone().into_bytes() } else { content };
+        std::io::Write::write_all(&mut out, &content).expect("its contents");
+    }
+    let host = out.finish().expect("a package").into_inner();
+    let formed = with_form(KINDS[0], &host);
+    let first = Results::of(&formed).put_into(&formed);
+    let second = Results::of(&first).put_into(&first);
+    assert!(first == second, "the same bytes");
+    let added: Vec<String> =
+        parts(&second).into_keys().filter(|part| part.ends_with(".rels") && part.contains("rodete")).collect();
+    assert!(added.len() > 1, "{added:?}");
+    for part in added {
+        assert_eq!(types(&second).matches(&format!("PartName=\"/{part}\"")).count(), 1, "{part}");
+    }
+}
