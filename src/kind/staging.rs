@@ -27,6 +27,7 @@ pub(super) fn scene(part: Option<Part>, programs: &[Proved], findings: &[Finding
             _ => Chain::Milling,
         };
         let mut shown = ShownProgram::new(program.title.clone(), program.control, frame, &program.text());
+        shown.rapids = program.account.rapids;
         shown.tools.extend(part.iter().filter(|_| !turning).flat_map(|part| part.tools.clone()));
         shown.remarks.extend(findings.iter().filter(|finding| belongs(finding, program.key)).map(Remark::from));
         following(&mut shown, &mut program.read_back())?;

@@ -12,6 +12,7 @@ use crate::gcode::interpreter::line_feeds;
 use crate::gcode::motion::{Arc, Feed, Motion, MotionKind};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::chain::{Chain, Stand};
+use crate::machine::rapids::Rapids;
 use crate::number::trig::{acos, atan2, sin_cos};
 use crate::text::Text;
 
@@ -77,7 +78,10 @@ pub struct Program {
     /// Axes beside those that the path says.
     axes: Vec<Column>,
     states: Vec<State>,
-    /// Times of rapid moves are taken at [`RAPID`]; times of feed moves at [`FEED`].
+    /// How fast the machine is where it does not cut.
+    #[serde(skip)]
+    pub rapids: Rapids,
+    /// Times of rapid moves are taken at [`RAPID`], since the machine's rates are not known; times of feed moves at [`FEED`].
     assumed: [bool; 2],
     /// The line of each motion.
     #[serde(serialize_with = "column::wholes")]
@@ -153,6 +157,7 @@ impl Program {
             plain: frame.straight(),
             axes: letters.iter().map(|&letter| Column { letter, to: Vec::new() }).collect(),
             states: Vec::new(),
+            rapids: Rapids::default(),
             assumed: [false; 2],
             line: Vec::new(),
             kind: Vec::new(),
@@ -191,7 +196,7 @@ impl Program {
     /// Adds the next motion with what is in force.
     ///
     /// Where the first one is rapid it has no way, unless it is [`known`](Self::known) where the machine stood before. A motion whose time is
-    /// not known is given that at [`RAPID`] or [`FEED`], and the page says so.
+    /// not known, and for which [`rapids`](Self::rapids) has no rate, is given that at [`RAPID`] or [`FEED`], and the page says so.
     pub fn push(&mut self, motion: &Motion, control: &InForce) {
         let rapid = motion.kind == MotionKind::Rapid;
         let from = if !self.known && rapid { motion.to } else { motion.from };
@@ -275,6 +280,11 @@ impl Program {
             return seconds;
         }
         let by = motion.to.differences(from);
+        if motion.kind == MotionKind::Rapid
+            && let Some(seconds) = self.rapids.seconds(&by)
+        {
+            return seconds;
+        }
         let (rate, assumed, way) = match motion.kind {
             MotionKind::Dwell(seconds) => return seconds.max(0.0),
             MotionKind::Rapid => (RAPID, 0, by.iter().fold(0.0, |most: f64, by| most.max(by.abs()))),
@@ -419,6 +429,23 @@ mod tests {
         );
         assert_eq!(program.seconds, [0.0, 1.8, 18.0]);
         assert_eq!(program.assumed, [false, false], "nothing was assumed");
+    }
+
+    #[test]
+    fn rapids_take_the_time_of_the_machine_where_its_rates_are_known() {
+        let text = "G21 G90\nG0 X10\nG0 X110 C90\nM2\n";
+        let shown = |rapids: Rapids| {
+            let mut program = Program::new(Text::same("p"), &LINUXCNC, Chain::Milling, text);
+            program.rapids = rapids;
+            let mut interpreter = Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
+            while let Some(motion) = interpreter.next() {
+                program.push(&motion.unwrap(), interpreter.in_force());
+            }
+            (program.seconds[1], program.assumed[0])
+        };
+        let known = Rapids { linear: Some(20_000.0), rotary: Some(3600.0), tool_change: None };
+        assert_eq!(shown(known), (1.5, false), "the slower axis decides");
+        assert_eq!(shown(Rapids { rotary: None, ..known }), (1.0, true), "at 6000 where an axis has no rate");
     }
 
     #[test]

@@ -374,14 +374,14 @@ fn both_languages_are_spoken() {
     let words =
         "return document.body.innerText + [...document.querySelectorAll('[aria-label]')].map((one) => one.ariaLabel)";
     let spanish = browser.run(words).to_string();
-    for word in ["Bloques", "Alarmas", "Velocidad", "Capas", "Herramienta", "Rejilla", "Pantalla de la máquina"] {
+    for word in ["Bloques", "Avisos", "Velocidad", "Capas", "Herramienta", "Rejilla", "Pantalla de la máquina"] {
         assert!(spanish.contains(word), "{word}: {spanish}");
     }
     browser.click("#language");
     browser.click("#tab-remarks");
     let english = browser.run(words).to_string();
     for word in
-        ["Blocks", "Alarms", "Speed", "Layers", "Tool", "Machine display", "L0114 · 2101", "the tool meets the jaw"]
+        ["Blocks", "Findings", "Speed", "Layers", "Tool", "Machine display", "L0114 · 2101", "the tool meets the jaw"]
     {
         assert!(english.contains(word), "{word}: {english}");
     }
