@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 
 use super::live_form::LiveForm;
 use super::measure::{Limits, Measure, Suggested};
-use super::{Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Wants, not_finite, staging};
+use super::{Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Wants, not_finite, staging};
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Refusal, Rule};
 use crate::gcode::control::Control;
@@ -162,6 +162,11 @@ pub trait Method: Send + Sync + 'static {
         Vec::new()
     }
 
+    /// Values that its set-up sheet prints, and nothing else does.
+    fn setup(_: &Self::Design, _: &Self::Model) -> Vec<(&'static str, Shown)> {
+        Vec::new()
+    }
+
     /// Figures of the report; made when they are first looked at.
     fn figures(_: &Self::Design, _: &Self::Model, _: &Self::Memo) -> Vec<Figure> {
         Vec::new()
@@ -301,10 +306,10 @@ impl<M: Method> Kind for Of<M> {
             programs: programs.into_iter().filter(|_| whole).collect(),
             charts: M::charts(&design, &model),
             drawings: M::drawings(&design, &model),
+            setup: M::setup(&design, &model),
             figures: LazyLock::new(Box::new(move || M::figures(&design, &model, &memo))),
             solids: Vec::new(),
             scene,
-            setup: Vec::new(),
             checks: verification.checks,
             findings,
             end,

@@ -306,6 +306,7 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
     Ok(Listed {
         key: program.key,
         title: words.text(&program.title),
+        dialect: program.control.name,
         widest: listing.widest(),
         listing,
         ends: ends(program, words)?,

@@ -134,6 +134,8 @@ pub(super) struct Key {
 pub(super) struct Listed {
     pub key: &'static str,
     pub title: String,
+    /// The control that it is for.
+    pub dialect: &'static str,
     pub listing: Listing,
     pub widest: usize,
     /// Its first and its last blocks, without comments.

@@ -60,7 +60,7 @@ use crate::gcode::word::NumberFormat;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
-use crate::kind::{Chapters, Chart, Proved, Wants, out_of_format};
+use crate::kind::{Chapters, Chart, Proved, Shown, Wants, out_of_format};
 use crate::kinds;
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
@@ -305,6 +305,11 @@ impl Method for Impeller {
 
     fn part(design: &Design, model: &Model) -> Option<Part> {
         Some(scene::part(design, &model.blade, model.splitter.as_ref(), model.clear.as_ref()))
+    }
+
+    fn setup(design: &Design, model: &Model) -> Vec<(&'static str, Shown)> {
+        let clear = design.clear.as_ref().zip(model.clear.as_ref());
+        clear.map(|(asked, plan)| remarks_of::enough_stick_outs(asked, plan)).unwrap_or_default()
     }
 
     fn charts(_: &Design, model: &Model) -> Vec<Chart> {

@@ -12,7 +12,8 @@ mod sketch;
 
 use crate::gcode::control::Rotary;
 use crate::gcode::word::Distance;
-use crate::kind::Proved;
+use crate::kind::{Proved, Shown};
+use crate::kinds::pipe::insert::design::Pipe;
 use crate::proof::account::Account;
 
 /// How a program turns its rotary axes: where those of the control are rollover as delivered, the number of an absolute word
@@ -22,6 +23,12 @@ const fn counted(rotary: Rotary) -> Distance {
         Rotary::Rollover => Distance::Incremental,
         Rotary::Linear => Distance::Absolute,
     }
+}
+
+/// Both pipes as they are measured before the start, whatever standard they come from, for the set-up sheet.
+fn sizes(branch: Pipe, header: Pipe) -> Vec<(&'static str, Shown)> {
+    let of = |[D, t]: [&'static str; 2], pipe: Pipe| [(D, Shown::Length(pipe.D)), (t, Shown::Length(pipe.t))];
+    [of(["D_branch", "t_branch"], branch), of(["D_header", "t_header"], header)].into_iter().flatten().collect()
 }
 
 /// What the program of a pipe comes to.

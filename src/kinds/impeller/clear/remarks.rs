@@ -1,6 +1,7 @@
 //! What there is to say of a clear cut: refusals, and remarks for a person.
 
 use crate::finding::{Finding, Key, Place, Raise, Said, Size};
+use crate::kind::Shown;
 use crate::kinds::impeller::clear::asked::{Asked, rounding};
 use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
@@ -170,13 +171,35 @@ const fn of(plan: &Plan, which: Which) -> &ToolTold {
 }
 
 /// A length that is enough: rounded up to a tenth.
+fn tenths(stick_out: f64) -> f64 {
+    (stick_out * 10.0).ceil() / 10.0
+}
+
 fn enough(stick_out: f64) -> Size {
-    Size { decimals: 1, ..Size::mm((stick_out * 10.0).ceil() / 10.0) }
+    Size { decimals: 1, ..Size::mm(tenths(stick_out)) }
+}
+
+/// The stick-outs that are enough for any holder, of the tools whose holder the form does not give; for the set-up sheet.
+pub(in crate::kinds::impeller) fn enough_stick_outs(asked: &Asked, plan: &Plan) -> Vec<(&'static str, Shown)> {
+    let open = |which: Which| asked.cut.stage(which).is_none() && plan.of(which).next().is_some();
+    let two = asked.given.0.is_some();
+    let of = |which: Which| tenths(of(plan, which).stick_out);
+    let told = match (open(Which::Rough), open(Which::Finish)) {
+        (true, true) if !two => [Some(of(Which::Rough).max(of(Which::Finish))), None],
+        (rough, finish) => [rough.then(|| of(Which::Rough)), finish.then(|| of(Which::Finish))],
+    };
+    let shown = |(key, length): (&'static str, Option<f64>)| length.map(|length| (key, Shown::Length(length)));
+    ["l_t", "l_f"].into_iter().zip(told).filter_map(shown).collect()
 }
 
 /// A length that is not more, in mm: rounded up to a hundredth.
 fn at_most(value: f64) -> Size {
     Size { decimals: 2, ..Size::mm((value * 100.0).ceil() / 100.0) }
+}
+
+/// The same, rounded up to a thousandth.
+fn finely(value: f64) -> Size {
+    Size::mm((value * 1000.0).ceil() / 1000.0)
 }
 
 /// What a person should know of a plan.
@@ -203,9 +226,11 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     }
     let share = |v: f64, digits| Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), digits);
     let root = &told.root;
-    let (over, height, width) = (at_most(root.over), at_most(root.height), at_most(root.width));
+    let (over, height, width) = (finely(root.over), at_most(root.height), at_most(root.width));
     let (here, there) = (share(root.v, 0), share(root.width_v, 0));
-    findings.push(RestAtTheRoot { over, height, here, width, there }.at(at([fields::D_F.key()])));
+    if root.height > 0.0 || root.width > 0.0 {
+        findings.push(RestAtTheRoot { over, height, here, width, there }.at(at([fields::D_F.key()])));
+    }
     if asked.cut.finish.r_c > 0.0 && root.height >= job.part.a_p {
         findings.push(FacesUnfinished { share: share(root.v, 0) }.at(at([
             fields::CORNER.key(),
@@ -240,13 +265,13 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
         let from = Size::number((told.rough_from * 1000.0).ceil() / 10.0, 1);
         findings.push(FinishingToolRoughs { from }.at(at([fields::PARTLY.key(), form::D_T.key()])));
     }
-    let (most, beside, here) = (at_most(told.floor.most), at_most(told.floor.beside), share(told.floor.v, 0));
+    let (most, beside, here) = (finely(told.floor.most), at_most(told.floor.beside), share(told.floor.v, 0));
     let floor = at([fields::SCALLOP.key(), fields::D_F.key()]);
-    findings.push(if told.floor.most <= asked.cut.scallop + asked.tolerance {
-        RidgesOfTheFloor { most, beside, share: here }.at(floor)
-    } else {
-        FloorAboveRidges { most, wanted: Size::mm(asked.cut.scallop), beside, share: here }.at(floor)
-    });
+    if told.floor.most > asked.cut.scallop + asked.tolerance {
+        findings.push(FloorAboveRidges { most, wanted: Size::mm(asked.cut.scallop), beside, share: here }.at(floor));
+    } else if told.floor.most > 0.0 {
+        findings.push(RidgesOfTheFloor { most, beside, share: here }.at(floor));
+    }
     // What a splitter stands in the way of is cut by the passes round it, what the roughing tool leaves beside it by the other.
     let rest = plan.passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. }));
     let cut = |one: &Dropped| rest && one.tool == Which::Rough;

@@ -29,7 +29,7 @@ use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
-use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Wants, out_of_format};
+use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Shown, Wants, out_of_format};
 use crate::kinds::pipe::form::{D_HEADER, DIALECT};
 use crate::kinds::pipe::hole::bounds::too_high;
 use crate::kinds::pipe::hole::cut::{Cut, TooHigh, cut};
@@ -44,7 +44,7 @@ use crate::kinds::pipe::hole::rules::{
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
 use crate::kinds::pipe::rules::NoLeadIn;
-use crate::kinds::pipe::{self, account, scene};
+use crate::kinds::pipe::{self, account, scene, sizes};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
@@ -170,6 +170,10 @@ impl Method for Hole {
         Some(scene::hole(design))
     }
 
+    fn setup(design: &Design, _: &Model) -> Vec<(&'static str, Shown)> {
+        sizes(design.branch, design.header).into_iter().chain([("kerf", Shown::Length(design.kerf))]).collect()
+    }
+
     fn charts(_: &Design, _: &Model) -> Vec<Chart> {
         let series = |name, y| Series { name, x: ("height", "α"), y: ("height", y) };
         vec![
@@ -268,7 +272,7 @@ fn quantities(
         .by("derived_h_s", "(torch_body_radius-nozzle_r_g)/TAN(RADIANS(taper_Psi))"),
         quantity(
             "sigma_0",
-            t("Ángulo desde el que manda la punta", "Angle below which the tip sets the height"),
+            t("Ángulo por debajo del cual manda la punta", "Angle below which the tip sets the height"),
             torch.switch_angle().to_degrees(),
             Unit::Degree,
             t("asen(g0/√(d0² + r_g²)) + atan(r_g/d0)", "asin(g0/√(d0² + r_g²)) + atan(r_g/d0)"),

@@ -295,6 +295,9 @@ pub fn template(design: &Design) -> Figure {
 }
 
 fn deviation_figure(deviation: &[[f64; 2]]) -> Figure {
+    // Along a long move the nearest place of the curve may go back a little: drawn as it comes the line would, too.
+    let mut along: Vec<[f64; 2]> = deviation.iter().map(|&[phi, off]| [phi, off * 1000.0]).collect();
+    along.sort_by(|one, other| one[0].total_cmp(&other[0]));
     Figure {
         key: "deviation",
         height: Figure::HEIGHT,
@@ -303,7 +306,7 @@ fn deviation_figure(deviation: &[[f64; 2]]) -> Figure {
             "Deviation of the path as read back from the exact curve, positive into the waste",
         ),
         axes: Some(Axes { x: t("φ (°)", "φ (°)"), y: t("desviación (µm)", "deviation (µm)") }),
-        strokes: vec![Stroke::line(Ink::Blade, deviation.iter().map(|&[phi, off]| [phi, off * 1000.0]).collect())],
+        strokes: vec![Stroke::line(Ink::Blade, along)],
         labels: Vec::new(),
         legend: Vec::new(),
     }

@@ -41,7 +41,7 @@ use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
-use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Wants, out_of_format};
+use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Shown, Wants, out_of_format};
 use crate::kinds;
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, THETA, TORCH_ON};
 use crate::kinds::pipe::insert::bounds::{Rest, Worst};
@@ -57,7 +57,7 @@ use crate::kinds::pipe::insert::rules::{
 };
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
 use crate::kinds::pipe::rules::NoLeadIn;
-use crate::kinds::pipe::{self, account, scene};
+use crate::kinds::pipe::{self, account, scene, sizes};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::number::shown;
@@ -201,6 +201,10 @@ impl Method for Insert {
 
     fn part(design: &Design, _: &Model) -> Option<Part> {
         Some(scene::insert(design))
+    }
+
+    fn setup(design: &Design, _: &Model) -> Vec<(&'static str, Shown)> {
+        sizes(design.branch, design.header)
     }
 
     fn charts(_: &Design, _: &Model) -> Vec<Chart> {
