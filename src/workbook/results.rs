@@ -123,7 +123,7 @@ fn write_for<W: Write + Seek + Send>(
 }
 
 static AGAIN: Text = t(
-    "Este libro es a su vez una entrada válida: cambie los valores en la hoja siguiente y vuelva a calcular.",
+    "Este libro es a su vez una entrada válida: cambie los valores en la hoja siguiente y vuelva a generar.",
     "This workbook is itself a valid input: change the values on the next sheet and build again.",
 );
 static AGAIN_INTO: Text = t(

@@ -107,7 +107,7 @@ impl SweepBook<'_> {
 
     /// What is told of what an input does to an objective.
     fn what(&self) -> Vec<Text> {
-        let mut headings = vec![t("por unidad", "per unit"), t("en desde", "at from"), t("en hasta", "at to")];
+        let mut headings = vec![t("por unidad", "per unit"), t("(desde)", "(from)"), t("(hasta)", "(to)")];
         if self.results.shared() {
             headings.push(t("parte", "share"));
         } else if self.results.indexed() {

@@ -113,9 +113,10 @@ pub struct SweepSheet {
 /// One refusal with everything that is wrong with its cells.
 pub fn read(bytes: &[u8], form: &'static Form, language: Language) -> Result<Option<SweepSheet>, Refusal> {
     let (Some(described), Some(list)) = (FORM.sheets.first(), FORM.lists.first()) else { return Ok(None) };
-    let mut book = Book::open(gate(bytes)?)?;
+    let gated = gate(bytes)?;
     let mut findings = Vec::new();
-    let Some(entry) = find(&book.gated.sheets, &described.name, language, &mut findings)? else { return Ok(None) };
+    let Some(entry) = find(&gated.sheets, &described.name, language, &mut findings)? else { return Ok(None) };
+    let mut book = Book::open(gated)?;
     let sheet = book.read(&entry, list_rows::COLUMNS)?;
     if sheet.survey.unsound {
         return Err(refusal(sheet.survey.exit(), sheet.survey.findings));

@@ -27,8 +27,8 @@ pub(super) const MEASURES: &[Measure] = &[
         MM,
         From::Least(&["blades", "splitters", "faces"]),
         t(
-            "Holgura a los demás álabes, como mínimo; negativa: la herramienta corta",
-            "Clearance to other blades, at least; negative: the tool cuts into them",
+            "Holgura a álabes e intermedios, también a las caras del propio, como mínimo; negativa: la herramienta entra",
+            "Clearance to blades and splitters, own faces included, at least; negative: the tool enters them",
         ),
     ),
     Measure::of_programs(

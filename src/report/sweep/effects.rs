@@ -63,7 +63,7 @@ impl Setter<'_> {
         let named = |name: Text| Text::new(format!("{key} {}", name.es), format!("{key} {}", name.en));
         let unit = measure.unit.label();
         let around =
-            [t("por unidad", "per unit"), t("en desde", "at from"), t("en hasta", "at to")].map(|name| (name, unit));
+            [t("por unidad", "per unit"), t("(desde)", "(from)"), t("(hasta)", "(to)")].map(|name| (name, unit));
         let (triples, indexed) = (self.results.triples.is_some(), self.results.indexed());
         let over: Vec<(Text, &str)> = match (triples, indexed) {
             (false, _) => vec![(t("parte", "share"), "%")],

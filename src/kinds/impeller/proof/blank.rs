@@ -155,7 +155,7 @@ impl<'a> Terms<'a> {
     fn speed_limit(&self, program: &Program) -> Check {
         let name = t("Límite de giro a velocidad constante", "Speed limit under constant surface speed");
         let rpm = |speed: Option<f64>| {
-            speed.map_or_else(|| t("ninguno", "none"), |speed| Text::same(format!("{} rpm", shown(speed, 0))))
+            speed.map_or_else(|| t("sin límite", "no limit"), |speed| Text::same(format!("{} rpm", shown(speed, 0))))
         };
         let (at, found) = self.limit.map_or((None, None), |(at, found)| (Some(at), found));
         let wanted = self.wanted_limit();
