@@ -20,7 +20,7 @@
 //! # Units
 //! Millimetres and radians.
 
-use crate::finding::{Raise, Size};
+use crate::finding::{Raise, Said, Size};
 use crate::gcode::program::Program;
 use crate::kinds::pipe::form::E;
 use crate::kinds::pipe::hole::parameters::GAMMA;
@@ -28,11 +28,10 @@ use crate::kinds::pipe::hole::proof::rules::BeamsCross;
 use crate::kinds::pipe::hole::station::Groove;
 use crate::number::interval::Interval;
 use crate::number::jet::{Jet, dot};
-use crate::number::shown;
 use crate::number::trig::asin;
-use crate::proof::check::{At, Check, Question, mm};
+use crate::proof::check::{At, Check, Question};
 use crate::proof::enclosed::Enclosed;
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 
 /// Looks that may be taken beyond the first of each motion.
 const WORK: u32 = 100_000;
@@ -90,24 +89,24 @@ impl Crossing {
         let name = t("Cruce de chorros vecinos, desde la raíz", "Crossing of neighbouring beams, from the root");
         let most = self.found.at_most(0);
         let [alpha, lambda, _] = self.nearest;
+        let [height, length] = told(lambda, most).map(Size::mm);
         let value = if most <= 1e-3 {
             t("no se cruzan", "they do not cross")
         } else {
-            // Rounded down: they may cross no nearer.
-            Text::same(format!("≥ {} mm", shown((lambda / most * 1e2).floor() / 1e2, 2)))
+            Text::same(format!("≥ {}", height.said(Language::En)))
         };
-        let asked = Question::new("crossing", name, program).showing(value, Text::same(mm(lambda)));
+        let limit = Text::same(length.said(Language::En).into_owned());
+        let asked = Question::new("crossing", name, program).showing(value, limit);
         let asked = self.found.put(asked.of_parameters([GAMMA.key(), E.key()]), 0).measuring(most);
-        let size = |value: f64| Size { value, unit: "mm", decimals: 2 };
-        asked.holds(most < 1.0, |place| {
-            BeamsCross {
-                alpha: Size { value: alpha.to_degrees(), unit: "°", decimals: 0 },
-                height: size(lambda / most),
-                length: size(lambda),
-            }
-            .at(place)
-        })
+        let alpha = Size { value: alpha.to_degrees(), unit: "°", decimals: 0 };
+        asked.holds(most < 1.0, |place| BeamsCross { alpha, height, length }.at(place))
     }
+}
+
+/// The height at which lines λ long cross and λ itself, as they are told, mm: no nearer than the height, which is rounded down,
+/// and no shorter than the length, which is rounded up.
+fn told(lambda: f64, k: f64) -> [f64; 2] {
+    [(lambda / k * 1e3).floor() / 1e3, (lambda * 1e3).ceil() / 1e3]
 }
 
 /// k, the angle by which the face opens, and λ, none of them less than anywhere between two angles.
@@ -144,8 +143,11 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::gcode::control::LINUXCNC;
+    use crate::gcode::word::NumberFormat;
     use crate::geometry::pipe_pair::PipePair;
     use crate::kinds::pipe::hole::height::Torch;
+    use crate::machine::axis::Position;
 
     fn groove(pair: PipePair, R_o: f64, gamma: f64) -> Groove {
         Groove { pair, R_o, gamma, beside: 0.8, torch: Torch { r_g: 6.0, R_g: 15.0, Psi: 0.5, d0: 4.0, g0: 2.0 } }
@@ -196,5 +198,31 @@ mod tests {
         assert!((alpha.to_degrees() - 270.0).abs() < 0.5 && (lambda - 17.128).abs() < 0.01, "{alpha} {lambda}");
         assert!((k - 2.991).abs() < 2e-3 && crossing.found.at_most(0) - k <= 2e-3, "{k}");
         assert!(crossing.opening() == 0.0);
+    }
+    /// A height that is nearer to the hundredth above than to the one below.
+    #[test]
+    fn the_height_of_a_crossing_is_told_once_and_no_higher_than_it_may_be() {
+        let program = Program {
+            key: "hole",
+            title: Text::same(""),
+            control: &LINUXCNC,
+            format: NumberFormat::Fixed,
+            block_step: None,
+            start: Position::default(),
+            parts: Vec::new(),
+        };
+        let mut crossing = Crossing::new(groove(PipePair::new(12.65, 101.37, 90.0, -79.7), 109.55, 0.0), 0.02);
+        crossing.take(At::line(1), [0.0, TAU]);
+        crossing.nearest = [1.0, 10.000_4, 1.0];
+        let check = crossing.check(&program);
+        let ratio = 10.000_4 / crossing.found.at_most(0);
+        let height = check.value().en.trim_start_matches("≥ ").trim_end_matches(" mm").to_owned();
+        let value: f64 = height.parse().expect("a number");
+        assert!(value <= ratio && ratio - value < 1e-3, "{height} {ratio}");
+        assert_eq!(check.limit().en, "10.001 mm");
+        let said = check.finding().expect("they cross").what.en.to_string();
+        assert!(said.contains(&format!("cross {height} mm from")) && said.contains("measures 10.001 mm"), "{said}");
+        // 25.9367 beside 30.0001, as it was told: 25.94 and ≥ 25.93.
+        assert_eq!(told(30.000_1, 30.000_1 / 25.936_7), [25.936, 30.001]);
     }
 }
