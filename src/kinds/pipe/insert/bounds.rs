@@ -29,7 +29,7 @@ impl Outline {
     }
 
     /// The angles of a turn between which the curve has no corner, and within them the first looks.
-    fn pieces(&self) -> Vec<Vec<f64>> {
+    pub(super) fn pieces(&self) -> Vec<Vec<f64>> {
         Self::pieces_between(self.corners())
     }
 

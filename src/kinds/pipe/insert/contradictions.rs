@@ -3,7 +3,6 @@
 use crate::finding::{Finding, Raise, Size};
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::program::Style;
-use crate::geometry::pipe_pair::Side;
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, END_CODES, TORCH_OFF, TORCH_ON};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::parameters::{CONTACT, EXPERT_BRANCH_R, F, KERF, LEAD_IN, MODE, OVERCUT, R, STYLE};
@@ -15,18 +14,14 @@ use crate::kinds::pipe::size::solid;
 use crate::kinds::rules::{AnnexCarriesNoFeed, FullStyleNeeds};
 use crate::parameter::at;
 
-/// Steps along a lead-in in which it is looked at, mm, and places beside each.
-const STEP: f64 = 0.1;
-const BESIDE: i32 = 4;
-
 impl Design {
     /// What stands against lead-in and overcut on a turning pipe.
     fn way_beside_the_curve(&self) -> Vec<Finding> {
         let mut findings = Vec::new();
-        let most = self.longest_lead_in();
+        let most = self.outline().longest_lead_in(self.lead_in);
         if most < self.lead_in {
-            let most = Size::mm((most * 10.0).floor() / 10.0);
-            findings.push(LeadInCutsPart { lead: Size::mm(self.lead_in), most }.at(at([LEAD_IN.key()])));
+            let (lead, most) = (Size::mm(self.lead_in), Size::mm(most));
+            findings.push(LeadInCutsPart { lead, most }.at(at([LEAD_IN.key()])));
         }
         let round = self.outline().round();
         if self.overcut > round {
@@ -34,27 +29,6 @@ impl Design {
             findings.push(told.at(at([OVERCUT.key()])));
         }
         findings
-    }
-
-    /// How long the lead-in may be without the torch touching what stays: up to there the curve is nowhere nearer than half
-    /// the kerf. It leaves the curve square, so that what its first part comes near to is the place where the cut begins.
-    fn longest_lead_in(&self) -> f64 {
-        let outline = self.outline();
-        let (first, across) = (outline.torch(0.0, Side::After), outline.across(0.0, Side::After));
-        let clear = |way: f64| {
-            let point = first + across * way;
-            (-BESIDE..=BESIDE).all(|place| {
-                let x = point.x + outline.beside * f64::from(place) / f64::from(BESIDE);
-                let curve = outline.curve(x / outline.radius);
-                let up = point.y - curve.y;
-                up > 0.0 && up * up + (point.x - x) * (point.x - x) >= outline.beside * outline.beside
-            })
-        };
-        let mut way = STEP;
-        while way <= self.lead_in && clear(way) {
-            way += STEP;
-        }
-        if way > self.lead_in && clear(self.lead_in) { self.lead_in } else { way - STEP }
     }
 
     /// What is valid alone but not together. All findings are stops.

@@ -22,6 +22,7 @@ pub mod cut;
 pub mod design;
 pub mod figures;
 mod form_sketch;
+mod lead_in;
 mod live_form;
 mod measures;
 pub mod outline;
