@@ -111,11 +111,12 @@ fn number_or_none(cell: &Data) -> Option<f64> {
 /// which `rodete check` rejects it.
 type Broken = (&'static str, &'static str, &'static [(&'static str, &'static str)], [&'static str; 2], &'static str);
 
-const BROKEN: [Broken; 20] = [
+const BROKEN: [Broken; 21] = [
     ("impeller", "", &[("thickness_e", "11")], ["narrower than the tool", "más estrecha que la herramienta"], "P1206"),
     ("impeller", "tfg-2021", &[("torus_R", "x")], ["no numbers: 1", "no son números: 1"], "W0"),
     ("pipe-hole", "", &[("groove_gamma", ""), ("height_d0", "x")], ["no numbers: 2", "no son números: 2"], "W0"),
     ("lathe", "shaft", &[("stock_D", "")], ["no numbers: 1", "no son números: 1"], "W0"),
+    ("lathe", "shaft", &[("stock_D", "x"), ("held_L4", "x")], ["no numbers: 2", "no son números: 2"], "W0"),
     ("pipe-insert", "square", &[("branch_schedule", "")], ["missing", "falta"], "P2003"),
     (
         "pipe-insert",

@@ -223,9 +223,10 @@ fn view() -> LiveView {
             lines.iter().zip(letters).map(|(line, letter)| format!("${0}$1:${0}${1}", letter[axis], line[axis].len()));
         ranges.collect::<Vec<_>>().join(",")
     };
+    // Without sound inputs there is nothing to compute with.
     let single: Vec<Formula> = vec![
-        format!("IF({referred},reference_R_X/2,{free_x})").into(),
-        format!("IF({referred},reference_R_Z,{free_z})").into(),
+        format!("IF(live_ok,IF({referred},reference_R_X/2,{free_x}),0)").into(),
+        format!("IF(live_ok,IF({referred},reference_R_Z,{free_z}),0)").into(),
         "IF(OR(turret=\"rear\",turret=\"trasera\"),1,-1)".into(),
         format!("MIN({})", all(0)).into(),
         format!("MAX({})", all(0)).into(),
@@ -235,7 +236,7 @@ fn view() -> LiveView {
         format!("IF($G$5>$G$4,1/MAX(($G$5-$G$4)/2,($G$7-$G$6)/2/{HEIGHT}),0)").into(),
         "COUNT([tools.T])".into(),
         format!(
-            "OR(tailstock=\"yes\",tailstock=\"sí\",AND(NOT(tailstock=\"no\"),stock_L-held_L4>{}*stock_D))",
+            "IF(live_ok,OR(tailstock=\"yes\",tailstock=\"sí\",AND(NOT(tailstock=\"no\"),stock_L-held_L4>{}*stock_D)),FALSE)",
             tailstock.beyond
         )
         .into(),
