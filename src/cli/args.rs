@@ -8,6 +8,7 @@ use clap::error::Error;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::aot::Shell;
 
+use super::locale::language;
 use super::stock::Stock;
 use super::sweep::args::Sweep;
 use super::verdict::{ENDS, code, meaning};
@@ -524,11 +525,6 @@ fn hole_plane() -> impl TypedValueParser<Value = HolePlane> {
 fn rotary() -> impl TypedValueParser<Value = Rotary> {
     PossibleValuesParser::new([Rotary::Linear, Rotary::Rollover].map(Rotary::name))
         .map(|rule| if rule == Rotary::Rollover.name() { Rotary::Rollover } else { Rotary::Linear })
-}
-
-pub(super) fn language() -> impl TypedValueParser<Value = Language> {
-    PossibleValuesParser::new(Language::ALL.map(Language::code))
-        .map(|code| if code == Language::Es.code() { Language::Es } else { Language::En })
 }
 
 #[cfg(test)]

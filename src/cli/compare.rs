@@ -18,7 +18,8 @@ use super::new::workbook_name;
 use super::rules::*;
 use super::terminal::Terminal;
 use super::verdict::{code, gravest, status};
-use super::{build, finding, interrupt, json, plan, reading, refused, show};
+use super::{build, finding, interrupt, json, plan, reading, refused};
+use crate::escape::printable_path;
 use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::kind::comparison::sheets::Sheet;
 use crate::kind::comparison::{Comparison, Found, Input, ProgramPair, Shown};
@@ -46,7 +47,7 @@ pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Termi
             exit = gravest(exit, side.ending.exit);
         }
         if side.values.is_none() {
-            finding::faults(&side.ending.findings, &show::path(&side.ending.workbook), language, terminal);
+            finding::faults(&side.ending.findings, &printable_path(&side.ending.workbook), language, terminal);
         }
     }
     let pair = match compared(&sides) {
@@ -102,7 +103,7 @@ fn compared(sides: &[Made; 2]) -> Result<Option<Comparison<'_>>, Refusal> {
     let [one, other] = sides;
     let (Some(form), Some(another)) = (one.form, other.form) else { return Ok(None) };
     if form.kind != another.kind {
-        let [one, other] = [one, other].map(|side| show::path(&side.ending.workbook));
+        let [one, other] = [one, other].map(|side| printable_path(&side.ending.workbook));
         let (kind, other_kind) = (form.kind, another.kind);
         return Err(OtherKind { one, kind, other, other_kind }.refused(Exit::Refused, Place::File));
     }
@@ -126,7 +127,7 @@ fn write(
     let folder = Folder::open(plan::beside(file))?;
     let inputs: Vec<&Path> = sides.iter().map(|side| side.ending.workbook.as_path()).collect();
     let mut set = Set::new(&folder, &inputs, Existing::Replace);
-    let names = sides.each_ref().map(|side| show::path(&side.ending.workbook));
+    let names = sides.each_ref().map(|side| printable_path(&side.ending.workbook));
     if pdf {
         let named = [0, 1].map(|at| Named {
             name: &names[at],
@@ -146,7 +147,7 @@ fn write(
         set.write(name, |out| comparison_book::write(comparison, names, language, out))?;
     }
     set.commit()?;
-    Ok(show::path(file))
+    Ok(printable_path(file))
 }
 
 /// True where a workbook is rejected: then it has no programs.
@@ -158,7 +159,7 @@ fn print(sides: &[Made; 2], comparison: &Comparison<'_>, language: Language, ter
     let bold = Style::new().bold();
     let mut text = String::new();
     for (side, letter) in sides.iter().zip(["A", "B"]) {
-        let path = show::path(&side.ending.workbook);
+        let path = printable_path(&side.ending.workbook);
         let schema = side.ending.schema.unwrap_or_default();
         let end = if rejected(side) { t(", rechazado", ", rejected").get(language).to_owned() } else { String::new() };
         text.push_str(&format!("{bold}{letter}{bold:#}  {path}  {schema}{end}\n"));

@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
 
+use super::drawings;
 use super::plan::Item;
 use super::rules::LeftFromEarlier;
 use super::verdict::Ending;
-use super::{drawings, show};
-use crate::escape::printable;
+use crate::escape::{printable, printable_path};
 use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::gcode::program::Program;
 use crate::kind::{Kind, Outcome};
@@ -175,6 +175,6 @@ pub(super) fn leftovers(item: &Item, kinds: &[&dyn Kind], verdict: &Ending) -> V
         .filter(|name| !verdict.files.iter().any(|file| file.name == *name))
         .map(|name| item.folder.join(name))
         .filter(|path| path.symlink_metadata().is_ok())
-        .map(|path| LeftFromEarlier { path: show::path(&path) }.at(Place::File))
+        .map(|path| LeftFromEarlier { path: printable_path(&path) }.at(Place::File))
         .collect()
 }

@@ -4,8 +4,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 use super::plan::Item;
-use super::show;
-use crate::escape::printable;
+use crate::escape::{printable, printable_path};
 use crate::finding::rules::NotComposed;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::graft::rules::CopyThere;
@@ -59,7 +58,7 @@ impl<'a> Into<'a> {
                 present.forms.insert(index, cell.sheet.clone());
             }
         }
-        present.folder = show::path(&item.folder);
+        present.folder = printable_path(&item.folder);
         present.written = filled.written.clone();
         let inputs = filled.form.parameters().filter_map(|(_, one)| {
             let cell = cell_of(one.key)?;
@@ -98,7 +97,7 @@ impl<'a> Into<'a> {
 /// The note on a copy that is there before any was kept, and that is no earlier one of this workbook.
 pub(super) fn copy_there(host: &Host<'_>, workbook: &Path) -> Option<Finding> {
     let copy = store::copy_of(workbook).filter(|_| host.first())?;
-    let told = CopyThere { path: show::path(&copy) }.at(Place::File);
+    let told = CopyThere { path: printable_path(&copy) }.at(Place::File);
     (!is_earlier(&copy, &host.present().taken)).then_some(told)
 }
 
@@ -119,7 +118,7 @@ pub(super) fn composed(
     let mut out = Cursor::new(Vec::new());
     let sheets = write(&mut out).map_err(|error| {
         let reason = printable(&error.to_string());
-        NotComposed { path: show::path(path), reason }.refused(Exit::Fault, Place::File)
+        NotComposed { path: printable_path(path), reason }.refused(Exit::Fault, Place::File)
     })?;
     Ok((out.into_inner(), sheets))
 }

@@ -2,7 +2,15 @@
 
 use std::env;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
 use crate::text::Language;
+
+/// Reads a language that the command line asks for, by its code.
+pub(super) fn language() -> impl TypedValueParser<Value = Language> {
+    PossibleValuesParser::new(Language::ALL.map(Language::code))
+        .map(|code| if code == Language::Es.code() { Language::Es } else { Language::En })
+}
 
 /// The language that was asked for, else that of the workbook, else that of the locale.
 #[expect(clippy::disallowed_methods, reason = "the door to the environment: the language that is spoken")]

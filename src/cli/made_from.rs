@@ -4,8 +4,7 @@ use std::path::Path;
 
 use super::plan::beside;
 use super::rules::*;
-use super::show;
-use crate::escape::printable;
+use crate::escape::{printable, printable_path};
 use crate::finding::{Finding, Place, Raise};
 use crate::gcode::header::Named;
 use crate::graft;
@@ -49,6 +48,6 @@ pub(super) fn compared(program: &Path, head: &[u8]) -> Option<Finding> {
     }
     Some(match changed {
         Some(workbook) => WorkbookChanged { workbook }.at(Place::File),
-        None => WorkbookNotThere { workbook: show::path(Path::new(named.name())) }.at(Place::File),
+        None => WorkbookNotThere { workbook: printable_path(Path::new(named.name())) }.at(Place::File),
     })
 }

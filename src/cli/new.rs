@@ -7,7 +7,8 @@ use super::args::New;
 use super::locale::spoken;
 use super::rules::*;
 use super::terminal::Terminal;
-use super::{fault, finding, into, refused, show};
+use super::{fault, finding, into, refused};
+use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::graft::rules::FormThere;
 use crate::graft::{Donor, Host};
@@ -26,7 +27,7 @@ pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal)
         Ok((written, told)) => {
             finding::general(&told, language, terminal);
             for file in written {
-                let path = show::path(&file.path);
+                let path = printable_path(&file.path);
                 let word = if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.clone() };
                 let (command, end) = match (arguments.sweep, &arguments.into) {
                     (true, _) => ("sweep", ""),
@@ -135,7 +136,7 @@ fn case<'a>(cases: &'a [Case], name: Option<&str>) -> Option<&'a Case> {
 pub(super) fn workbook_name(file: &Path) -> Result<&OsStr, Refusal> {
     match (file.file_name(), file.extension()) {
         (Some(name), Some(extension)) if extension.eq_ignore_ascii_case("xlsx") => Ok(name),
-        _ => Err(NotAWorkbookName { path: show::path(file) }.refused(Exit::CommandLine, Place::File)),
+        _ => Err(NotAWorkbookName { path: printable_path(file) }.refused(Exit::CommandLine, Place::File)),
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::args::Offsets;
 use super::locale::spoken;
-use super::offsets_view::{self, View};
+use super::offsets_view::{self, View, Way};
 use super::rules::*;
 use super::terminal::Terminal;
 use super::verdict::{Ending, gravest};
@@ -22,15 +22,6 @@ use crate::store::{self, Existing, Folder, Set};
 use crate::workbook::offsets_sheet;
 use crate::workbook::offsets_table::OffsetsTable;
 use crate::workbook::{self, Input};
-
-/// What became of the workbook that was named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
-    /// It was read into the file.
-    In,
-    /// It was written from the file.
-    Out,
-}
 
 /// Shows, edits or exchanges, and prints what came of it.
 pub(super) fn run(arguments: &Offsets, terminal: &mut Terminal) -> Exit {

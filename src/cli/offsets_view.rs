@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use anstyle::Style;
 use serde::Serialize;
 
-use super::offsets::Way;
 use super::terminal::Terminal;
 use super::verdict::{Ending, code, status};
 use super::{OFFSETS, finding, json, show};
+use crate::escape::printable_path;
 use crate::finding::{Exit, Finding};
 use crate::gcode::offset_preamble::{axes, decimals, value};
 use crate::machine::axis::Axis;
@@ -16,6 +16,15 @@ use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
 use crate::machine::work_offset::{G28_FIRST, G30_FIRST, G92_FIRST, Offsets, System};
 use crate::text::{Language, Text, t};
+
+/// What became of the workbook that was named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// It was read into the file.
+    In,
+    /// It was written from the file.
+    Out,
+}
 
 /// What there is to show.
 #[derive(Debug)]
@@ -36,7 +45,7 @@ const OTHERS: [(&str, u32); 3] = [("G92", G92_FIRST), ("G28", G28_FIRST), ("G30"
 /// Prints the offsets, the blocks, what was found in the file and in the workbook, and what was written. Stops and
 /// cautions go to standard error, the rest to standard output.
 pub(super) fn show(verdict: &Ending, view: &View, language: Language, terminal: &mut Terminal) {
-    let name = show::path(&verdict.workbook);
+    let name = printable_path(&verdict.workbook);
     let width = terminal.width;
     if let Some(file) = &view.file {
         let bold = Style::new().bold();
@@ -46,7 +55,7 @@ pub(super) fn show(verdict: &Ending, view: &View, language: Language, terminal: 
         terminal.out(&if blocks.is_empty() { blocks } else { format!("{blocks}\n") });
     }
     let mut found = vec![(&name, &verdict.findings)];
-    let workbook = view.sheet.as_ref().map(|(_, sheet)| show::path(&sheet.workbook));
+    let workbook = view.sheet.as_ref().map(|(_, sheet)| printable_path(&sheet.workbook));
     if let (Some(workbook), Some((_, sheet))) = (&workbook, &view.sheet) {
         found.push((workbook, &sheet.findings));
     }

@@ -6,9 +6,8 @@ use opener::OpenError;
 
 use super::delivery::REPORT;
 use super::rules::NotOpened;
-use super::show;
 use super::verdict::Ending;
-use crate::escape::printable;
+use crate::escape::{printable, printable_path};
 use crate::finding::answer::{answer, quoted};
 use crate::finding::{Finding, Place, Raise};
 
@@ -28,5 +27,5 @@ pub(super) fn open(path: &Path) -> Option<Finding> {
         OpenError::Io(error) => answer(error),
         error => quoted(printable(&error.to_string())),
     };
-    Some(NotOpened { path: show::path(path), reason: told(&error) }.at(Place::File))
+    Some(NotOpened { path: printable_path(path), reason: told(&error) }.at(Place::File))
 }

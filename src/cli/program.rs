@@ -9,8 +9,8 @@ use serde::Serialize;
 
 use super::args::ControlOptions;
 use super::rules::*;
-use super::turning::of_workbook;
 use super::{plan, reading};
+use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
@@ -202,6 +202,21 @@ impl<'a> Shared<'a> {
 fn given(bytes: &[u8]) -> Result<Given, Refusal> {
     let filled = workbook::read(bytes, &[&FORM])?;
     Given::of(&Fields::of(&FORM, filled.values)?).map_err(|findings| Refusal { exit: Exit::Refused, findings })
+}
+
+/// A refusal of the workbook beside the program, whose name its findings say: the place they are printed with is the
+/// program's.
+pub(super) fn of_workbook(refusal: Refusal, tools: Option<&Path>) -> Refusal {
+    let findings = refusal.findings.into_iter().map(|finding| told_of(finding, tools)).collect();
+    Refusal { exit: refusal.exit, findings }
+}
+
+/// The same of one finding, where it is not of a line of the program.
+pub(super) fn told_of(finding: Finding, tools: Option<&Path>) -> Finding {
+    let Some(tools) = tools.filter(|_| !matches!(finding.place, Place::Line { .. } | Place::Subprogram { .. })) else {
+        return finding;
+    };
+    finding.of_file(&printable_path(tools))
 }
 
 /// The note on a dialect that nobody named.

@@ -5,13 +5,14 @@ use std::path::Path;
 
 use super::plan::{self, beside};
 use super::verdict::Ending;
-use super::{fault, stationery, sweep};
+use super::{fault, stationery};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
 use crate::kind::{Kind, Outcome, Provenance, Wants};
 use crate::parameter::field::Fields;
 use crate::store;
-use crate::workbook::{self, Filled};
+use crate::sweep::asked;
+use crate::workbook::{self, Filled, sweep_sheet};
 
 /// Reads a workbook and computes what it asks for; writes nothing. The set that an earlier build of it delivered is seen
 /// to, too.
@@ -21,8 +22,8 @@ pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
         let (bytes, mut filled) = read(workbook, kinds, verdict)?;
         filled.findings.extend(filled.stale.take());
         if let Some(kind) = kinds.iter().find(|kind| kind.form().schema == filled.form.schema) {
-            let variants = sweep::checked(&bytes, &filled, *kind)?;
-            filled.findings.extend(variants);
+            let found = variants(&bytes, &filled, *kind)?;
+            filled.findings.extend(found);
         }
         let verified = mem::take(&mut filled.files);
         let outcome = compute(workbook, filled, kinds, Wants::default(), verdict)?;
@@ -30,6 +31,17 @@ pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
         verdict.findings.extend(stationery::named(workbook, &outcome, &verified));
         Ok(())
     })
+}
+
+/// The findings of a workbook's sheet of variants; none where it has no such sheet.
+///
+/// # Errors
+/// Everything that is wrong with it.
+fn variants(bytes: &[u8], filled: &Filled, kind: &dyn Kind) -> Result<Vec<Finding>, Refusal> {
+    let Some(sheet) = sweep_sheet::read(bytes, filled.form, filled.values.language)? else { return Ok(Vec::new()) };
+    let (_, notes) = asked::plan(kind, &sheet.fields, sheet.designs)
+        .map_err(|findings| Refusal { exit: Exit::Refused, findings })?;
+    Ok(sheet.findings.into_iter().chain(notes).collect())
 }
 
 /// The verdict on one workbook: what `work` puts into it, and how it ended. A panic is a fault of that workbook alone.

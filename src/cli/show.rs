@@ -1,7 +1,5 @@
 //! A verdict as a person reads it.
 
-use std::path::Path;
-
 use anstyle::{AnsiColor, Style};
 
 use super::delivery::{REPORT, RESULTS, SETUP};
@@ -16,7 +14,7 @@ use crate::text::{Language, Text, t};
 /// attention, stops and cautions, goes to standard error, the rest to standard output. `writes`: the command is one that
 /// writes files.
 pub(super) fn verdict(verdict: &Ending, writes: bool, language: Language, terminal: &mut Terminal) {
-    let workbook = path(&verdict.workbook);
+    let workbook = printable_path(&verdict.workbook);
     let width = terminal.width;
     let bold = Style::new().bold();
     if let Some(schema) = verdict.schema {
@@ -38,12 +36,13 @@ pub(super) fn verdict(verdict: &Ending, writes: bool, language: Language, termin
 
 /// The files with size and SHA-256, one a line.
 pub(super) fn files(verdict: &Ending) -> String {
-    let longest = verdict.files.iter().map(|file| textwrap::core::display_width(&path(&file.path))).max().unwrap_or(0);
+    let longest =
+        verdict.files.iter().map(|file| textwrap::core::display_width(&printable_path(&file.path))).max().unwrap_or(0);
     verdict
         .files
         .iter()
         .map(|file| {
-            let name = path(&file.path);
+            let name = printable_path(&file.path);
             let blanks = " ".repeat(longest - textwrap::core::display_width(&name));
             format!("  {name}{blanks}  {:>9}  SHA-256 {}\n", size(file.bytes), short(&file.sha256))
         })
@@ -57,10 +56,12 @@ fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -
         _ => AnsiColor::Red,
     };
     let style = Style::new().bold().fg_color(Some(colour.into()));
-    let folder = verdict.folder.as_deref().map(path).unwrap_or_default();
+    let folder = verdict.folder.as_deref().map(printable_path).unwrap_or_default();
     let count = verdict.files.iter().filter(|file| !verdict.is_beside(&file.path)).count();
     let (es, en) = match verdict.book() {
-        Some(book) => (format!(", resultados en {}", path(book)), format!(", results in {}", path(book))),
+        Some(book) => {
+            (format!(", resultados en {}", printable_path(book)), format!(", results in {}", printable_path(book)))
+        }
         None => Default::default(),
     };
     let report = verdict.files.iter().any(|file| file.name.to_string_lossy().ends_with(REPORT));
@@ -106,13 +107,13 @@ fn in_cells(finding: &Finding) -> bool {
 fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> String {
     let written = |ending: &str| {
         let file = verdict.files.iter().find(|file| file.name.to_string_lossy().ends_with(ending));
-        file.map(|file| path(&file.path))
+        file.map(|file| printable_path(&file.path))
     };
     let cautions = match verdict.count(Grade::Caution) {
         0 => t("", ""),
         _ => t("atienda las precauciones; ", "see to the cautions; "),
     };
-    let results = || written(RESULTS).or_else(|| verdict.book().map(path));
+    let results = || written(RESULTS).or_else(|| verdict.book().map(printable_path));
     let next = match (verdict.exit, written(REPORT).or_else(results)) {
         (Exit::Done | Exit::ReportFailed, Some(file)) => {
             let sheet = written(SETUP);
@@ -139,11 +140,6 @@ fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> S
         _ => return String::new(),
     };
     format!("{}: {}\n", t("después", "next").get(language), next.get(language))
-}
-
-/// A path as it may be shown.
-pub(super) fn path(path: &Path) -> String {
-    printable_path(path)
 }
 
 /// The first characters of a SHA-256.

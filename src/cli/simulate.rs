@@ -12,6 +12,7 @@ use super::terminal::Terminal;
 use super::turning::{Followed, Wanted, follow};
 use super::verdict::{Ending, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
+use crate::escape::printable_path;
 use crate::finding::{Exit, Place, Refusal};
 use crate::gcode::control::Control;
 use crate::kind::{Kind, Wants};
@@ -37,12 +38,12 @@ pub(super) fn run(arguments: &Simulate, kinds: &[&dyn Kind], terminal: &mut Term
         terminal.out(&json::laid_out(&document(arguments, &verdict, followed.as_ref())));
         return verdict.exit;
     }
-    let (name, width) = (show::path(&arguments.program), terminal.width);
+    let (name, width) = (printable_path(&arguments.program), terminal.width);
     if let Some(followed) = &followed {
         terminal.out(&format!("{name}: {}, {}\n", followed.dialect.name, followed.stock));
         terminal.out(&quantity::table(&verdict.quantities, language, width));
     }
-    let beside = arguments.tools.as_deref().map(show::path);
+    let beside = arguments.tools.as_deref().map(printable_path);
     let names = finding::Names { input: &name, workbook: beside.as_ref().unwrap_or(&name) };
     finding::faults(&verdict.findings, names, language, terminal);
     finding::notes(&verdict.findings, names, language, terminal);

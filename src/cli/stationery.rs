@@ -7,7 +7,7 @@ use std::io::{self, Read};
 use std::path::{Component, Path};
 
 use super::plan::beside;
-use super::show;
+use crate::escape::printable_path;
 use crate::escape::{excerpt, printable};
 use crate::finding::answer::answer;
 use crate::finding::{Finding, Place, Raise};
@@ -105,7 +105,7 @@ fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Text> {
 pub(super) fn templates(folder: &Path) -> Result<Vec<Template>, Box<Finding>> {
     let mut found = Vec::new();
     let (mut left, mut open) = (BYTES, vec![(folder.to_path_buf(), String::new(), 0)]);
-    let refused = |reason| Box::new(TemplatesNotRead { folder: show::path(folder), reason }.at(Place::File));
+    let refused = |reason| Box::new(TemplatesNotRead { folder: printable_path(folder), reason }.at(Place::File));
     let named = |name: &str, reason: Text| {
         Text::new(format!("{}: {}", printable(name), reason.es), format!("{}: {}", printable(name), reason.en))
     };

@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::program::PACKAGE;
-use super::program::{Beside, told_from};
+use super::program::{Beside, PACKAGE, of_workbook, told_from, told_of};
 use super::rules::*;
 use super::stock::Stock;
 use super::verdict::Ending;
@@ -125,20 +124,6 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Ending, wants: Wants) ->
 /// A workbook in place of a program.
 pub(super) fn is_workbook(path: &Path) -> Refusal {
     WorkbookInPlaceOfProgram { path: printable_path(path) }.refused(Exit::Unreadable, Place::File)
-}
-
-/// A refusal of the workbook beside the program, whose name its findings say: the place they are printed with is the
-/// program's.
-pub(super) fn of_workbook(refusal: Refusal, tools: Option<&Path>) -> Refusal {
-    let findings = refusal.findings.into_iter().map(|finding| told_of(finding, tools)).collect();
-    Refusal { exit: refusal.exit, findings }
-}
-
-fn told_of(finding: Finding, tools: Option<&Path>) -> Finding {
-    let Some(tools) = tools.filter(|_| !matches!(finding.place, Place::Line { .. } | Place::Subprogram { .. })) else {
-        return finding;
-    };
-    finding.of_file(&printable_path(tools))
 }
 
 /// The form to start from: the workbook that was named, or the example machine and turret.

@@ -11,7 +11,7 @@ use super::rules::*;
 use super::terminal::Terminal;
 use super::turning::{Wanted, follow};
 use super::verdict::{Ending, gravest};
-use super::{finding, interrupt, plan, reading, refused, show};
+use super::{finding, interrupt, plan, reading, refused};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::gcode::control::Control;
@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &View, kinds: &[&dyn Kind], terminal: &mut Terminal
     let names = finding::Names { input: &name, workbook: beside.as_ref().unwrap_or(&name) };
     finding::faults(&verdict.findings, names, language, terminal);
     for file in &written {
-        let path = show::path(&file.path);
+        let path = printable_path(&file.path);
         let text = Text::new(
             format!("{path} está listo: ábralo en un navegador\n"),
             format!("{path} is ready: open it in a browser\n"),
@@ -206,6 +206,6 @@ fn of_program(
 fn page_name(file: &Path) -> Result<OsString, Refusal> {
     match (file.file_name(), file.extension()) {
         (Some(name), Some(extension)) if extension.eq_ignore_ascii_case("html") => Ok(name.to_owned()),
-        _ => Err(NotAPageName { path: show::path(file) }.refused(Exit::CommandLine, Place::File)),
+        _ => Err(NotAPageName { path: printable_path(file) }.refused(Exit::CommandLine, Place::File)),
     }
 }

@@ -21,7 +21,8 @@ use super::locale::spoken;
 use super::made::Made;
 use super::plan::{self, Item, beside};
 use super::terminal::Terminal;
-use super::{finding, interrupt, refused, show};
+use super::{finding, interrupt, refused};
+use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Grade};
 use crate::kind::Kind;
 use crate::kind::comparison::{Comparison, Input, Shown};
@@ -137,7 +138,7 @@ pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Termina
 /// What is watched, and what happens now and with every save.
 fn beginning(items: &[Item], arguments: &Watch, language: Language) -> String {
     let line = |item: &Item| {
-        let (workbook, folder) = (show::path(&item.workbook), show::path(&item.folder));
+        let (workbook, folder) = (printable_path(&item.workbook), printable_path(&item.folder));
         let text = Text::new(
             format!("se vigila {workbook}; los resultados van a {folder}\n"),
             format!("watching {workbook}; the results go to {folder}\n"),
@@ -294,7 +295,7 @@ fn report(
     terminal: &mut Terminal,
 ) {
     let ending = &made.ending;
-    let workbook = show::path(&ending.workbook);
+    let workbook = printable_path(&ending.workbook);
     let mut said: Vec<String> = Vec::new();
     said.extend(compared(before[0], made).map(|comparison| inputs(&comparison.inputs, language)));
     if delivered(made) {
@@ -305,7 +306,8 @@ fn report(
     }
     let (colour, end) = match ending.exit {
         Exit::Done | Exit::ReportFailed => {
-            let (count, folder) = (ending.files.len(), ending.folder.as_deref().map(show::path).unwrap_or_default());
+            let (count, folder) =
+                (ending.files.len(), ending.folder.as_deref().map(printable_path).unwrap_or_default());
             let [es, en] = match ending.exit {
                 Exit::ReportFailed => [", sin informe", ", without a report"],
                 _ => ["", ""],

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
-use super::super::args::language;
+use super::super::locale::language;
 use crate::text::Language;
 
 /// Arguments of `sweep`.

@@ -13,8 +13,9 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::super::{fault, show};
+use super::super::fault;
 use super::Study;
+use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::file;
@@ -67,7 +68,7 @@ impl<'a> Rows<'a> {
         let known: Option<Value> =
             fs::read(place.join(PLAN)).ok().map(|bytes| serde_json::from_slice(&bytes).unwrap_or(Value::Null));
         let told: Value = serde_json::from_str(&study.told).unwrap_or(Value::Null);
-        let path = || show::path(place);
+        let path = || printable_path(place);
         let chunks = match known {
             Some(known) => {
                 if known.get("plan") != Some(&told) {
@@ -147,7 +148,7 @@ impl<'a> Rows<'a> {
 
     /// The finding for a chunk that is torn.
     pub(super) fn torn(&self, number: u64) -> Finding {
-        ChunkTorn { path: show::path(&self.path(&self.name(number))) }.at(Place::File)
+        ChunkTorn { path: printable_path(&self.path(&self.name(number))) }.at(Place::File)
     }
 
     /// The rows of a chunk that an interrupted run has saved; none where there are none.

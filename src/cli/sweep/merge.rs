@@ -11,12 +11,12 @@ use super::super::build::{self, Asked, Settings};
 use super::super::interrupt::AtWork;
 use super::super::plan::Item;
 use super::super::terminal::Terminal;
-use super::super::{fault, finding, show, stationery};
+use super::super::{fault, finding, stationery};
 use super::Study;
 use super::args::Sweep;
 use super::folder::Rows;
 use super::work::Workshop;
-use crate::escape::printable;
+use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule};
 use crate::kind::Kind;
 use crate::parameter::Values;
@@ -112,11 +112,11 @@ pub(super) fn merge(
     }
     if ranked.counts.done == 0 {
         let code = ranked.why.first().map_or_else(String::new, |(code, _)| code.clone());
-        let path = show::path(&rows.place().join(&names[0]));
+        let path = printable_path(&rows.place().join(&names[0]));
         return Err(NoneDone { count: plan.count, code, path }.refused(Exit::Refused, Place::File));
     }
     let names: Vec<_> = names.iter().map(|name| printable(&name.to_string_lossy())).collect();
-    let folder = show::path(rows.place());
+    let folder = printable_path(rows.place());
     terminal.out(&format!("{}\n{folder}: summary.parquet, {}\n", results.counted().get(*language), names.join(", ")));
     Ok(if failed.is_some() { Exit::ReportFailed } else { Exit::Done })
 }
@@ -221,8 +221,8 @@ fn build_one(
     let name = store::file_name(&stem, ".xlsx");
     let held: Vec<_> = values.values.iter().map(|(key, value)| (*key, value.clone())).collect();
     let note = Text::new(
-        format!("Diseño {id} de un barrido de {}", show::path(study.workbook)),
-        format!("Design {id} of a sweep of {}", show::path(study.workbook)),
+        format!("Diseño {id} de un barrido de {}", printable_path(study.workbook)),
+        format!("Design {id} of a sweep of {}", printable_path(study.workbook)),
     );
     let mut set = Set::new(folder, &[study.workbook], Existing::Replace);
     set.write(&name, |out| template::write(study.kind, &held, &values.lists, &note, study.language, out))?;

@@ -19,7 +19,7 @@ use super::locale::spoken;
 use super::plan::beside;
 use super::terminal::Terminal;
 use super::{fault, finding, reading, refused};
-use crate::escape::printable;
+use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::kind::Kind;
 use crate::number::duration;
@@ -31,7 +31,7 @@ use crate::sweep::form::NAME;
 use crate::sweep::plan::Plan;
 use crate::sweep::rules::{NoSweepSheet, WrongChunk};
 use crate::text::{Language, Text, t};
-use crate::workbook::{self, sweep_sheet};
+use crate::workbook::sweep_sheet;
 
 /// Designs of a chunk, where nothing else is asked for, and the most chunks.
 const CHUNK: u64 = 1000;
@@ -76,12 +76,12 @@ pub(super) fn run(arguments: &Sweep, kinds: &[&dyn Kind], terminal: &mut Termina
         Ok(study) => study,
         Err((refusal, language)) => {
             let language = spoken(arguments.lang, language);
-            let name = super::show::path(&arguments.workbook);
+            let name = printable_path(&arguments.workbook);
             finding::faults(&refusal.findings, &name, language, terminal);
             return refusal.exit;
         }
     };
-    let name = super::show::path(&arguments.workbook);
+    let name = printable_path(&arguments.workbook);
     finding::faults(&study.notes, &name, study.language, terminal);
     let done = if arguments.dry_run {
         forecast(arguments, &study, terminal)
@@ -132,17 +132,6 @@ fn study<'a>(arguments: &'a Sweep, kinds: &[&'a dyn Kind]) -> Result<Study<'a>, 
         notes: sheet.findings.into_iter().chain(notes).collect(),
         language: arguments.lang.or(language).unwrap_or_default(),
     })
-}
-
-/// The findings of a workbook's sheet of variants, for `check`; none where it has no such sheet.
-///
-/// # Errors
-/// Everything that is wrong with it.
-pub(super) fn checked(bytes: &[u8], filled: &workbook::Filled, kind: &dyn Kind) -> Result<Vec<Finding>, Refusal> {
-    let Some(sheet) = sweep_sheet::read(bytes, filled.form, filled.values.language)? else { return Ok(Vec::new()) };
-    let (_, notes) = asked::plan(kind, &sheet.fields, sheet.designs)
-        .map_err(|findings| Refusal { exit: Exit::Refused, findings })?;
-    Ok(sheet.findings.into_iter().chain(notes).collect())
 }
 
 /// How many designs there are, and how long all would take.
