@@ -295,37 +295,37 @@ fn decimal(mantissa: u64, decimals: usize) -> f64 {
 }
 
 /// The comments of a line, each with its column; refuses what is nested, unclosed or no text.
+#[deny(clippy::wildcard_enum_match_arm)]
 pub(super) fn comments(line: &[u8], form: Comments) -> Result<Vec<(usize, &[u8])>> {
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(next) = line.get(at..).and_then(|rest| memchr::memchr3(b'(', b')', b';', rest)) {
         let start = at + next;
-        match (line[start], form) {
-            (b';', Comments::Parentheses) if reads_as_words(&line[start + 1..]) => {
-                return Err(Refused::of(&BlockAfterEnd {}, &[start]));
-            }
-            (b';', Comments::ParenthesesAndSemicolon | Comments::Semicolon | Comments::Parentheses) => {
-                found.push((start, &line[start + 1..]));
-                break;
-            }
-            (b'(', Comments::Semicolon) => {
-                return Err(Refused::of(&HighLevel {}, &[start]));
-            }
-            (b'(', Comments::ParenthesesAndSemicolon | Comments::Parentheses) => {
-                let Some(length) = memchr::memchr2(b'(', b')', &line[start + 1..]) else {
-                    return Err(Refused::of(&CommentOpen {}, &[start]));
-                };
-                let end = start + 1 + length;
-                if line[end] == b'(' {
-                    return Err(Refused::of(&CommentNested {}, &[start, end]));
+        match line[start] {
+            b';' => match form {
+                Comments::Parentheses if reads_as_words(&line[start + 1..]) => {
+                    return Err(Refused::of(&BlockAfterEnd {}, &[start]));
                 }
-                found.push((start, &line[start + 1..end]));
-                at = end + 1;
-                continue;
-            }
-            _ => {
-                return Err(Refused::of(&CommentNotOpened {}, &[start]));
-            }
+                Comments::ParenthesesAndSemicolon | Comments::Semicolon | Comments::Parentheses => {
+                    found.push((start, &line[start + 1..]));
+                    break;
+                }
+            },
+            b'(' => match form {
+                Comments::Semicolon => return Err(Refused::of(&HighLevel {}, &[start])),
+                Comments::ParenthesesAndSemicolon | Comments::Parentheses => {
+                    let Some(length) = memchr::memchr2(b'(', b')', &line[start + 1..]) else {
+                        return Err(Refused::of(&CommentOpen {}, &[start]));
+                    };
+                    let end = start + 1 + length;
+                    if line[end] == b'(' {
+                        return Err(Refused::of(&CommentNested {}, &[start, end]));
+                    }
+                    found.push((start, &line[start + 1..end]));
+                    at = end + 1;
+                }
+            },
+            _ => return Err(Refused::of(&CommentNotOpened {}, &[start])),
         }
     }
     match found.iter().find_map(|(start, text)| memchr::memchr(0, text).map(|nul| start + 1 + nul)) {
