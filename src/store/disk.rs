@@ -10,7 +10,9 @@ use std::sync::Arc;
 
 use tempfile::{Builder, PathPersistError, TempPath};
 
-use super::draft::{PREFIX, SUFFIX};
+/// How the names of temporary files begin and end.
+pub(super) const PREFIX: &str = ".rodete-";
+pub(super) const SUFFIX: &str = ".tmp";
 
 /// What is about to be done to a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -153,6 +155,11 @@ impl Disk {
             synced => synced,
         }
     }
+}
+
+/// A folder's path as the system wants it.
+pub(super) fn here(path: &Path) -> &Path {
+    if path.as_os_str().is_empty() { Path::new(".") } else { path }
 }
 
 /// How temporary names are made.

@@ -12,10 +12,6 @@ use sha2::{Digest, Sha256};
 
 use super::disk::Disk;
 
-/// How the names of temporary files begin and end.
-pub(super) const PREFIX: &str = ".rodete-";
-pub(super) const SUFFIX: &str = ".tmp";
-
 /// What would have to be removed if the process ended now.
 #[derive(Debug, Default)]
 pub(super) struct Unfinished {

@@ -8,8 +8,8 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::disk::Disk;
-use super::draft::{Draft, PREFIX, SUFFIX, unfinished};
+use super::disk::{Disk, PREFIX, SUFFIX, here};
+use super::draft::{Draft, unfinished};
 use super::lock::Lock;
 use super::notice;
 use super::reason::{refusal, shown, unwritable};
@@ -135,11 +135,6 @@ impl Folder {
             }
         }
     }
-}
-
-/// A folder's path as the system wants it.
-pub(super) fn here(path: &Path) -> &Path {
-    if path.as_os_str().is_empty() { Path::new(".") } else { path }
 }
 
 fn is_ours_and_old(entry: &fs::DirEntry) -> bool {

@@ -6,7 +6,7 @@ use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::folder::here;
+use super::disk::here;
 
 use crate::escape::hidden;
 

@@ -14,12 +14,10 @@ use std::path::{Component, Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::disk::Disk;
-use super::draft::{PREFIX, SUFFIX, sum};
-use super::folder::here;
+use super::disk::{Disk, PREFIX, SUFFIX, here};
+use super::draft::sum;
 use super::lock::Lock;
 use super::reason::{refusal, shown};
-use super::replaced::KEPT;
 use super::rules::*;
 use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::limits::NOTICE_BYTES;
@@ -27,6 +25,9 @@ use crate::text::{Text, t};
 
 /// The notice's name.
 const NAME: &str = ".rodete-delivery.json";
+
+/// What is put behind the name of a workbook that is kept.
+pub(super) const KEPT: &str = ".bak";
 
 /// The way to the folder above.
 pub(super) const ABOVE: &str = "../";

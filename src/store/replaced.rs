@@ -6,17 +6,12 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::draft::{Draft, sha256};
-use super::folder::here;
-use super::notice;
+use super::disk::here;
+use super::notice::{ABOVE, KEPT};
 use super::reason::{refusal, shown, unwritable};
 use super::rules::*;
-use super::set::{Pending, Set, Written};
 use super::target;
 use crate::finding::Refusal;
-
-/// What is put behind the name of a workbook that is kept.
-pub(super) const KEPT: &str = ".bak";
 
 /// A folder beside the one of a set.
 #[derive(Clone, Debug)]
@@ -34,13 +29,13 @@ impl Home {
     }
 
     /// The folder of a file, as it is reached from another.
-    fn of(file: &Path, from: &Path) -> Self {
+    pub(super) fn of(file: &Path, from: &Path) -> Self {
         let path = here(file.parent().unwrap_or(Path::new(""))).to_owned();
         let same = |other: &Path| same_file::is_same_file(&path, other).unwrap_or(false);
         let way = if same(from) {
             Some("")
         } else if same(&from.join("..")) {
-            Some(notice::ABOVE)
+            Some(ABOVE)
         } else {
             None
         };
@@ -54,7 +49,7 @@ impl Home {
 }
 
 /// The workbook with the ending of one that is kept.
-fn kept(workbook: &Path) -> PathBuf {
+pub(super) fn kept(workbook: &Path) -> PathBuf {
     let mut path = OsString::from(workbook);
     path.push(KEPT);
     path.into()
@@ -88,41 +83,4 @@ pub fn replaceable(workbook: &Path, inputs: &[&Path]) -> Result<(), Refusal> {
 #[must_use]
 pub fn copy_of(workbook: &Path) -> Option<PathBuf> {
     Some(kept(workbook)).filter(|kept| kept.is_file())
-}
-
-impl Set<'_> {
-    /// Replaces a workbook that was read, in the folder where it stands; `read` are the bytes that it had then. As it was before it is
-    /// kept once, with `.bak` behind its name. It comes under its name last of all files of the set.
-    ///
-    /// # Errors
-    /// As [`replaceable`]; exit 5 where the system does not take the contents.
-    pub fn replace(&mut self, workbook: &Path, read: &[u8], contents: &[u8]) -> Result<(), Refusal> {
-        let inputs: Vec<&Path> = self.inputs.iter().map(PathBuf::as_path).collect();
-        replaceable(workbook, &inputs)?;
-        let kept = kept(workbook);
-        match fs::symlink_metadata(&kept) {
-            Ok(_) => {}
-            Err(_) => self.beside(&kept, workbook, read, None)?,
-        }
-        self.beside(workbook, workbook, contents, Some(sha256(read)))
-    }
-
-    /// Adds a file in the folder of a workbook, with the workbook's mode.
-    fn beside(&mut self, path: &Path, like: &Path, contents: &[u8], before: Option<String>) -> Result<(), Refusal> {
-        use std::io::Write;
-        let (place, disk) = (self.folder.place(), self.folder.disk());
-        let home = Home::of(path, place);
-        let wrong = |error| unwritable(path, &error);
-        let draft = Draft::new(&home.path, disk).map_err(wrong)?;
-        let mut output = draft.output().map_err(wrong)?;
-        let written = output.write_all(contents);
-        output.finish().map_err(wrong)?;
-        written.map_err(wrong)?;
-        disk.permit(draft.path(), like).map_err(wrong)?;
-        let (bytes, sha256) = draft.sum().map_err(wrong)?;
-        let name = path.file_name().unwrap_or_default().to_owned();
-        let written = Written { name, path: path.to_owned(), bytes, sha256 };
-        self.pending.push(Pending { draft, written, home, before });
-        Ok(())
-    }
 }

@@ -9,12 +9,12 @@ use std::io::{self, ErrorKind};
 use std::path::{Component, Path, PathBuf};
 
 use super::disk::Disk;
-use super::draft::{Draft, Output, Unfinished, unfinished};
+use super::draft::{Draft, Output, Unfinished, sha256, unfinished};
 use super::folder::Folder;
 use super::lock::Lock;
 use super::notice::{self, Notice};
 use super::reason::{mixed, put_back, refusal, shown, unwritable};
-use super::replaced::{self, Home};
+use super::replaced::{Home, kept, replaceable};
 use super::rules::*;
 use super::target;
 use crate::escape::printable;
@@ -44,22 +44,22 @@ pub struct Written {
 }
 
 #[derive(Debug)]
-pub(super) struct Pending {
-    pub(super) draft: Draft,
-    pub(super) written: Written,
+struct Pending {
+    draft: Draft,
+    written: Written,
     /// Where it stands.
-    pub(super) home: Home,
+    home: Home,
     /// Of a workbook that is input and output at once, the SHA-256 that it had when it was read.
-    pub(super) before: Option<String>,
+    before: Option<String>,
 }
 
 /// A set of outputs in one folder. Dropped before [`Set::commit`], it leaves nothing behind.
 #[derive(Debug)]
 pub struct Set<'f> {
-    pub(super) folder: &'f Folder,
-    pub(super) inputs: Vec<PathBuf>,
+    folder: &'f Folder,
+    inputs: Vec<PathBuf>,
     existing: Existing,
-    pub(super) pending: Vec<Pending>,
+    pending: Vec<Pending>,
 }
 
 impl<'f> Set<'f> {
@@ -135,6 +135,41 @@ impl<'f> Set<'f> {
         Ok(())
     }
 
+    /// Replaces a workbook that was read, in the folder where it stands; `read` are the bytes that it had then. As it was before it is
+    /// kept once, with `.bak` behind its name. It comes under its name last of all files of the set.
+    ///
+    /// # Errors
+    /// As [`replaceable`](super::replaceable); exit 5 where the system does not take the contents.
+    pub fn replace(&mut self, workbook: &Path, read: &[u8], contents: &[u8]) -> Result<(), Refusal> {
+        let inputs: Vec<&Path> = self.inputs.iter().map(PathBuf::as_path).collect();
+        replaceable(workbook, &inputs)?;
+        let kept = kept(workbook);
+        match fs::symlink_metadata(&kept) {
+            Ok(_) => {}
+            Err(_) => self.beside(&kept, workbook, read, None)?,
+        }
+        self.beside(workbook, workbook, contents, Some(sha256(read)))
+    }
+
+    /// Adds a file in the folder of a workbook, with the workbook's mode.
+    fn beside(&mut self, path: &Path, like: &Path, contents: &[u8], before: Option<String>) -> Result<(), Refusal> {
+        use std::io::Write;
+        let (place, disk) = (self.folder.place(), self.folder.disk());
+        let home = Home::of(path, place);
+        let wrong = |error| unwritable(path, &error);
+        let draft = Draft::new(&home.path, disk).map_err(wrong)?;
+        let mut output = draft.output().map_err(wrong)?;
+        let written = output.write_all(contents);
+        output.finish().map_err(wrong)?;
+        written.map_err(wrong)?;
+        disk.permit(draft.path(), like).map_err(wrong)?;
+        let (bytes, sha256) = draft.sum().map_err(wrong)?;
+        let name = path.file_name().unwrap_or_default().to_owned();
+        let written = Written { name, path: path.to_owned(), bytes, sha256 };
+        self.pending.push(Pending { draft, written, home, before });
+        Ok(())
+    }
+
     /// The files written so far, in order.
     pub fn written(&self) -> impl Iterator<Item = &Written> {
         self.pending.iter().map(|one| &one.written)
@@ -196,7 +231,7 @@ impl<'f> Set<'f> {
         for one in &self.pending {
             if one.before.is_some() {
                 let inputs: Vec<&Path> = self.inputs.iter().map(PathBuf::as_path).collect();
-                replaced::replaceable(&one.written.path, &inputs)?;
+                replaceable(&one.written.path, &inputs)?;
             } else {
                 target::check(&one.written.path, &self.inputs)?;
             }
