@@ -8,7 +8,7 @@ use crate::workbook::package::Package;
 
 use super::book::Book;
 use super::host::unfit;
-use super::parts::{ContentTypes, Parts, Relation, kind};
+use super::parts::{ContentTypes, Parts, Relation, kind, one};
 use super::sheet::strings;
 use super::styles;
 
@@ -72,9 +72,4 @@ pub fn open(bytes: &[u8]) -> Result<(Opened<'_>, styles::Donor), Refusal> {
     let formats = one(relations, kind::STYLES).ok_or_else(|| unfit("no formats"))?;
     let formats = styles::Donor::new(parts.needed(&formats)?.1, theme.as_ref());
     Ok((Opened { parts, book, sheets, types, strings }, formats))
-}
-
-/// The part that the last relationship of a kind leads to.
-pub fn one(relations: Vec<Relation>, kind: &str) -> Option<String> {
-    relations.into_iter().rfind(|one| !one.external && one.kind.ends_with(kind)).map(|one| one.target)
 }

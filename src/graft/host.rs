@@ -12,9 +12,8 @@ use crate::workbook::listing::SheetKind;
 use crate::workbook::names::Present;
 
 use super::book::Book;
-use super::donor::one;
 use super::marks::{self, Mark};
-use super::parts::{CONTENT_TYPES, ContentTypes, Parts, Relation, kind, normal, relations_of};
+use super::parts::{CONTENT_TYPES, ContentTypes, Parts, Relation, kind, normal, one, relations_of};
 use super::rules::*;
 use super::sheet::{strings, title};
 

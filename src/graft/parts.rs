@@ -49,6 +49,11 @@ pub struct Relation {
     pub external: bool,
 }
 
+/// The part that the last relationship of a kind leads to.
+pub fn one(relations: Vec<Relation>, kind: &str) -> Option<String> {
+    relations.into_iter().rfind(|one| !one.external && one.kind.ends_with(kind)).map(|one| one.target)
+}
+
 /// A part's name as two names are compared: escapes resolved, capitals and the slash before it left out.
 pub fn normal(name: &str) -> String {
     let bytes = name.trim_start_matches('/').replace('\\', "/").into_bytes();
