@@ -94,6 +94,17 @@ impl Parameter {
     pub fn symbol(&self) -> &'static str {
         self.key().symbol()
     }
+
+    /// What stands in the cell of a choice.
+    #[must_use]
+    pub fn label(&self, key: &'static str, language: Language) -> &'static str {
+        match self.kind {
+            FieldKind::Choice(choices) => {
+                choices.iter().find(|choice| choice.key == key).map_or(key, |choice| choice.label.get(language))
+            }
+            _ => key,
+        }
+    }
 }
 
 /// A group of parameters under one heading.

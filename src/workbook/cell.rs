@@ -1,14 +1,22 @@
-//! Text into cells: whatever a user typed stays text and fits.
+//! Text into cells: whatever a user typed stays text and fits; and formulas without a result.
 
 use std::borrow::Cow;
 
-use rust_xlsxwriter::{ColNum, Format, RowNum, Worksheet, XlsxError};
+use rust_xlsxwriter::{ColNum, Format, Formula, RowNum, Worksheet, XlsxError};
 
 /// The most UTF-16 units that a cell holds.
 pub(super) const CELL: usize = 32_767;
 
 /// The most UTF-16 units of a page header or footer that are kept of one text.
 const HEADER: usize = 80;
+
+/// The stored result of a formula that has none: it is taken out when the workbook is saved.
+pub(super) const UNCOMPUTED: &str = "rodete:uncomputed";
+
+/// A formula that is computed when the workbook is opened.
+pub(super) fn uncomputed(formula: &str) -> Formula {
+    Formula::new(format!("={formula}")).set_result(UNCOMPUTED)
+}
 
 /// Writes a text, never as a formula: a text that a spreadsheet would take for one when the cell is edited is marked as
 /// quoted. A text too long for a cell is cut and ends in an ellipsis.

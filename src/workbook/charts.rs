@@ -7,7 +7,8 @@ use rust_xlsxwriter::{
 
 use super::curves::{Curves, Range};
 use super::error::WriteError;
-use super::table_sheet::{FIRST, TableSheet};
+use super::placed::{FIRST, Placed};
+use super::table_sheet::TableSheet;
 use crate::kind;
 use crate::table::{Entry, Index, Table};
 use crate::text::Language;
@@ -32,15 +33,6 @@ const INTERVALS: f64 = 8.0;
 
 const INKS: [u32; 6] = [0x1F_4E79, 0xC0_504D, 0x4F_8A3C, 0x7F_5FA8, 0xD0_8A1D, 0x2E_9AA8];
 const GRID: Color = Color::RGB(0xD9_D9D9);
-
-/// A table with the name of the sheet it stands on.
-#[derive(Clone, Debug)]
-pub struct Placed<'a> {
-    /// The sheet's name.
-    pub sheet: String,
-    /// The table.
-    pub table: &'a Table,
-}
 
 /// A chart with its width and height in pixels.
 pub type Sized = (Chart, [u32; 2]);

@@ -12,10 +12,9 @@ use super::drawn::Drawn;
 use super::error::WriteError;
 use super::guard;
 use super::live_form::LivePart;
-use super::live_ranges;
 use super::page::Page;
 use super::style::Styles;
-use super::validation::{range_and_note, validation};
+use super::validation::{range_and_note, red, validation};
 use crate::kind::live_form::LiveForm;
 use crate::parameter::{FieldKind, Parameter, Section, Sheet, Value};
 use crate::text::{Language, Text, t};
@@ -141,7 +140,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
             layout.last_column = SKETCH + ColNum::try_from(width / PLAIN).unwrap_or_default();
         }
         if let Some(live) = self.live_part() {
-            layout.live = live.write(sheet, &layout, styles)?;
+            layout.live = live.write(sheet, layout.header, &layout.names, styles)?;
         }
         Ok(layout)
     }
@@ -258,7 +257,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
                 sheet.write_number_with_format(row, VALUE, *value, format)?;
             }
             Some(Value::Choice(key)) => {
-                write_text(sheet, row, VALUE, label(parameter, key, language), format)?;
+                write_text(sheet, row, VALUE, parameter.label(key, language), format)?;
             }
             Some(Value::Line(text)) => write_text(sheet, row, VALUE, text, format)?,
             None => {
@@ -268,21 +267,10 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         if !matches!(parameter.kind, FieldKind::Schema) {
             let optional = !parameter.required || self.sheet.optional;
             sheet.add_data_validation(row, VALUE, row, VALUE, &validation(parameter, optional, language)?)?;
-            if let Some(red) = live_ranges::red(parameter, &format!("$C${}", row + 1), styles) {
+            if let Some(red) = red(parameter, &format!("$C${}", row + 1), styles) {
                 sheet.add_conditional_format(row, VALUE, row, VALUE, &red)?;
             }
         }
         Ok(())
-    }
-}
-
-/// What stands in the cell of a choice.
-#[must_use]
-pub fn label(parameter: &Parameter, key: &'static str, language: Language) -> &'static str {
-    match parameter.kind {
-        FieldKind::Choice(choices) => {
-            choices.iter().find(|choice| choice.key == key).map_or(key, |choice| choice.label.get(language))
-        }
-        _ => key,
     }
 }

@@ -17,7 +17,6 @@ use rust_xlsxwriter::{
 use super::address::{self, Position};
 use super::cell::{CELL, shortened, write_text};
 use super::error::WriteError;
-use super::form_sheet::label;
 use super::sheet_cells::{Content, SheetCells};
 use super::style::Styles;
 use crate::kind::NamedFile;
@@ -65,7 +64,7 @@ impl Copy {
         match value {
             Some(Value::Real(value)) => Self::Number(*value),
             Some(Value::Whole(value)) => Self::Number(f64::from(*value)),
-            Some(Value::Choice(key)) => Self::Text(label(parameter, key, language).to_owned()),
+            Some(Value::Choice(key)) => Self::Text(parameter.label(key, language).to_owned()),
             Some(Value::Line(text)) if text.is_empty() => Self::Empty,
             Some(Value::Line(text)) => Self::Text(shortened(text, CELL).into_owned()),
             None => Self::Empty,

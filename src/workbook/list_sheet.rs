@@ -4,12 +4,10 @@ use rust_xlsxwriter::{ColNum, IgnoreError, RowNum, Worksheet, quote_sheet_name, 
 
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
-use super::form_sheet::label;
 use super::guard::{self, Copy, Guard};
-use super::live_ranges;
 use super::page::Page;
 use super::style::Styles;
-use super::validation::validation;
+use super::validation::{red, validation};
 use crate::parameter::list::{List, Naming, Row};
 use crate::parameter::{FieldKind, Value};
 use crate::text::Language;
@@ -103,7 +101,7 @@ impl ListSheet<'_> {
                 let validation = validation(parameter, true, language)?;
                 sheet.add_data_validation(FIRST, column, most, column, &validation)?;
                 let cell = format!("{}{}", column_number_to_name(column), FIRST + 1);
-                if let Some(red) = live_ranges::red(parameter, &cell, styles) {
+                if let Some(red) = red(parameter, &cell, styles) {
                     sheet.add_conditional_format(FIRST, column, most, column, &red)?;
                 }
             }
@@ -178,7 +176,7 @@ impl ListSheet<'_> {
                     sheet.write_number_with_format(at, column, *value, format)?;
                 }
                 Some(Value::Choice(key)) => {
-                    write_text(sheet, at, column, label(parameter, key, self.language), format)?;
+                    write_text(sheet, at, column, parameter.label(key, self.language), format)?;
                 }
                 Some(Value::Line(text)) => write_text(sheet, at, column, text, format)?,
                 None => {

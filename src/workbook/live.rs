@@ -5,9 +5,8 @@
 
 use rust_xlsxwriter::{Formula, RowNum, quote_sheet_name, utility::column_number_to_name};
 
-use super::charts::Placed;
 use super::error::WriteError;
-use super::table_sheet::FIRST;
+use super::placed::{FIRST, Placed};
 use crate::table::{Index, Live, Print, Table};
 use crate::text::{Text, t};
 

@@ -5,12 +5,11 @@
 
 use rust_xlsxwriter::{
     Chart, ChartFont, ChartFormat, ChartLayout, ChartLine, ChartLineDashType, ChartMarker, ChartType, ColNum, Color,
-    ConditionalFormatFormula, Format, Formula, RowNum, Workbook, Worksheet, quote_sheet_name,
+    ConditionalFormatFormula, Format, RowNum, Workbook, Worksheet, quote_sheet_name,
 };
 
-use super::cell::write_text;
+use super::cell::{uncomputed, write_text};
 use super::error::WriteError;
-use super::form_sheet::Layout;
 use super::list_sheet;
 use super::live_ranges;
 use super::style::{Styles, digits};
@@ -19,8 +18,6 @@ use crate::parameter::Form;
 use crate::parameter::list::List;
 use crate::text::{Language, Text, t};
 
-/// The stored result of a formula that has none: it is taken out when the workbook is saved.
-pub const UNCOMPUTED: &str = "rodete:uncomputed";
 /// The hidden sheet of the view.
 pub const SHEET: &str = "Plan";
 /// The width of the view in pixels.
@@ -87,11 +84,6 @@ impl LiveRow {
     }
 }
 
-/// A formula that is computed when the workbook is opened.
-pub(super) fn uncomputed(formula: &str) -> Formula {
-    Formula::new(format!("={formula}")).set_result(UNCOMPUTED)
-}
-
 impl LivePart<'_> {
     /// Writes the line that says whether the limits hold, over some columns of a row: beside the title, where it stays in sight.
     ///
@@ -146,20 +138,21 @@ impl LivePart<'_> {
         Ok(())
     }
 
-    /// Writes the values beside the inputs from a row on, and the view below them. Returns the defined names with their cells.
+    /// Writes the values beside the inputs from the row of the headings on, and the view below them. `inputs`: the inputs' defined
+    /// names with their rows. Returns the defined names with their cells.
     ///
     /// # Errors
     /// For cells outside the sheet.
     pub fn write(
         &self,
         sheet: &mut Worksheet,
-        layout: &Layout,
+        first: RowNum,
+        inputs: &[(&'static str, RowNum)],
         styles: &Styles,
     ) -> Result<Vec<(String, String)>, WriteError> {
         static HEADINGS: [Text; 4] =
             [t("En vivo", "Live"), t("Valor", "Value"), t("Unidad", "Unit"), t("Qué dice", "What it says")];
         let (language, form) = (self.language, self.form);
-        let first = layout.header;
         for ((column, width), heading) in (self.column..).zip(WIDTHS).zip(&HEADINGS) {
             sheet.set_column_width(column, width)?;
             write_text(sheet, first, column, heading.get(language), &styles.header)?;
@@ -188,11 +181,11 @@ impl LivePart<'_> {
                 sheet.add_conditional_format(row, self.column + 1, row, self.column + 3, &rule)?;
             }
             for wrong in &one.wrong {
-                culprit(sheet, layout, wrong.input, &one.once(&wrong.when, "FALSE"), styles)?;
+                culprit(sheet, inputs, wrong.input, &one.once(&wrong.when, "FALSE"), styles)?;
             }
         }
         for wrong in &form.unsound {
-            culprit(sheet, layout, wrong.input, &format!("IF(live_given,{},FALSE)", wrong.when), styles)?;
+            culprit(sheet, inputs, wrong.input, &format!("IF(live_given,{},FALSE)", wrong.when), styles)?;
         }
         // What the other formulas ask stands below them.
         let wrong: Vec<String> =
@@ -299,8 +292,14 @@ impl LivePart<'_> {
 }
 
 /// Turns an input red where a formula is true.
-fn culprit(sheet: &mut Worksheet, layout: &Layout, input: &str, when: &str, styles: &Styles) -> Result<(), WriteError> {
-    let Some((_, row)) = layout.names.iter().find(|(name, _)| *name == input) else { return Ok(()) };
+fn culprit(
+    sheet: &mut Worksheet,
+    inputs: &[(&'static str, RowNum)],
+    input: &str,
+    when: &str,
+    styles: &Styles,
+) -> Result<(), WriteError> {
+    let Some((_, row)) = inputs.iter().find(|(name, _)| *name == input) else { return Ok(()) };
     let rule = format!("={when}");
     let rule = ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(styles.stale.clone());
     sheet.add_conditional_format(*row, 2, *row, 2, &rule)?;

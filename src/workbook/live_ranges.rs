@@ -1,13 +1,12 @@
 //! Whether every number of a form is within its allowed range, as formulas: a red cell at each, and a hidden sheet with one row
 //! for each, from which the live form tells what is wrong.
 
-use rust_xlsxwriter::{ConditionalFormatFormula, Workbook};
+use rust_xlsxwriter::Workbook;
 
+use super::cell::uncomputed;
 use super::error::WriteError;
 use super::list_sheet;
-use super::live_form::uncomputed;
-use super::style::Styles;
-use super::validation::range;
+use super::validation::{beyond, range};
 use crate::kind::live_form::LiveForm;
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{FieldKind, Form, Parameter};
@@ -48,23 +47,6 @@ pub fn first_outside() -> String {
 #[must_use]
 pub fn first_missing() -> String {
     format!("INDEX({SHEET}!$A:$A,MATCH({NO_NUMBER},{SHEET}!$B:$B,0))")
-}
-
-/// The formula that is true where a number is not within its range; none for a parameter that is no number.
-fn beyond(kind: &FieldKind, cell: &str) -> Option<String> {
-    match kind {
-        FieldKind::Real { min, max } => Some(format!("OR({cell}<{min},{cell}>{max})")),
-        FieldKind::Whole { min, max } => Some(format!("OR({cell}<{min},{cell}>{max},{cell}<>INT({cell}))")),
-        _ => None,
-    }
-}
-
-/// Red for a cell, or the first of some, with a number outside its range or with a text; none for a parameter that is no number.
-#[must_use]
-pub fn red(parameter: &Parameter, cell: &str, styles: &Styles) -> Option<ConditionalFormatFormula> {
-    let beyond = beyond(&parameter.kind, cell)?;
-    let rule = format!("=IF(ISERROR({cell}),TRUE,IF(ISNUMBER({cell}),{beyond},LEN(TRIM({cell}))>0))");
-    Some(ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(styles.stale.clone()))
 }
 
 /// A number that is asked for.

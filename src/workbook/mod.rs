@@ -36,6 +36,7 @@ pub mod offsets_table;
 mod open;
 pub mod package;
 pub mod page;
+mod placed;
 pub mod program_sheet;
 mod raw_value;
 pub mod results;

@@ -1,4 +1,4 @@
-//! How a sheet is printed.
+//! How a sheet looks and is printed.
 
 use std::ops::RangeInclusive;
 
@@ -7,6 +7,7 @@ use rust_xlsxwriter::{
 };
 
 use super::cell::{header_text, shortened};
+use super::style::Styles;
 use crate::text::{Language, Text, t};
 
 const A4: u8 = 9;
@@ -24,6 +25,16 @@ pub const NOTE: usize = 90;
 
 /// A range of cells: first row and column, last row and column, from 0.
 pub type Area = [(RowNum, ColNum); 2];
+
+/// How sheets are written.
+pub(super) struct Look<'a> {
+    /// The formats.
+    pub styles: &'a Styles,
+    /// How they are printed.
+    pub page: &'a Page<'a>,
+    /// Their language.
+    pub language: Language,
+}
 
 /// Areas of a sheet that are printed beside its first one, each on pages of its own.
 #[derive(Debug)]

@@ -12,8 +12,8 @@ use super::error::WriteError;
 use super::guard;
 use super::long_rows::{RowWriter, Rows};
 use super::page::{Area, ENDS, NOTE, Page, WHOLE};
-use super::results::File;
 use super::style::Styles;
+use super::summary_sheet::File;
 use crate::gcode::program::Program;
 use crate::text::{Language, Text, t};
 

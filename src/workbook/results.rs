@@ -4,7 +4,7 @@ use std::io::{Seek, Write};
 
 use rust_xlsxwriter::{Workbook, quote_sheet_name};
 
-use super::charts::{Placed, draw};
+use super::charts::draw;
 use super::curves::Curves;
 use super::drawn::Drawn;
 use super::error::WriteError;
@@ -14,13 +14,14 @@ use super::limits;
 use super::live::{self, LiveTables, Written};
 use super::long_rows::LongRows;
 use super::names::{Made, Present, Role, SheetNames, slug};
-use super::page::{Further, Page, properties};
+use super::page::{Further, Look, Page, properties};
+use super::placed::{FIRST, Placed};
 use super::program_sheet::{self, ProgramSheet};
 use super::save::{Additions, save};
 use super::style::Styles;
 use super::summary_sheet::{self, Summary};
-use super::table_sheet::{FIRST, TableSheet};
-use super::template::{HOW, Look, OPTIONAL, write_lists};
+use super::table_sheet::TableSheet;
+use super::template::{HOW, OPTIONAL, write_lists};
 use super::{chart_sheet, checks_sheet, curves};
 use crate::figure::Figure;
 use crate::kind::{Outcome, checks};

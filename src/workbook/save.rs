@@ -8,9 +8,9 @@ use rust_xlsxwriter::Workbook;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
+use super::cell::UNCOMPUTED;
 use super::drawn::{Drawn, sized};
 use super::error::WriteError;
-use super::live_form::UNCOMPUTED;
 use super::long_rows::{LARGE, LongRows, Span, stream};
 use super::page::Further;
 

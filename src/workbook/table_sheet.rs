@@ -11,6 +11,7 @@ use super::guard;
 use super::live::{self, LiveTables, NOTHING};
 use super::long_rows::{RowWriter, Rows};
 use super::page::{Area, ENDS, Further, Page, WHOLE, both_ends};
+use super::placed::FIRST;
 use super::style::{Styles, digits};
 use crate::table::{Cells, Column, Entry, Table};
 use crate::text::{Language, Text, t};
@@ -19,8 +20,6 @@ use crate::text::{Language, Text, t};
 const SYMBOLS: RowNum = 2;
 /// The row of the units, from 0.
 const UNITS: RowNum = 3;
-/// The first row of values, from 0.
-pub const FIRST: RowNum = 4;
 
 /// A table with more rows than this is streamed.
 const LONG: usize = 2_000;

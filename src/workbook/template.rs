@@ -11,7 +11,7 @@ use super::guard::Guard;
 use super::list_sheet::ListSheet;
 use super::live_form::{self, LivePart};
 use super::names::{Made, Present, Role, SheetNames};
-use super::page::{Page, properties};
+use super::page::{Look, Page, properties};
 use super::save::{Additions, save};
 use super::style::Styles;
 use super::sweep_sheet;
@@ -184,16 +184,6 @@ pub fn layouts(form: &'static Form, note: &Text, language: Language) -> Result<V
         filling.write(workbook.add_worksheet(), &styles)
     };
     form.sheets.iter().map(layout).collect()
-}
-
-/// How sheets are written.
-pub(super) struct Look<'a> {
-    /// The formats.
-    pub styles: &'a Styles,
-    /// How they are printed.
-    pub page: &'a Page<'a>,
-    /// Their language.
-    pub language: Language,
 }
 
 /// Writes the sheets of a form's lists, watched by a guard where there is one; `take` gives a sheet the name nearest to the one wanted that is free.

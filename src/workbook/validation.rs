@@ -1,8 +1,9 @@
-//! What a value cell admits: as words for the sheet, and as the cell's own validation.
+//! What a value cell admits: as words for the sheet, as the cell's own validation, and as the red of what it does not admit.
 
-use rust_xlsxwriter::{DataValidation, DataValidationRule, XlsxError};
+use rust_xlsxwriter::{ConditionalFormatFormula, DataValidation, DataValidationRule, XlsxError};
 
 use super::cell::shortened;
+use super::style::Styles;
 use super::value::DATE;
 use crate::parameter::{FieldKind, Parameter};
 use crate::text::{Language, Text, t};
@@ -44,6 +45,23 @@ pub fn range(parameter: &Parameter) -> Text {
         ),
         FieldKind::Schema => t("", ""),
     }
+}
+
+/// The formula that is true where a number is not within its range; none for a parameter that is no number.
+pub(super) fn beyond(kind: &FieldKind, cell: &str) -> Option<String> {
+    match kind {
+        FieldKind::Real { min, max } => Some(format!("OR({cell}<{min},{cell}>{max})")),
+        FieldKind::Whole { min, max } => Some(format!("OR({cell}<{min},{cell}>{max},{cell}<>INT({cell}))")),
+        _ => None,
+    }
+}
+
+/// Red for a cell, or the first of some, with a number outside its range or with a text; none for a parameter that is no number.
+#[must_use]
+pub fn red(parameter: &Parameter, cell: &str, styles: &Styles) -> Option<ConditionalFormatFormula> {
+    let beyond = beyond(&parameter.kind, cell)?;
+    let rule = format!("=IF(ISERROR({cell}),TRUE,IF(ISNUMBER({cell}),{beyond},LEN(TRIM({cell}))>0))");
+    Some(ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(styles.stale.clone()))
 }
 
 /// The allowed range and the parameter's note, for column E and the input message.

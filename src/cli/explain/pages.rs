@@ -9,7 +9,6 @@ use crate::parameter::list::{List, Naming};
 use crate::parameter::{Parameter, Value};
 use crate::text::{Language, t};
 use crate::workbook::error::WriteError;
-use crate::workbook::form_sheet::label;
 use crate::workbook::template::layouts;
 use crate::workbook::validation::range_and_note;
 
@@ -163,7 +162,7 @@ fn shown(parameter: &Parameter, value: &Value, language: Language) -> String {
     match value {
         Value::Real(value) => value.to_string(),
         Value::Whole(value) => value.to_string(),
-        Value::Choice(key) => plain(label(parameter, key, language)),
+        Value::Choice(key) => plain(parameter.label(key, language)),
         Value::Line(line) => plain(line),
     }
 }
