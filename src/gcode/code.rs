@@ -1,7 +1,7 @@
 //! What G and M codes mean, whatever number a control gives them, and which of them exclude each other.
 
-use crate::gcode::control::Letters;
 use crate::gcode::in_force::Compensation;
+use crate::gcode::letters::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::text::{Text, t};
 

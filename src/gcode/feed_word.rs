@@ -9,8 +9,8 @@
 //! where three would lose as much; LinuxCNC reads any number of them, before the point as well: a block of less than 0.6 ms has
 //! the six digits and more that it asks for.
 
-use crate::gcode::control::FeedLaw;
-use crate::gcode::word::push_whole;
+use crate::gcode::digits::push_whole;
+use crate::gcode::feed_law::FeedLaw;
 use crate::number::grid::OutOfFormat;
 
 /// How many decimals an F word about as great as this has.
@@ -44,6 +44,12 @@ pub struct FeedWord {
 }
 
 impl FeedWord {
+    /// True where a move writes it behind one that wrote another, or none.
+    #[must_use]
+    pub fn is_written(self, law: FeedLaw, last: Option<Self>) -> bool {
+        law.in_every_block() || last != Some(self)
+    }
+
     /// The F word of a move that takes at least some seconds, and longer by what rounding takes at most; the fastest that
     /// there is where no word is so fast. The resultant over all axes is in mm and degrees.
     ///

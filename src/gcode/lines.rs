@@ -3,9 +3,10 @@
 use std::io;
 
 use crate::gcode::control::CommentForm;
+use crate::gcode::digits::push_whole;
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::{Feed, Part, Path, Program};
-use crate::gcode::word::{Distance, Word, push_whole};
+use crate::gcode::word::{Distance, Word};
 use crate::machine::axis::{Axis, Position};
 
 /// The lines of a program. Lends each line from one buffer, so that a program of any length needs no memory for its
@@ -179,7 +180,7 @@ impl<'a> Lines<'a> {
         );
         if let Feed::Each { words, .. } = &path.feed
             && let Some(&feed) = words.get(step)
-            && self.program.control.feed.law.is_written(self.feed, feed)
+            && feed.is_written(self.program.control.feed.law, self.feed)
         {
             Word::feed(feed).write(format, &mut self.line);
             self.feed = Some(feed);

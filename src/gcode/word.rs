@@ -1,5 +1,6 @@
 //! Words of a block and how their numbers are written.
 
+use crate::gcode::digits::{digit, push_whole};
 use crate::gcode::feed_word::FeedWord;
 use crate::number::grid::Milli;
 
@@ -131,26 +132,6 @@ pub fn word(text: &str) -> Option<Word> {
         return None;
     }
     Some(Word::size(letter, Milli::round(signed.parse().ok()?).ok()?))
-}
-
-/// Appends a whole number. Programs have millions of numbers: this costs a third of the standard formatting.
-pub fn push_whole(text: &mut String, number: u32) {
-    let mut digits = [b'0'; 10];
-    let mut at = digits.len();
-    let mut rest = number;
-    loop {
-        at -= 1;
-        digits[at] = digit(rest % 10);
-        rest /= 10;
-        if rest == 0 {
-            break;
-        }
-    }
-    text.extend(digits[at..].iter().map(|&digit| char::from(digit)));
-}
-
-fn digit(value: u32) -> u8 {
-    b"0123456789"[(value % 10) as usize]
 }
 
 /// Appends a number of the output grid, with three decimals or without trailing zeros. Zero has no sign.

@@ -121,7 +121,7 @@ impl Writer {
     /// A move at feed; F is left out where it is in force already.
     pub fn feed(&mut self, words: impl IntoIterator<Item = Word>, F: FeedWord) {
         let mut words: Vec<Word> = words.into_iter().collect();
-        if self.law.is_written(self.last, F) {
+        if F.is_written(self.law, self.last) {
             words.push(Word::feed(F));
             self.last = Some(F);
         }

@@ -1,6 +1,6 @@
 //! What axis words and the words of an arc say.
 
-use super::Letters;
+use crate::gcode::letters::Letters;
 use crate::machine::axis::Axis;
 use crate::number::grid::Milli;
 

@@ -11,12 +11,14 @@ use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle
 use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedLaw,
-    FeedPath, FeedRule, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NegativeRadius,
-    NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
-    SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
+    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedPath,
+    FeedRule, Increments, Language, LengthWord, Lexis, MachineMove, MissingFeed, NegativeRadius, NoseCorner,
+    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
+    SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
 };
+use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
+use crate::gcode::letters::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::text::t;
 

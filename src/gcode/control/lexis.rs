@@ -1,6 +1,7 @@
 //! The characters of a program: letters, comments, expressions, `/` and `%`.
 
-use super::{DwellWord, Letters};
+use super::DwellWord;
+use crate::gcode::letters::Letters;
 
 /// What a control reads beside letters with numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

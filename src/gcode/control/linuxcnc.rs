@@ -4,12 +4,14 @@ use crate::gcode::code::{Cycle, G, Group, M, Name};
 use crate::gcode::control::codes::{BY_MODE, COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedLaw,
-    FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed,
-    NegativeRadius, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
-    SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
+    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedPath,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, MissingFeed, NegativeRadius,
+    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
+    SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
 };
+use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
+use crate::gcode::letters::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::text::t;
 

@@ -23,11 +23,11 @@ mod tool;
 mod writing;
 
 pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments, NegativeRadius};
-pub use self::codes::{Codes, Letters, code_name};
+pub use self::codes::{Codes, code_name};
 pub use self::dwell::DwellWord;
 pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, WRITTEN_8055_T};
 pub use self::fanuc::FANUC_LATHE_A;
-pub use self::feed::{FeedChange, FeedCodes, FeedLaw, FeedPath, FeedRule, MissingFeed, Slower};
+pub use self::feed::{FeedChange, FeedCodes, FeedPath, FeedRule, MissingFeed};
 pub use self::lexis::{BlockDelete, BuilderCodes, Comments, DimensionPoint, Language, Lexis, Percent};
 pub use self::linuxcnc::LINUXCNC;
 pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Reference};
@@ -40,6 +40,7 @@ pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
 pub use self::writing::{CommentForm, Opening, TextForm, Writing, Written};
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
+pub use crate::gcode::feed_law::{FeedLaw, Slower};
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::text::Text;
 

@@ -1,6 +1,6 @@
 //! In which order a block is obeyed, and what its codes do to what is in force.
 
-use super::Letters;
+use crate::gcode::letters::Letters;
 
 /// The order of execution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Corners, radius compensation, drilling.
 
-use super::Letters;
 use crate::gcode::code::Cycle;
+use crate::gcode::letters::Letters;
 
 /// How corners between two lines are broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

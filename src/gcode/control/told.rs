@@ -4,13 +4,15 @@
 
 use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, CommentForm,
-    Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedLaw, FeedPath, FeedRule,
-    HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NegativeRadius, NoseCorner,
-    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
-    SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
+    Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedPath, FeedRule, HeightHold,
+    Increments, Language, LengthWord, Lexis, MachineMove, MissingFeed, NegativeRadius, NoseCorner, OffsetRule, Opening,
+    Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule, Start,
+    TextForm, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
+use crate::gcode::feed_law::FeedLaw;
+use crate::gcode::letters::Letters;
 use crate::gcode::word::{NumberFormat, Word};
 use crate::text::{Text, t};
 

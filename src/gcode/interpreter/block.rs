@@ -3,7 +3,6 @@
 use crate::gcode::code::{G, GROUPS, Group, M};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::library::Spot;
-use crate::gcode::interpreter::polar::Polar;
 use crate::gcode::turning::edge::Square;
 
 /// A letter, counted from A = 0.
@@ -68,6 +67,9 @@ pub(super) struct EdgeWord {
     /// Its number has no decimal point although a control may scale it for that.
     pub(super) pointless: bool,
 }
+
+/// The polar words of a block: distance and angle, each with its column.
+type Polar = [Option<(f64, usize)>; 2];
 
 /// One block: its words and codes. Reused from line to line.
 #[derive(Clone, Debug)]

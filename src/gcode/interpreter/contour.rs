@@ -14,7 +14,6 @@
 
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::control::Letters;
 use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, Block, EdgeWord, letter};
@@ -24,6 +23,7 @@ use crate::gcode::interpreter::library::Mark;
 use crate::gcode::interpreter::numbers::Numbered;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
+use crate::gcode::letters::Letters;
 use crate::gcode::rules::flow::ContourBlockMissing;
 use crate::gcode::turning::profile::{Element, Profile};
 use crate::gcode::turning::rules::{

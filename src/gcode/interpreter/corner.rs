@@ -13,12 +13,12 @@
 
 use crate::finding::{AlarmFamily, Raise};
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::control::Letters;
 use crate::gcode::interpreter::block::{Block, EdgeWord, letter};
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::modal::Modal;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, State};
+use crate::gcode::letters::Letters;
 use crate::gcode::motion::Feed;
 use crate::gcode::turning::edge::{Broken, Edge, Square, broken};
 use crate::gcode::turning::rules::{CornerBeforeNoMotion, CornerBeforeOtherMotion, CornerTwice, CornerWithoutLine};

@@ -5,13 +5,13 @@
 
 use crate::finding::Raise;
 use crate::gcode::code::{G, Group, M, SinglePassCycle};
-use crate::gcode::control::Letters;
 use crate::gcode::control::{RadiusRule, Rotary};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, doubt};
+use crate::gcode::letters::Letters;
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::rules::modes::{
     AxesClaimedTwice, AxesWithCancel, AxesWithoutMotion, CycleWithoutAxes, FeedMissing, InverseTimeWithoutF,

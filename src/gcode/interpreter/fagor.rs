@@ -6,10 +6,10 @@
 //! hundredths of a second. The cycles are not modal, and F in their blocks is theirs alone.
 
 use crate::gcode::code::Group;
-use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::refused::{Refused, Result};
+use crate::gcode::letters::Letters;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::Along;
 use crate::gcode::turning::fagor::drill::{Drill, drill};

@@ -10,10 +10,10 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group};
-use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::refused::{Refused, Result};
+use crate::gcode::letters::Letters;
 use crate::gcode::motion::{Arc, Feed, FeedMode, MotionKind, Thread};
 use crate::gcode::turning::pace::Pace;
 use crate::gcode::turning::rules::{

@@ -1,11 +1,10 @@
 //! Motions that one block makes many of: the holes of a canned cycle, the moves of a turning cycle.
 
-use crate::gcode::code::{G, Group};
+use crate::gcode::code::{Cycle, G, Group};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::Block;
 use crate::gcode::interpreter::contour::ContourBlock;
-use crate::gcode::interpreter::cycle;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::refused::Result;
 use crate::gcode::motion::{Arc, Feed, MotionKind, Plane};
@@ -17,9 +16,28 @@ use crate::number::trig;
 #[derive(Debug)]
 pub(super) enum Pending {
     /// Holes of a canned cycle.
-    Holes(cycle::Holes),
+    Holes(Holes),
     /// Moves of a turning cycle.
     Moves(Box<Moves>),
+}
+
+/// The holes of a block that are still to be made.
+#[derive(Clone, Debug)]
+pub(super) struct Holes {
+    pub(super) cycle: Cycle,
+    pub(super) left: i64,
+    pub(super) first: bool,
+    pub(super) step: [f64; 2],
+    pub(super) at: [f64; 2],
+    pub(super) r: f64,
+    pub(super) bottom: f64,
+    pub(super) clear: f64,
+    pub(super) p: f64,
+    pub(super) q: f64,
+    /// G87: the offset in the plane, and the height of the upper face.
+    pub(super) offset: [f64; 2],
+    pub(super) middle: f64,
+    pub(super) feed: Feed,
 }
 
 /// The moves of a turning cycle that are still to be made.

@@ -5,12 +5,12 @@
 //! decimal point are lengths, times and feeds; P, Q, L and others take none.
 
 use crate::gcode::code::{G, Group, SinglePassCycle, TurningCycle};
-use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Decimal;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::setting::DecimalPoint;
+use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
     DimensionsWithoutPoint, DwellsWithoutPoint, PointMissing, PointMissingInFeed, PointNotTaken,

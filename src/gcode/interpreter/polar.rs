@@ -17,9 +17,6 @@ use crate::machine::axis::Axis;
 use crate::number::grid::LIMIT;
 use crate::number::trig;
 
-/// The polar words of a block: distance and angle, each with its column.
-pub(super) type Polar = [Option<(f64, usize)>; 2];
-
 /// Groups beside which polar words stand: motion, distance mode, what F means and how cycles return.
 const BESIDE: [Group; 5] = [Group::Motion, Group::Distance, Group::Feed, Group::Retract, Group::Path];
 

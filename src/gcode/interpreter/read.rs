@@ -1,12 +1,12 @@
 //! From a line to a block.
 
 use crate::gcode::code::{G, Group, M, TurningCycle};
-use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::refused::{Refused, Result};
+use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
     CodeNotSupported, CoordinateTooGreat, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat, LetterNotSupported,

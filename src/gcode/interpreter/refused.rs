@@ -1,10 +1,7 @@
-//! What the interpreter refuses, and what it remarks.
+//! What the interpreter refuses.
 
-use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule, Size};
-use crate::gcode::interpreter::library::{Library, Spot};
-use crate::gcode::rules::geometry::HalfTurn;
+use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule};
 use crate::gcode::turning::trouble::Trouble;
-use crate::limits::REMARKS;
 use crate::text::{Text, t};
 
 /// A refusal with its place. The block is not executed.
@@ -143,96 +140,3 @@ pub(super) fn place(file: Option<&str>, line: usize, columns: Vec<usize>) -> Pla
 
 /// The result of reading or executing a block.
 pub(super) type Result<T, E = Box<Refused>> = std::result::Result<T, E>;
-
-/// What is worth saying about a program that is not refused: each thing once, with the first line it was seen in and how
-/// often it was seen.
-#[derive(Debug, Default)]
-pub(super) struct Remarks {
-    /// How often each was seen, and the text that its line stands in.
-    list: Vec<(u64, usize, Finding)>,
-    turns: Option<Turns>,
-}
-
-/// Blocks at feed that turn a rotary axis by more than half a turn.
-#[derive(Debug)]
-struct Turns {
-    count: u64,
-    first: Spot,
-    /// Letter, degrees and line of the greatest.
-    greatest: (char, f64, usize),
-}
-
-impl Remarks {
-    /// Remarks a row at a place and column (counted from 0). Row and values tell one thing from another.
-    pub(super) fn row(&mut self, row: &dyn Raise, spot: Spot, column: Option<usize>) {
-        self.row_as(row.rule().grade, row, spot, column);
-    }
-
-    /// The same, less grave than the row is at its gravest.
-    pub(super) fn row_as(&mut self, grade: Grade, row: &dyn Raise, spot: Spot, column: Option<usize>) {
-        let (rule, data) = (row.rule(), row.carries());
-        let same = |finding: &Finding| finding.is(rule) && finding.data == data;
-        if let Some((count, ..)) = self.list.iter_mut().find(|(.., finding)| same(finding)) {
-            *count += 1;
-        } else if self.list.len() < REMARKS {
-            let columns = column.map(|column| column + 1).into_iter().collect();
-            self.list.push((1, spot.text, row.at(place(None, spot.line, columns)).graded(grade)));
-        }
-    }
-
-    /// Remarks what was found before the first line.
-    pub(super) fn found(&mut self, finding: Finding) {
-        if let Some((count, ..)) = self.list.iter_mut().find(|(.., other)| other.what == finding.what) {
-            *count += 1;
-        } else if self.list.len() < REMARKS {
-            self.list.push((1, 0, finding.placed(place(None, 1, Vec::new()))));
-        }
-    }
-
-    /// Remarks a motion at feed that turns an axis by more than half a turn.
-    pub(super) fn turned(&mut self, spot: Spot, axis: char, degrees: f64) {
-        let line = spot.line;
-        let turns = self.turns.get_or_insert(Turns { count: 0, first: spot, greatest: (axis, degrees, line) });
-        turns.count += 1;
-        if degrees.abs() > turns.greatest.1.abs() {
-            turns.greatest = (axis, degrees, line);
-        }
-    }
-
-    /// The remarks as findings, gravest first, with how often each was seen.
-    pub(super) fn findings(&self, library: &Library<'_>) -> Vec<Finding> {
-        let file = |text: usize| library.file(text).map(String::as_str);
-        let mut findings: Vec<Finding> = self
-            .list
-            .iter()
-            .map(|(count, text, finding)| {
-                let mut finding = finding.clone();
-                if let Place::Line { line, columns } = finding.place {
-                    finding.place = place(file(*text), line, columns);
-                }
-                if *count > 1 {
-                    finding.value = format!("{count} ×");
-                }
-                finding
-            })
-            .collect();
-        findings.extend(self.turns.as_ref().map(|turns| turns.finding(file(turns.first.text))));
-        findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-        findings
-    }
-}
-
-impl Turns {
-    fn finding(&self, file: Option<&str>) -> Finding {
-        let (axis, degrees, line) = self.greatest;
-        let more = match self.count {
-            1 => t("", ""),
-            count => Text::new(
-                format!("; {count} bloques así, este es el mayor, en la línea {line}"),
-                format!("; {count} such blocks, the largest in line {line}"),
-            ),
-        };
-        let degrees = Size::number(degrees, 3);
-        HalfTurn { axis, degrees, count: self.count, line, more }.at(place(file, self.first.line, Vec::new()))
-    }
-}

@@ -8,10 +8,11 @@
 
 use crate::finding::Raise;
 use crate::gcode::code::{G, Group};
-use crate::gcode::control::{Letters, Rollover, Rotary};
+use crate::gcode::control::{Rollover, Rotary};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::refused::{Refused, Result};
+use crate::gcode::letters::Letters;
 use crate::gcode::motion::MotionKind;
 use crate::gcode::rules::geometry::{
     RolloverBeyondTurn, RolloverMinusZero, RolloverPreset, RolloverReached, WrappedInMachine,

@@ -11,7 +11,7 @@ use crate::gcode::control::Drilling;
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::out;
+use crate::gcode::interpreter::out::{Holes, Pending};
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind, Plane};
@@ -25,25 +25,6 @@ use crate::machine::axis::Pose;
 
 /// How far above the last depth a peck begins again; mm (0.010 inch).
 pub(super) const PECK_CLEARANCE: f64 = 0.254;
-
-/// The holes of a block that are still to be made.
-#[derive(Clone, Debug)]
-pub(super) struct Holes {
-    cycle: Cycle,
-    left: i64,
-    first: bool,
-    step: [f64; 2],
-    at: [f64; 2],
-    r: f64,
-    bottom: f64,
-    clear: f64,
-    p: f64,
-    q: f64,
-    /// G87: the offset in the plane, and the height of the upper face.
-    offset: [f64; 2],
-    middle: f64,
-    feed: Feed,
-}
 
 pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Refused> {
     let number = cycle.number();
@@ -142,7 +123,7 @@ impl Reader<'_, '_> {
         let sticky = &mut self.state.modal.sticky;
         (sticky.r, sticky.bottom) = (r_word, bottom_word);
         self.state.modal.motion = G::Cycle(cycle);
-        self.memory.run = Some(out::Pending::Holes(run));
+        self.memory.run = Some(Pending::Holes(run));
         Ok(())
     }
 
@@ -311,7 +292,7 @@ impl Reader<'_, '_> {
         }
         run.left -= 1;
         if run.left > 0 {
-            self.memory.run = Some(out::Pending::Holes(run));
+            self.memory.run = Some(Pending::Holes(run));
         }
         Ok(())
     }
