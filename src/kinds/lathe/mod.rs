@@ -5,6 +5,7 @@
 
 pub mod cases;
 pub mod catalogue;
+pub mod drawn;
 pub mod figures;
 mod findings;
 mod form_sketch;
@@ -35,7 +36,7 @@ use crate::gcode::word::NumberFormat;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Limits, Measure, Suggested};
 use crate::kind::{Chapters, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants};
-use crate::kinds::lathe::figures::Drawn;
+use crate::kinds::lathe::drawn::Drawn;
 use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
 use crate::kinds::lathe::parameters::{self as form, FORM, PROGRAM_KEY, SECOND_KEY};
 use crate::kinds::lathe::profile::{compared, wanted};

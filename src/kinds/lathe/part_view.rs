@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 
 use nalgebra::Vector3;
 
-use super::figures::Contour;
+use super::drawn::Contour;
 use crate::figure::{Figure, Ink, Stroke};
 use crate::geometry::scene::{Camera, Scene};
 use crate::number::trig::{atan2, cos, hypot, sin_cos};

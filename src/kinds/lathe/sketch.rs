@@ -1,6 +1,6 @@
 //! The sketch of a set-up: the stock in the chuck with machine zero, part zero and the lengths that a machinist measures.
 
-use super::figures::Drawn;
+use super::drawn::Drawn;
 use crate::figure::{Figure, Ink, Side, Sketch, sized};
 use crate::removal::turning::simulation::Setup;
 use crate::text::{Text, t};

@@ -6,7 +6,7 @@ use rodete::geometry::torus::Torus;
 use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::ideal::Ideal;
 use rodete::kinds::impeller::programs::Tracks;
-use rodete::kinds::impeller::proof::cutting::limits;
+use rodete::kinds::impeller::proof::tip_path::limits;
 use rodete::kinds::impeller::proof::tip_path::{Along, between, deviation, grid_bound};
 use rodete::kinds::impeller::splitter::Splitter;
 use rodete::kinds::impeller::tables::ToolPaths;

@@ -6,7 +6,6 @@
 use crate::finding::{Finding, Place, Raise, Size};
 use crate::gcode::program::Program;
 use crate::kind::Wants;
-use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::figures::Curve;
 use crate::kinds::impeller::ideal::Ideal;
 use crate::kinds::impeller::parameters as form;
@@ -18,25 +17,13 @@ use crate::kinds::impeller::proof::rules::{
     PointOffGrid, TipIntoMetal, TipIntoMetalAtAnyN, TipOffAtAnyN, TipOffTolerance,
 };
 use crate::kinds::impeller::proof::stock;
-use crate::kinds::impeller::proof::tip_path::{Along, Peak};
+use crate::kinds::impeller::proof::tip_path::{Along, INTO_METAL, NAMED, Peak, limits};
 use crate::kinds::impeller::proof::track_step::TrackStep;
 use crate::kinds::impeller::track::Track;
 use crate::number::grid::Milli;
 use crate::proof::check::{At, Check, Extreme, Question, mm, up};
 use crate::proof::step::{Judge, Step};
 use crate::text::{Text, t};
-
-/// How far the tip may go into the metal before a person must judge it where the workbook states no tolerance, mm: the
-/// fine class of ISO 2768-1 for lengths up to 6 mm.
-pub const INTO_METAL: f64 = 0.05;
-/// The deviation for which the n is named where the workbook states no tolerance, mm.
-pub const NAMED: f64 = 0.01;
-
-/// On which side of what deviation and depth into the metal must be known to be, mm.
-#[must_use]
-pub fn limits(design: &Design) -> [f64; 2] {
-    [design.tol.unwrap_or(NAMED), INTO_METAL]
-}
 
 /// What is known of one track.
 #[derive(Debug)]

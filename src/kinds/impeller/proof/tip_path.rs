@@ -27,6 +27,7 @@
 
 use nalgebra::Vector3;
 
+use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::ideal::{Ideal, Station};
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Pose};
@@ -34,6 +35,18 @@ use crate::machine::rotary::Rotary;
 use crate::number::bound::Enclosure;
 use crate::number::grid::Milli;
 use crate::proof::agreement::tip;
+
+/// How far the tip may go into the metal before a person must judge it where the workbook states no tolerance, mm: the
+/// fine class of ISO 2768-1 for lengths up to 6 mm.
+pub const INTO_METAL: f64 = 0.05;
+/// The deviation for which the n is named where the workbook states no tolerance, mm.
+pub const NAMED: f64 = 0.01;
+
+/// On which side of what deviation and depth into the metal must be known to be, mm.
+#[must_use]
+pub fn limits(design: &Design) -> [f64; 2] {
+    [design.tol.unwrap_or(NAMED), INTO_METAL]
+}
 
 /// How far the tip is from its path at one place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
