@@ -152,13 +152,6 @@ impl PipePair {
     pub fn off_header(&self, point: &Vector3<f64>) -> f64 {
         hypot(point.y, point.z) - self.R
     }
-
-    /// How far a point is from the branch's surface, mm; negative inside.
-    #[must_use]
-    pub fn off_branch(&self, point: &Vector3<f64>) -> f64 {
-        let across = point.x * self.sin - point.z * self.cos;
-        hypot(point.y - self.e, across) - self.r
-    }
 }
 
 /// An angle brought between 0 and 2π.
@@ -182,7 +175,8 @@ mod tests {
             let pair = PipePair::new(r, R, theta, (R - r) * off);
             prop_assert!(pair.overhang() <= 1e-12 * R);
             let point = pair.point(phi);
-            prop_assert!(pair.off_header(&point).abs() < 1e-9 && pair.off_branch(&point).abs() < 1e-9);
+            let off_branch = hypot(point.y - pair.e, point.x * pair.sin - point.z * pair.cos) - r;
+            prop_assert!(pair.off_header(&point).abs() < 1e-9 && off_branch.abs() < 1e-9);
             prop_assert!((pair.on_branch(phi, pair.depth(phi)) - point).norm() < 1e-9);
         }
 

@@ -184,11 +184,6 @@ impl Offsets {
         &self.systems[system as usize]
     }
 
-    /// One system's origin and rotation, to be changed.
-    pub const fn system_mut(&mut self, system: System) -> &mut WorkOffset {
-        &mut self.systems[system as usize]
-    }
-
     /// The frame of the active system with a tool offset, G92 in it where it is on.
     #[must_use]
     pub fn frame(&self, tool: Pose) -> ActiveOffsets {

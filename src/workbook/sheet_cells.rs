@@ -168,8 +168,7 @@ fn content(value: &DataRef<'_>) -> Option<Content> {
     match value {
         DataRef::Empty => None,
         DataRef::Float(number) => Some(Content::Number(*number)),
-        // Whole numbers are read as floating point from .xlsx; this is for completeness of the reader's type.
-        #[allow(clippy::cast_precision_loss)]
+        #[expect(clippy::cast_precision_loss, reason = "the reader takes whole numbers of .xlsx as floating point")]
         DataRef::Int(number) => Some(Content::Number(*number as f64)),
         DataRef::String(string) => text(string),
         DataRef::SharedString(string) => text(string),

@@ -9,7 +9,7 @@
 
 mod chance;
 #[path = "../common/workbook.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, reason = "the fuzzer takes only some of what tests share")]
 mod package;
 mod targets;
 

@@ -268,9 +268,11 @@ fn the_root_lies_on_both_pipes_and_under_the_torch() {
     for hole in holes() {
         let design = Design::new(&Fields::of(&FORM, values(&hole)).unwrap()).expect("a design");
         let (r, R) = (design.branch.D / 2.0 + design.b, design.R_i() + design.h);
+        let (sin, cos) = sin_cos(design.theta.to_radians());
         for one in tables::stations(&design) {
             assert!((hypot(one.root.y, one.root.z) - R).abs() < 1e-9);
-            assert!(design.pair().off_branch(&one.root).abs() < 1e-9, "{r}");
+            let across = one.root.x * sin - one.root.z * cos;
+            assert!((hypot(one.root.y - design.e, across) - r).abs() < 1e-9, "{r}");
             assert!((hypot(one.face.y, one.face.z) - design.R_o()).abs() < 1e-9);
             let through = root(&one, design.kerf / 2.0);
             let pose = machine_axes(&one, design.kerf / 2.0, None).pose();
