@@ -10,6 +10,18 @@ use crate::number::grid::LIMIT;
 /// The greatest count, tool, time or inverse time that a word may say, whatever the code that it belongs to allows; a
 /// pure number. Ten digits, far above any of them, and still a whole number exactly.
 pub const COUNT: f64 = 9_999_999_999.0;
+/// Bytes of a program, under a gigabyte. More would be days of machining; positions in it stay far below what counts them.
+pub const PROGRAM_BYTES: u64 = 900_000_000;
+/// Bytes of a subprogram's own file, 16 MiB. It is read whole: a file must not fill the memory.
+pub const SUBPROGRAM_BYTES: usize = 16 << 20;
+/// Bytes of a line. A file without line ends must not fill the memory.
+pub const LINE_BYTES: usize = 4096;
+/// Lines that are looked through for the first `%`. A long file without one is not read twice.
+pub const LEADER_LINES: usize = 1_000;
+/// Brackets within one another. Each is a call of the reader: a line must not fill its stack.
+pub const NESTED_BRACKETS: usize = 64;
+/// Bytes of LinuxCNC's parameter file: 46 for every parameter that there can be, where LinuxCNC writes about 15.
+pub const VAR_FILE_BYTES: usize = 256 * 1024;
 /// Block numbers of a file that calls its blocks by number. Each is remembered: a file must not fill the memory.
 pub const BLOCK_NUMBERS: usize = 1_000_000;
 /// O-words of a file. Each is remembered: a file must not fill the memory.
@@ -83,6 +95,27 @@ pub const ARC_CHORDS: f64 = 100_000.0;
 pub const FLOOR_BOXES: usize = 40_000;
 /// Boxes that are looked at for an undercut. It bounds the time; what is not decided by then is reported with its bounds.
 pub const UNDERCUT_BOXES: usize = 40_000;
+/// Halvings of a piece of a hole's curve, to hold the torch to it. It bounds the blocks: a millionth of a piece is far below
+/// the grid.
+pub const CUT_HALVINGS: u32 = 20;
+/// Looks of the search for the greatest height of a torch over a hole. It bounds the time; what is not decided by then is
+/// reported with its bound.
+pub const HEIGHT_LOOKS: u32 = 20_000;
+/// Cells that are evaluated for the clearance of a pass; a usual one takes some hundreds. It bounds the time; the bounds
+/// reached by then hold.
+pub const PASS_CELLS: usize = 200_000;
+/// Cells that are evaluated for a move outside the stock; a usual one takes some tens. It bounds the time; the bounds
+/// reached by then hold.
+pub const MOVE_CELLS: usize = 20_000;
+/// Looks that a track may take at the way of its tip, beyond three at each block. It bounds the time; the bound reached by
+/// then holds.
+pub const TIP_LOOKS: u32 = 200_000;
+/// Blocks of a track that are computed to find the n for a tolerance, all tries together. A fraction of a second.
+pub const TRIED_BLOCKS: usize = 100_000;
+/// Cuts that wait for the second library. It bounds the memory where the library is slower than the removal.
+pub const WAITING_CUTS: usize = 1_000;
+/// Points of a wanted profile. It bounds the memory, however long its arcs.
+pub const PROFILE_POINTS: usize = 1_000_000;
 /// Pieces of a block over which the bound of the tip's way is summed. It bounds the time; with fewer pieces the bound
 /// is wider, and still one.
 pub const WAY_PIECES: u32 = 256;
@@ -101,7 +134,59 @@ pub const TILE_CORNERS: usize = 64;
 /// edges that is gone over again and again.
 pub const SIMULATION_WORK: u64 = 100_000_000;
 
+// Sweeps
+
+/// Designs of a plan. Each has a row: some gigabytes in all, and hours of work.
+pub const SWEEP_DESIGNS: u32 = 10_000_000;
+/// Chunks of a plan. An array of tasks ends at index 1000 as Slurm is delivered.
+pub const SWEEP_CHUNKS: u64 = 1000;
+/// Designs of a batch for each job. It bounds the memory of rows that are not saved yet.
+pub const BATCH_DESIGNS: usize = 2_000;
+/// Designs that a forecast tries, refused ones too. A forecast must end soon where nearly all are refused.
+pub const FORECAST_DESIGNS: u64 = 64;
+/// Designs of a front: beyond, the first by the first objective stay. Each new one is compared with all of them.
+pub const FRONT_DESIGNS: usize = 10_000;
+/// Rows of the sheet of all designs. Beyond, a spreadsheet opens it slowly; the file of rows has them all.
+pub const SWEEP_ROWS: u64 = 20_000;
+
 // What is listed, shown and printed
+
+/// Intervals up to which tables are written as formulas; of more, as values. The sheets would grow to many megabytes and
+/// open slowly.
+pub const LIVE_INTERVALS: usize = 400;
+/// Motions of a turning that are drawn. A page must stay one that a viewer opens at once.
+pub const DRAWN_MOTIONS: usize = 4_000;
+/// Differing rows of a table that a comparison prints; the workbook and the JSON document have all. A person reads the
+/// first ones.
+pub const PRINTED_DIFFERENCES: usize = 400;
+/// Differing rows of a table that are shown on the terminal; the workbook and the JSON document have all. A person reads
+/// the first ones.
+pub const LISTED_DIFFERENCES: usize = 60;
+/// Unknown symbols or labels of a workbook that are mentioned. A person reads the first ones.
+pub const LISTED_SYMBOLS: usize = 20;
+/// Cells with formulas that are named. A person reads the first ones.
+pub const LISTED_FORMULAS: usize = 10;
+/// Changed cells of a list that are named. A person reads the first ones.
+pub const LISTED_CELLS: usize = 5;
+/// Names of other files that a refusal lists. One of them is the one that was meant, or none.
+pub const LISTED_FILES: usize = 3;
+/// Findings after which a sheet of an input workbook is given up. A sheet must not fill the memory with them.
+pub const SHEET_FINDINGS: usize = 1_000;
+/// Lines of a typst compiler's diagnostics that are reported. A person reads the first ones.
+pub const DIAGNOSTIC_LINES: usize = 8;
+/// Bytes of all attachments of a report together, 32 MiB; files beyond it are only listed. A greater PDF is difficult to
+/// open and to send.
+pub const ATTACHED_BYTES: u64 = 32 * 1024 * 1024;
+/// Bytes of a logo, 8 MiB. It is in every report.
+pub const LOGO_BYTES: u64 = 8 * 1024 * 1024;
+/// Files of a folder of templates. A folder that was named by mistake must not be read whole.
+pub const TEMPLATE_FILES: usize = 1000;
+/// Bytes of all of them, 64 MiB. They are held in memory.
+pub const TEMPLATE_BYTES: u64 = 64 * 1024 * 1024;
+/// Folders below one another in it. A link back up must not lead on without end.
+pub const TEMPLATE_FOLDERS: usize = 8;
+/// Cell formats of a workbook that sheets are put into; the spreadsheet programs allow a few more.
+pub const CELL_FORMATS: usize = 65_490;
 
 /// Findings of one turning program; the rest is counted. A person reads the first ones; the table of alarms has them
 /// all.
@@ -132,3 +217,15 @@ pub const COVERED_ROWS: usize = 10_000;
 pub const WORKBOOKS_AT_ONCE: usize = 8;
 /// Bytes of a delivery's notice. More than any notice has: what is longer is none.
 pub const NOTICE_BYTES: u64 = 1 << 22;
+/// Bytes of a lock file that are read. More than either spreadsheet program writes.
+pub const LOCK_BYTES: u64 = 4_096;
+/// Entries of a folder that are looked through for a file of another name. A folder of very many must not hold up a
+/// refusal.
+pub const FOLDER_ENTRIES: usize = 10_000;
+/// Panics whose words are kept. The guard that asks for its own comes soon after.
+pub const KEPT_PANICS: usize = 64;
+/// Bytes of a compiler's diagnostics that are kept, 64 KiB; the rest is read and dropped, so that the child never waits for
+/// a reader.
+pub const DIAGNOSTIC_BYTES: u64 = 64 * 1024;
+/// Bytes of a PDF that are accepted, 512 MiB. It is read whole.
+pub const PDF_BYTES: u64 = 512 * 1024 * 1024;

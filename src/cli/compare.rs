@@ -24,6 +24,7 @@ use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::kind::comparison::sheets::Sheet;
 use crate::kind::comparison::{Comparison, Found, Input, ProgramPair, Shown};
 use crate::kind::{Kind, Wants};
+use crate::limits::LISTED_DIFFERENCES;
 use crate::machine::axis::{Axis, Pose};
 use crate::report::comparison::{self, Named};
 use crate::store::{Existing, Folder, Set};
@@ -32,8 +33,6 @@ use crate::workbook::comparison_book;
 
 /// Columns wider than this stand on lines of their own.
 const WIDE: usize = 34;
-/// Most rows of a table that are shown; the workbook and the JSON document have all.
-const ROWS: usize = 60;
 
 /// Compares, and prints or writes what differs.
 pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
@@ -198,7 +197,7 @@ fn table(sheet: &Sheet, language: Language, width: Option<usize>) -> String {
         let headings: Vec<String> = sheet.headings.iter().map(|heading| heading.get(language).to_owned()).collect();
         text.push_str(&format!("{}\n", padded(&headings)));
     }
-    for row in differing.iter().take(ROWS) {
+    for row in differing.iter().take(LISTED_DIFFERENCES) {
         text.push_str(&format!("{}\n", padded(row)));
         for (at, cell) in row.iter().enumerate().filter(|(at, cell)| !narrow(*at) && !cell.is_empty()) {
             let heading = sheet.headings[at].get(language);
@@ -210,8 +209,8 @@ fn table(sheet: &Sheet, language: Language, width: Option<usize>) -> String {
         let text = Text::new(format!("  {count} {es}\n"), format!("  {count} {en}\n"));
         text.get(language).to_owned()
     };
-    if differing.len() > ROWS {
-        text.push_str(&count("más que difieren", "more that differ", differing.len() - ROWS));
+    if differing.len() > LISTED_DIFFERENCES {
+        text.push_str(&count("más que difieren", "more that differ", differing.len() - LISTED_DIFFERENCES));
     }
     if same > 0 {
         text.push_str(&count("iguales", "the same", same));

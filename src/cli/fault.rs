@@ -9,6 +9,7 @@ use std::sync::{Mutex, PoisonError};
 use crate::escape::printable;
 use crate::finding::rules::BrokeOff;
 use crate::finding::{Exit, Place, Raise, Refusal};
+use crate::limits::KEPT_PANICS;
 
 thread_local! {
     /// How deep in guarded work this thread is.
@@ -18,8 +19,6 @@ thread_local! {
 /// What the last panics said, and the same with their place. Guarded work is done by several threads, whose panics end it
 /// on the thread that began it: it knows its own again by what they said.
 static SAID: Mutex<Vec<(String, String)>> = Mutex::new(Vec::new());
-/// So many of them are kept.
-const KEPT: usize = 64;
 /// Command lines being run: their panics, in whatever thread, are not printed.
 static RUNNING: AtomicUsize = AtomicUsize::new(0);
 
@@ -34,7 +33,7 @@ fn hook() {
     set_hook(Box::new(move |panic| {
         if GUARDED.get() > 0 || RUNNING.load(Ordering::SeqCst) > 0 {
             let mut said = SAID.lock().unwrap_or_else(PoisonError::into_inner);
-            if said.len() == KEPT {
+            if said.len() == KEPT_PANICS {
                 said.remove(0);
             }
             said.push((message(panic.payload()).to_owned(), sentence(panic)));

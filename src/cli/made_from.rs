@@ -8,11 +8,9 @@ use crate::escape::{printable, printable_path};
 use crate::finding::{Finding, Place, Raise};
 use crate::gcode::header::Named;
 use crate::graft;
+use crate::limits::FOLDER_ENTRIES;
 use crate::store;
 use crate::workbook::{self, Input};
-
-/// Most entries of a folder that are looked through.
-const FOLDER_ENTRIES: usize = 10_000;
 
 /// What the head of a program says of its workbook, compared with the workbooks of that name beside the program and in the
 /// folder above; `None` of a program that names none. Of several with the name one that is the same counts.

@@ -12,18 +12,13 @@ use crate::escape::{excerpt, printable};
 use crate::finding::answer::answer;
 use crate::finding::{Finding, Place, Raise};
 use crate::kind::{NamedFile, Outcome};
+use crate::limits::{LOGO_BYTES, TEMPLATE_BYTES, TEMPLATE_FILES, TEMPLATE_FOLDERS};
 use crate::parameter::{Values, at, title_block};
 use crate::report::rules::{LogoNotRead, NamedFileChanged, TemplatesNotRead};
-use crate::report::stationery::{self, Logo, Template};
+use crate::report::stationery::{Logo, Template};
 use crate::store;
 use crate::text::{Text, t};
 
-/// Most files of a folder of templates.
-const FILES: usize = 1000;
-/// Most bytes of all of them.
-const BYTES: u64 = 64 * 1024 * 1024;
-/// Most folders below one another.
-const DEPTH: usize = 8;
 /// Characters of a logo's name shown in a message.
 const SHOWN: usize = 80;
 
@@ -52,10 +47,9 @@ pub(super) fn logo(
         return Err(not_read(t("queda fuera de la carpeta del libro", "it is outside of the workbook's folder")));
     }
     let same = |bytes: &Vec<u8>| verified.iter().any(|then| then.name == name && then.sha256 == store::sha256(bytes));
-    let above = || bytes(&beside(workbook).join("..").join(path), stationery::LOGO).ok().filter(same);
-    let bytes = bytes(&beside(workbook).join(path), stationery::LOGO)
-        .or_else(|reason| above().ok_or(reason))
-        .map_err(not_read)?;
+    let above = || bytes(&beside(workbook).join("..").join(path), LOGO_BYTES).ok().filter(same);
+    let bytes =
+        bytes(&beside(workbook).join(path), LOGO_BYTES).or_else(|reason| above().ok_or(reason)).map_err(not_read)?;
     let file = NamedFile { name: name.to_owned(), sha256: store::sha256(&bytes) };
     let logo = Logo::new(shown(), bytes, place()).map_err(|finding| located(*finding))?;
     Ok(Some((logo, file)))
@@ -71,7 +65,7 @@ pub(super) fn named(workbook: &Path, outcome: &Outcome, verified: &[NamedFile]) 
         Err(caution) => {
             findings.push(*caution);
             let above = beside(workbook).join("..").join(name.replace('\\', "/"));
-            bytes(&above, stationery::LOGO).ok().map(|bytes| store::sha256(&bytes))
+            bytes(&above, LOGO_BYTES).ok().map(|bytes| store::sha256(&bytes))
         }
     };
     let changed = |then: &&NamedFile| then.name == name && now.as_ref().is_some_and(|now| *now != then.sha256);
@@ -104,7 +98,7 @@ fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Text> {
 /// Why there is no report with them.
 pub(super) fn templates(folder: &Path) -> Result<Vec<Template>, Box<Finding>> {
     let mut found = Vec::new();
-    let (mut left, mut open) = (BYTES, vec![(folder.to_path_buf(), String::new(), 0)]);
+    let (mut left, mut open) = (TEMPLATE_BYTES, vec![(folder.to_path_buf(), String::new(), 0)]);
     let refused = |reason| Box::new(TemplatesNotRead { folder: printable_path(folder), reason }.at(Place::File));
     let named = |name: &str, reason: Text| {
         Text::new(format!("{}: {}", printable(name), reason.es), format!("{}: {}", printable(name), reason.en))
@@ -115,9 +109,9 @@ pub(super) fn templates(folder: &Path) -> Result<Vec<Template>, Box<Finding>> {
             let entry = entry.map_err(unread)?;
             let name = format!("{below}{}", entry.file_name().to_string_lossy());
             let kind = entry.file_type().map_err(unread)?;
-            if kind.is_dir() && depth < DEPTH {
+            if kind.is_dir() && depth < TEMPLATE_FOLDERS {
                 open.push((entry.path(), format!("{name}/"), depth + 1));
-            } else if kind.is_file() && found.len() < FILES {
+            } else if kind.is_file() && found.len() < TEMPLATE_FILES {
                 let bytes = bytes(&entry.path(), left).map_err(|reason| refused(named(&name, reason)))?;
                 left = left.saturating_sub(u64::try_from(bytes.len()).unwrap_or(u64::MAX));
                 found.push(Template { path: name, bytes });

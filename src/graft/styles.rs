@@ -8,12 +8,11 @@
 use std::collections::BTreeMap;
 
 use crate::finding::{Exit, Place, Raise, Refusal};
+use crate::limits::CELL_FORMATS;
 
 use super::rules::TooManyCellFormats;
 use super::tree::{Element, Splices};
 
-/// Cell formats that a workbook may have; the spreadsheet programs allow a few more.
-const MOST: usize = 65_490;
 /// The lists of a part of styles, in their order.
 const ORDER: [&str; 8] = ["numFmts", "fonts", "fills", "borders", "cellStyleXfs", "cellXfs", "cellStyles", "dxfs"];
 /// Number formats of one's own begin here.
@@ -241,8 +240,8 @@ impl<'d> Styles<'d> {
     /// # Errors
     /// For more formats than a workbook may have.
     pub fn finish(mut self) -> Result<Option<Vec<u8>>, Refusal> {
-        if self.list("cellXfs").count > MOST {
-            return Err(TooManyCellFormats { most: MOST }.refused(Exit::Limit, Place::File));
+        if self.list("cellXfs").count > CELL_FORMATS {
+            return Err(TooManyCellFormats { most: CELL_FORMATS }.refused(Exit::Limit, Place::File));
         }
         let codes: Vec<Element> = self
             .new_codes

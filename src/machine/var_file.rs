@@ -18,12 +18,10 @@ use std::collections::BTreeMap;
 use super::rules::*;
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::limits::VAR_FILE_BYTES;
 
 /// The greatest number of a parameter.
 pub const LAST: u32 = 5601;
-
-/// The longest file that is read, in bytes: 46 for every parameter there can be, where LinuxCNC writes about 15.
-pub const FILE: usize = 256 * 1024;
 
 /// The longest line, in bytes without its end: LinuxCNC reads a longer one as two.
 pub const LINE: usize = 254;
@@ -59,14 +57,14 @@ impl VarFile {
     /// the same value in every reader: `1`, `+1.5`, `.5`, `-5.`, `1.5e3`. A file without any parameter is an empty one.
     ///
     /// # Errors
-    /// [`Exit::Limit`] for more than [`FILE`] bytes. [`Exit::Refused`], with every fault by line and column, for a line
+    /// [`Exit::Limit`] for more than [`VAR_FILE_BYTES`] bytes. [`Exit::Refused`], with every fault by line and column, for a line
     /// that is no `number value` pair or is longer than [`LINE`], a number outside of 1 to [`LAST`], a value that is no
     /// decimal number within ±[`GREATEST`], a parameter given twice or out of order.
     pub fn parse(bytes: &[u8]) -> Result<Self, Refusal> {
-        if bytes.len() > FILE {
+        if bytes.len() > VAR_FILE_BYTES {
             let finding = ParameterFileTooLong {}
                 .at(Place::File)
-                .with(format!("{} bytes", bytes.len()), format!("≤ {FILE} bytes"));
+                .with(format!("{} bytes", bytes.len()), format!("≤ {VAR_FILE_BYTES} bytes"));
             return Err(Refusal::new(Exit::Limit, finding));
         }
         let mut file = Self::default();

@@ -12,10 +12,8 @@ use super::document::File;
 use super::rules::TooLargeToAttach;
 use super::{Attachment, Content, Role, number};
 use crate::finding::{Finding, Place, Raise};
+use crate::limits::ATTACHED_BYTES;
 use crate::typeset::characters::Words;
-
-/// The maximum size of all attachments together, bytes; files beyond it are only listed.
-const CARRIED: u64 = 32 * 1024 * 1024;
 
 /// Copies the attachments into the folder, with their SHA-256; files that are too large are only listed.
 pub(super) fn files(
@@ -34,7 +32,7 @@ pub(super) fn files(
         let name = file_name(&words.line(&attachment.name));
         let twice = files.iter().any(|file: &File| file.name == name);
         let beside = attachment.role == Role::Beside;
-        let copy = (!twice && !beside && bytes <= CARRIED - carried).then(|| format!("attachment-{at}"));
+        let copy = (!twice && !beside && bytes <= ATTACHED_BYTES - carried).then(|| format!("attachment-{at}"));
         match &copy {
             Some(copy) => {
                 carried += bytes;
@@ -44,11 +42,10 @@ pub(super) fn files(
                 }
             }
             None if twice || beside => {}
-            None => findings.push(
-                TooLargeToAttach { name: name.clone() }
-                    .at(Place::File)
-                    .with(format!("{} bytes", number::grouped(bytes)), format!("{} bytes", number::grouped(CARRIED))),
-            ),
+            None => findings.push(TooLargeToAttach { name: name.clone() }.at(Place::File).with(
+                format!("{} bytes", number::grouped(bytes)),
+                format!("{} bytes", number::grouped(ATTACHED_BYTES)),
+            )),
         }
         files.push(File {
             name,

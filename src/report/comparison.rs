@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::kind::comparison::Comparison;
 use crate::kind::comparison::sheets::{Held, Line, Sheet as Table};
+use crate::limits::PRINTED_DIFFERENCES;
 use crate::text::{Language, Text, t};
 use crate::typeset;
 use crate::typeset::characters::Words;
@@ -12,8 +13,6 @@ use crate::typeset::failure::ReportFailure;
 
 /// The typst template.
 const TEMPLATE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/report-templates/comparison.typ"));
-/// Most rows of a table that are printed; the workbook and the JSON document have all.
-const ROWS: usize = 400;
 /// A column with longer texts than this shares the width that is left.
 const WIDE: usize = 44;
 
@@ -105,7 +104,7 @@ fn sheet(table: &Table, words: &mut Words) -> Sheet {
     let language = words.language;
     let differing: Vec<&Line> = table.lines.iter().filter(|line| line.differs).collect();
     let same = table.lines.len() - differing.len();
-    let shown: Vec<&Line> = differing.iter().take(ROWS).copied().collect();
+    let shown: Vec<&Line> = differing.iter().take(PRINTED_DIFFERENCES).copied().collect();
     let rows: Vec<Vec<String>> =
         shown.iter().map(|line| line.texts(language).iter().map(|cell| words.line(cell)).collect()).collect();
     let column = |(at, heading): (usize, &Text)| {
@@ -119,8 +118,8 @@ fn sheet(table: &Table, words: &mut Words) -> Sheet {
     let columns = table.headings.iter().enumerate().map(column).collect();
     let count = |es: &str, en: &str, count: usize| Text::new(format!("{count} {es}"), format!("{count} {en}"));
     let mut notes = Vec::new();
-    if differing.len() > ROWS {
-        notes.push(count("más que difieren", "more that differ", differing.len() - ROWS));
+    if differing.len() > PRINTED_DIFFERENCES {
+        notes.push(count("más que difieren", "more that differ", differing.len() - PRINTED_DIFFERENCES));
     }
     if same > 0 {
         notes.push(count("iguales", "the same", same));

@@ -4,9 +4,6 @@ use crate::finding::{Finding, Place, Raise};
 
 use super::rules::LogoNotDrawn;
 
-/// The maximum size of a logo, bytes.
-pub const LOGO: u64 = 8 * 1024 * 1024;
-
 /// A user's logo and templates; empty by default.
 #[derive(Clone, Debug, Default)]
 pub struct Stationery<'a> {

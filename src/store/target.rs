@@ -11,10 +11,8 @@ use super::reason::{refusal, shown, unwritable};
 use super::rules::*;
 use crate::escape::excerpt;
 use crate::finding::{Exit, Place, Raise, Refusal};
+use crate::limits::LOCK_BYTES;
 use crate::text::{Text, t};
-
-/// Bytes of a lock file that are read: more than either program writes.
-const LOCK: u64 = 4_096;
 
 /// Checks that a file of a set may come under its final name.
 ///
@@ -51,7 +49,7 @@ fn check_open(target: &Path) -> Result<(), Refusal> {
                 && let Ok(file) = File::open(&lock)
             {
                 // Excel may not let others read it: then its owner is not known.
-                let _ = file.take(LOCK).read_to_end(&mut bytes);
+                let _ = file.take(LOCK_BYTES).read_to_end(&mut bytes);
             }
             let owner = if program == "Excel" { owner_of_excel(&bytes) } else { owner_of_libreoffice(&bytes) };
             let owner = excerpt(owner.trim(), 60);

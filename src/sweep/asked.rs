@@ -4,12 +4,12 @@ use crate::escape::excerpt;
 use crate::finding::{CellPlace, Finding, Key, Place, Raise, Typed};
 use crate::kind::Kind;
 use crate::kind::measure::{Level, Measure};
+use crate::limits::SWEEP_DESIGNS;
 use crate::number::decimal;
 use crate::parameter::field::{Chosen, Entry, Fields};
 use crate::parameter::{FieldKind, Form, Parameter, Value, at};
 use crate::sweep::form::{
-    CONSTRAINTS, DESIGNS, DISTRIBUTION, FROM, INPUT, LEVEL, METHOD, MOST, NAME, OBJECTIVES, SAMPLES, SEED, STEP, TO,
-    VALUES,
+    CONSTRAINTS, DESIGNS, DISTRIBUTION, FROM, INPUT, LEVEL, METHOD, NAME, OBJECTIVES, SAMPLES, SEED, STEP, TO, VALUES,
 };
 use crate::sweep::objective::{Constraint, Objective, bound, direction, pieces};
 use crate::sweep::plan::{Input, Levels, Method, Plan, Spread, grouped, whole};
@@ -264,10 +264,10 @@ impl Reading<'_> {
                 samples.map(|samples| u128::from(samples) * u128::from(group))
             }
         }?;
-        if count > u128::from(MOST) {
-            self.wrong(METHOD.key(), &TooManyDesigns { count: count.to_string(), most: MOST });
+        if count > u128::from(SWEEP_DESIGNS) {
+            self.wrong(METHOD.key(), &TooManyDesigns { count: count.to_string(), most: SWEEP_DESIGNS.into() });
         }
-        u64::try_from(count).ok().filter(|count| *count > 0 && *count <= MOST)
+        u64::try_from(count).ok().filter(|count| *count > 0 && *count <= SWEEP_DESIGNS.into())
     }
 
     /// A caution that a plan which samples nothing does not read how many designs are sampled.

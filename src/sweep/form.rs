@@ -1,17 +1,13 @@
 //! The sheet of variants: settings above, and a list of the inputs that are varied below.
 
 use crate::kind::measure::Level;
+use crate::limits::SWEEP_DESIGNS;
 use crate::parameter::field::{Field, Optional, Required, Usual};
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{Form, Parameter, Section, Sheet};
 use crate::sweep::plan::Method;
 use crate::table::Unit;
 use crate::text::{Text, t};
-
-/// The most designs of a plan.
-pub const MOST: u64 = 10_000_000;
-/// The same, as a cell says it.
-const SAMPLES_MOST: u32 = 10_000_000;
 
 const REACH: [f64; 2] = [-1e9, 1e9];
 
@@ -30,7 +26,7 @@ pub static SAMPLES: Field<u32, Optional> = Field::whole(
     "samples",
     "sweep_samples",
     Unit::Count,
-    [1, SAMPLES_MOST],
+    [1, SWEEP_DESIGNS],
     t("Número de diseños", "Number of designs"),
     t(
         "Con «latino» y «sobol»; con «saltelli», de grupos. Con «sobol» y «saltelli», mejor una potencia de dos",

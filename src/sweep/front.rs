@@ -1,9 +1,7 @@
 //! The designs that no other betters in every objective.
 
+use crate::limits::FRONT_DESIGNS;
 use std::cmp::Ordering;
-
-/// The most designs of a front: beyond, the first by the first objective stay.
-pub const MOST: usize = 10_000;
 
 /// A design with the costs of its objectives: less is better in each.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +27,7 @@ impl Candidate {
     }
 }
 
-/// The front of candidates, in the order of their costs; and whether it was longer than [`MOST`]. Designs with the same costs
+/// The front of candidates, in the order of their costs; and whether it was longer than [`FRONT_DESIGNS`]. Designs with the same costs
 /// stay together. The front of fronts is the front, so that candidates may come in parts.
 #[must_use]
 pub fn front(mut candidates: Vec<Candidate>) -> (Vec<Candidate>, bool) {
@@ -46,7 +44,7 @@ pub fn front(mut candidates: Vec<Candidate>) -> (Vec<Candidate>, bool) {
         if !bettered {
             kept.push(one);
         }
-        if kept.len() > MOST {
+        if kept.len() > FRONT_DESIGNS {
             kept.pop();
             return (kept, true);
         }
@@ -96,6 +94,6 @@ mod tests {
     fn a_long_front_is_cut_and_says_so() {
         let line = |id: u32| Candidate { id: id.into(), costs: vec![f64::from(id), -f64::from(id)] };
         let (kept, cut) = front((0..10_001).map(line).collect());
-        assert_eq!((kept.len(), cut), (MOST, true));
+        assert_eq!((kept.len(), cut), (FRONT_DESIGNS, true));
     }
 }

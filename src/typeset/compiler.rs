@@ -15,6 +15,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::failure::{Ending, ReportFailure};
+use crate::limits::{DIAGNOSTIC_BYTES, PDF_BYTES};
 
 /// The deadline of one compilation.
 pub const DEADLINE: Duration = Duration::from_secs(60);
@@ -22,12 +23,6 @@ pub const DEADLINE: Duration = Duration::from_secs(60);
 /// The date in the PDF's metadata, 2000-01-01 00:00 UTC: PDF/A wants one, and the same workbook must give the same
 /// bytes whenever it is built.
 const CREATED: &str = "946684800";
-
-/// Most bytes of diagnostics that are kept; the rest is read and dropped, so that the child never waits for a reader.
-const DIAGNOSTICS: u64 = 64 * 1024;
-
-/// Most bytes of a PDF that are accepted.
-const PDF: u64 = 512 * 1024 * 1024;
 
 /// Variables that would change what a `typst` command line reads or writes.
 const FOREIGN: [&str; 9] = [
@@ -172,7 +167,7 @@ fn listen(mut pipe: impl Read + Send + 'static) -> mpsc::Receiver<Vec<u8>> {
     thread::spawn(move || {
         let mut text = Vec::new();
         // A broken pipe ends the text: what came before it is what there is to tell.
-        let _ = pipe.by_ref().take(DIAGNOSTICS).read_to_end(&mut text);
+        let _ = pipe.by_ref().take(DIAGNOSTIC_BYTES).read_to_end(&mut text);
         let _ = io::copy(&mut pipe, &mut io::sink());
         let _ = sender.send(text);
     });
@@ -182,7 +177,7 @@ fn listen(mut pipe: impl Read + Send + 'static) -> mpsc::Receiver<Vec<u8>> {
 /// The bytes of a PDF with its beginning and its end.
 fn whole(path: &Path) -> Result<Vec<u8>, Ending> {
     let length = fs::metadata(path).map_err(Ending::Output)?.len();
-    if length > PDF {
+    if length > PDF_BYTES {
         return Err(Ending::NotPdf { length });
     }
     let bytes = fs::read(path).map_err(Ending::Output)?;

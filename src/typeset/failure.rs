@@ -11,13 +11,12 @@ use super::rules::*;
 use crate::finding::answer::answer;
 use crate::finding::rules::NotSerialized;
 use crate::finding::{Finding, Place, Raise};
+use crate::limits::DIAGNOSTIC_LINES;
 use crate::text::{Text, t};
 
 /// The version of typst that the templates are written for.
 pub const TYPST_VERSION: &str = "0.15";
 
-/// Most lines of a compiler's diagnostics that are reported.
-const LINES: usize = 8;
 /// Most characters of such a line.
 const WIDTH: usize = 200;
 
@@ -165,9 +164,9 @@ impl Ending {
 fn first_lines(diagnostics: &[u8]) -> String {
     let text = String::from_utf8_lossy(diagnostics);
     let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
-    let mut told: String = lines.iter().take(LINES).map(|line| format!("\n  {}", clean(line))).collect();
-    if lines.len() > LINES {
-        told.push_str(&format!("\n  … (+{})", lines.len() - LINES));
+    let mut told: String = lines.iter().take(DIAGNOSTIC_LINES).map(|line| format!("\n  {}", clean(line))).collect();
+    if lines.len() > DIAGNOSTIC_LINES {
+        told.push_str(&format!("\n  … (+{})", lines.len() - DIAGNOSTIC_LINES));
     }
     told
 }

@@ -7,11 +7,9 @@ use rust_xlsxwriter::{Formula, RowNum, quote_sheet_name, utility::column_number_
 
 use super::error::WriteError;
 use super::placed::{FIRST, Placed};
+use crate::limits::LIVE_INTERVALS;
 use crate::table::{Index, Live, Print, Table};
 use crate::text::{Text, t};
-
-/// More intervals than this are written as values: the sheets would grow to many megabytes and open slowly.
-pub const MOST: usize = 400;
 
 /// At least so many intervals are prepared.
 const PREPARED: usize = 100;
@@ -22,7 +20,7 @@ pub const NOTHING: &str = " ";
 /// Whether the results hold formulas or values alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Tables {
-    /// Formulas with their values, up to [`MOST`] intervals.
+    /// Formulas with their values, up to [`LIVE_INTERVALS`] intervals.
     #[default]
     Live,
     /// Values.
@@ -43,7 +41,7 @@ pub enum Written {
     Formulas,
     /// As values, because that was asked for.
     Asked,
-    /// As values, because there are more than [`MOST`] intervals.
+    /// As values, because there are more than [`LIVE_INTERVALS`] intervals.
     Long,
 }
 
@@ -53,7 +51,7 @@ impl Written {
     pub fn of<'a>(mut all: impl Iterator<Item = &'a Table>, tables: Tables) -> Self {
         match tables {
             Tables::Values => Self::Asked,
-            Tables::Live if all.any(|table| intervals(table).is_some_and(|count| count > MOST)) => Self::Long,
+            Tables::Live if all.any(|table| intervals(table).is_some_and(|count| count > LIVE_INTERVALS)) => Self::Long,
             Tables::Live => Self::Formulas,
         }
     }
@@ -73,8 +71,8 @@ impl Written {
                 "Values (--values): they do not follow the inputs; build again",
             ),
             Self::Long => Text::new(
-                format!("Valores (más de {MOST} intervalos): no siguen a los datos; vuelva a generar"),
-                format!("Values (more than {MOST} intervals): they do not follow the inputs; build again"),
+                format!("Valores (más de {LIVE_INTERVALS} intervalos): no siguen a los datos; vuelva a generar"),
+                format!("Values (more than {LIVE_INTERVALS} intervals): they do not follow the inputs; build again"),
             ),
         }
     }
@@ -118,7 +116,7 @@ impl<'a> LiveTables<'a> {
     pub fn rows(&self, table: &Table) -> usize {
         match (table.index, intervals(table)) {
             (Index::Intervals { times, more, .. }, Some(count)) if self.on() => {
-                times * PREPARED.max(2 * count).clamp(count, MOST) + more + 1
+                times * PREPARED.max(2 * count).clamp(count, LIVE_INTERVALS) + more + 1
             }
             _ => table.rows(),
         }

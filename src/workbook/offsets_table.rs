@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal};
+use crate::limits::LISTED_SYMBOLS;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::{Unfit, VarFile};
 use crate::machine::work_offset::{ACTIVE, G92_FIRST, G92_SWITCH, System};
@@ -26,8 +27,6 @@ use super::words::fold;
 
 /// Columns A to P: those of the sheet, and some that a user may have put between them.
 const COLUMNS: u32 = 16;
-/// Most labels that are mentioned because they are not known.
-const UNKNOWN: usize = 20;
 /// Characters of a label shown in a message.
 const SHOWN: usize = 40;
 
@@ -296,7 +295,7 @@ impl Reading<'_> {
         for (label, cells) in twice {
             self.stop(cells, &HeadingTwice { heading: excerpt(&label, SHOWN) });
         }
-        for (label, cell) in unknown.into_iter().take(UNKNOWN) {
+        for (label, cell) in unknown.into_iter().take(LISTED_SYMBOLS) {
             let row = HeadingUnknown { heading: excerpt(&label, SHOWN) };
             self.table.findings.push(row.at(Place::Cells(vec![self.sheet.place(cell)])));
         }

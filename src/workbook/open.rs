@@ -9,15 +9,11 @@ use std::path::{Path, PathBuf};
 use crate::escape::{printable, printable_path};
 use crate::finding::answer::answer;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::limits::{FOLDER_ENTRIES, LISTED_FILES};
 use crate::text::{Text, t};
 
 use super::limits;
 use super::rules::file::*;
-
-/// Most names of other files that a refusal lists.
-const NAMES: usize = 3;
-/// Most entries of a folder that are looked through for them.
-const FOLDER_ENTRIES: usize = 10_000;
 
 /// A kind of file that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -169,15 +165,15 @@ fn not_found(input: Input, named: &Path, path: String) -> Finding {
         })
         .collect();
     names.sort();
-    let near: Vec<_> = names.iter().filter(|name| !name.0).take(NAMES).map(|name| printable(&name.2)).collect();
+    let near: Vec<_> = names.iter().filter(|name| !name.0).take(LISTED_FILES).map(|name| printable(&name.2)).collect();
     if !near.is_empty() {
         return NoSuchFileButAlike { path, near: near.join(", ") }.at(Place::File);
     }
     if names.is_empty() {
         return NoSuchFile { path }.at(Place::File);
     }
-    let mut there = names.iter().take(NAMES).map(|name| printable(&name.2)).collect::<Vec<_>>().join(", ");
-    if names.len() > NAMES {
+    let mut there = names.iter().take(LISTED_FILES).map(|name| printable(&name.2)).collect::<Vec<_>>().join(", ");
+    if names.len() > LISTED_FILES {
         there.push_str(" …");
     }
     NoSuchFileAmong { path, there }.at(Place::File)

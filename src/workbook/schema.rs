@@ -12,6 +12,7 @@ use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal};
 use crate::gcode::fields::SCHEMA;
 use crate::kind::NamedFile;
+use crate::limits::{LISTED_CELLS, LISTED_FORMULAS, LISTED_SYMBOLS};
 use crate::number::decimal;
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values};
@@ -32,12 +33,6 @@ use super::words;
 
 /// Values are looked for in the columns before this one.
 const MOVED: u32 = 26;
-/// Most unknown symbols that are mentioned.
-const UNKNOWN: usize = 20;
-/// Most cells with formulas that are named.
-const FORMULAS: usize = 10;
-/// Most changed cells of a list that are named.
-const LIST_CELLS: usize = 5;
 /// Characters of a name or a symbol shown in a message.
 const SHOWN: usize = 40;
 
@@ -180,15 +175,15 @@ fn verified(
 fn list_told(sheet: &str, cells: &[Position]) -> String {
     let mut told = excerpt(sheet, SHOWN);
     if !cells.is_empty() {
-        let named = cells.iter().take(LIST_CELLS).map(|cell| address::format(*cell)).collect::<Vec<_>>().join(" ");
-        let more = if cells.len() > LIST_CELLS { " …" } else { "" };
+        let named = cells.iter().take(LISTED_CELLS).map(|cell| address::format(*cell)).collect::<Vec<_>>().join(" ");
+        let more = if cells.len() > LISTED_CELLS { " …" } else { "" };
         told.push_str(&format!(" ({named}{more})"));
     }
     told
 }
 
 fn places<'a>(sheet: &'a str, cells: &'a [Position]) -> impl Iterator<Item = CellPlace> + 'a {
-    cells.iter().take(LIST_CELLS).map(|cell| CellPlace { sheet: sheet.to_owned(), cell: address::format(*cell) })
+    cells.iter().take(LISTED_CELLS).map(|cell| CellPlace { sheet: sheet.to_owned(), cell: address::format(*cell) })
 }
 
 /// The sheet that a form begins with, read.
@@ -310,7 +305,7 @@ pub(super) fn calculated<'a>(sheet: &SheetCells, inputs: impl Iterator<Item = &'
         .filter(|place| address::parse(&place.cell).is_some_and(|at| sheet.survey.formulas.contains(&at)))
         .cloned()
         .collect();
-    let (count, most) = (cells.len(), FORMULAS);
+    let (count, most) = (cells.len(), LISTED_FORMULAS);
     cells.truncate(most);
     let first = if count > most {
         Text::new(format!(" (las primeras {most})"), format!(" (the first {most})"))
@@ -578,12 +573,12 @@ fn unknown(sheet: &SheetCells, symbols: &[&str], findings: &mut Vec<Finding>) {
         !known(*row) && !heading && sheet.cell((*row, 0)).is_some() && value::is_filled(sheet, *row)
     });
     let rows: Vec<u32> = rows.collect();
-    for row in rows.iter().take(UNKNOWN) {
+    for row in rows.iter().take(LISTED_SYMBOLS) {
         let symbol =
             sheet.text((*row, sheet.columns.symbol)).map_or_else(|| "?".to_owned(), |symbol| excerpt(symbol, SHOWN));
         findings.push(SymbolUnknown { symbol }.at(Place::Cells(vec![sheet.place((*row, sheet.columns.symbol))])));
     }
-    if let Some(count) = rows.len().checked_sub(UNKNOWN).filter(|more| *more > 0) {
+    if let Some(count) = rows.len().checked_sub(LISTED_SYMBOLS).filter(|more| *more > 0) {
         findings.push(MoreSymbolsUnknown { count }.at(Place::Sheet(sheet.name.clone())));
     }
 }

@@ -9,6 +9,7 @@ use quick_xml::events::{BytesStart, Event};
 
 use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Place, Raise, Refusal};
+use crate::limits::SHEET_FINDINGS;
 
 use super::address::{self, Position, Range};
 use super::limits;
@@ -22,8 +23,6 @@ pub const COLUMNS: u32 = 5;
 const MARKS: u32 = u32::BITS;
 /// Cells beyond this column or row are so far out that they are mentioned.
 const FAR: Position = (10_000, 26);
-/// Findings after which a sheet is given up.
-const FINDINGS: usize = 1_000;
 /// Characters of a raw value kept for a message.
 const SHOWN: usize = 40;
 
@@ -73,7 +72,7 @@ pub fn survey(sheet: &str, part: &str, text: &str, strings: usize, columns: u32)
     let mut walk = Walk { sheet, part, strings, columns: columns.min(MARKS), ..Walk::default() };
     xml::walk(part, text, |depth, event| {
         walk.visit(depth, event)?;
-        if walk.survey.findings.len() < FINDINGS {
+        if walk.survey.findings.len() < SHEET_FINDINGS {
             return Ok(());
         }
         // Nothing is gained by reading on.

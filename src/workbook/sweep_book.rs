@@ -16,8 +16,6 @@ use crate::sweep::table::{Cells, Table};
 use crate::table::Unit;
 use crate::text::{Language, Text, t};
 
-/// The most rows of the sheet of all designs.
-pub const ALL_MOST: u64 = 20_000;
 /// The row of the headings, from 0; the units stand above it.
 pub(super) const HEADINGS: RowNum = 4;
 /// The most inputs that stand beside the number of a design on every printed page; more would leave no room for what came out.

@@ -6,10 +6,11 @@ use common::rs274::{self, Refused};
 use proptest::prelude::*;
 use rodete::finding::{Exit, Grade, Place, Refusal};
 use rodete::gcode::offset_preamble::preamble;
+use rodete::limits::VAR_FILE_BYTES;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::offset_edit::Edit;
-use rodete::machine::var_file::{FILE, LAST, VarFile, required};
+use rodete::machine::var_file::{LAST, VarFile, required};
 use rodete::machine::work_offset::{ActiveOffsets, Offsets, System, WorkOffset};
 use rodete::text::Language;
 
@@ -93,7 +94,7 @@ fn every_bad_line_is_refused_with_its_place_and_reason() {
 
 #[test]
 fn a_file_longer_than_any_of_linuxcnc_is_a_limit_and_not_a_fault_of_its_lines() {
-    let refusal = VarFile::parse(&vec![b'x'; FILE + 1]).unwrap_err();
+    let refusal = VarFile::parse(&vec![b'x'; VAR_FILE_BYTES + 1]).unwrap_err();
     assert_eq!((refusal.exit, refusal.findings.len()), (Exit::Limit, 1));
     let full: String = (1..=LAST).map(|number| format!("{number}\t-123456.123456\n")).collect();
     assert_eq!(read(&full).text(), full);
@@ -168,7 +169,7 @@ fn writing_touches_only_what_has_changed() {
     let (mut offsets, _) = Offsets::read(&file, LengthUnit::Inch);
     offsets.write(&mut file, LengthUnit::Inch).unwrap();
     assert_eq!(file.text(), text, "nothing was changed");
-    offsets.system_mut(System::G55).origin.set(Axis::Y, 25.4);
+    offsets.systems[System::G55 as usize].origin.set(Axis::Y, 25.4);
     offsets.g92_on = false;
     offsets.write(&mut file, LengthUnit::Inch).unwrap();
     assert_eq!(
@@ -176,7 +177,7 @@ fn writing_touches_only_what_has_changed() {
         "5161\t0.12345678\n5210\t0.000000\n5220\t3\n5221\t0.3333333333\n5242\t1.000000\n5500\t7.5\n"
     );
     offsets.g28.set(Axis::Z, f64::NAN);
-    offsets.system_mut(System::G55).origin.set(Axis::Y, 50.8);
+    offsets.systems[System::G55 as usize].origin.set(Axis::Y, 50.8);
     let before = file.clone();
     assert!(offsets.write(&mut file, LengthUnit::Inch).is_err());
     assert_eq!(file, before, "all or nothing");
@@ -299,7 +300,7 @@ fn linuxcnc_reads_our_offsets_as_they_were_meant() {
     let mut offsets = Offsets { active: System::G55, g92_on: true, ..Offsets::default() };
     for (at, system) in System::ALL.into_iter().enumerate() {
         let at = f64::from(u32::try_from(at).unwrap());
-        let work = offsets.system_mut(system);
+        let work = &mut offsets.systems[system as usize];
         work.origin = Pose([10.0 + at, -20.0 * at, 0.125, 5.0 * at, -3.0, at, 0.0, 0.0, 0.0]);
         work.rotation = 15.0 * at;
     }
@@ -332,8 +333,8 @@ fn linuxcnc_agrees_on_the_machine_position() {
         return;
     }
     let mut offsets = Offsets { active: System::G56, g92_on: true, ..Offsets::default() };
-    offsets.system_mut(System::G56).origin = Pose([100.0, -50.0, 25.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
-    offsets.system_mut(System::G56).rotation = 30.0;
+    offsets.systems[System::G56 as usize].origin = Pose([100.0, -50.0, 25.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    offsets.systems[System::G56 as usize].rotation = 30.0;
     offsets.g92 = Pose([3.0, 4.0, 5.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     let mut file = VarFile::default();
     offsets.write(&mut file, LengthUnit::Inch).unwrap();
@@ -433,8 +434,8 @@ fn the_blocks_give_linuxcnc_the_offsets_of_the_file() {
     let mut offsets = Offsets { active: System::G58, ..Offsets::default() };
     for (system, at) in System::ALL.into_iter().zip(1_u8..) {
         let at = f64::from(at);
-        offsets.system_mut(system).origin = Pose([at / 7.0, -30.0 * at, 0.0, 5.5 * at, 0.0, -at, 0.0, 0.0, 0.0]);
-        offsets.system_mut(system).rotation = 11.25 * at;
+        offsets.systems[system as usize].origin = Pose([at / 7.0, -30.0 * at, 0.0, 5.5 * at, 0.0, -at, 0.0, 0.0, 0.0]);
+        offsets.systems[system as usize].rotation = 11.25 * at;
     }
     // What another program left on the control must be gone afterwards. B is in no block, since no system uses it.
     let stale: String =

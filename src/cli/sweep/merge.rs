@@ -19,13 +19,13 @@ use super::work::Workshop;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule};
 use crate::kind::Kind;
+use crate::limits::{FRONT_DESIGNS, SWEEP_ROWS};
 use crate::parameter::Values;
 use crate::report;
 use crate::report::sweep::Titled;
 use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::csv;
 use crate::sweep::file::RowFile;
-use crate::sweep::front;
 use crate::sweep::indices::Indices;
 use crate::sweep::plan::Plan;
 use crate::sweep::ranking::{Ranked, Ranking};
@@ -36,7 +36,7 @@ use crate::sweep::sensitivity::{Shares, around};
 use crate::sweep::table::{Cells, Column, FRONT, Table};
 use crate::text::{Text, t};
 use crate::workbook::results::Tables;
-use crate::workbook::sweep_book::{ALL_MOST, SweepBook};
+use crate::workbook::sweep_book::SweepBook;
 use crate::workbook::template;
 
 /// Makes summary, workbook, report and best designs from the chunks, which are all there.
@@ -49,7 +49,7 @@ pub(super) fn merge(
     terminal: &mut Terminal,
 ) -> Result<Exit, Refusal> {
     let Study { plan, language, .. } = study;
-    let kept = usize::try_from(ALL_MOST).unwrap_or(usize::MAX);
+    let kept = usize::try_from(SWEEP_ROWS).unwrap_or(usize::MAX);
     let (mut ranking, mut shares) = (Ranking::new(plan, kept), Shares::new(plan));
     let mut indices = Indices::new(plan);
     let needed = |name: &str| {
@@ -105,7 +105,7 @@ pub(super) fn merge(
         }
     }
     if ranked.cut {
-        finding::general(&[FrontCut { most: front::MOST }.at(Place::File)], *language, terminal);
+        finding::general(&[FrontCut { most: FRONT_DESIGNS }.at(Place::File)], *language, terminal);
     }
     if let Some(failed) = &failed {
         finding::general(std::slice::from_ref(failed), *language, terminal);
@@ -135,7 +135,7 @@ fn summary(
 ) -> Result<(Table, Table), Refusal> {
     let on_front: BTreeSet<u64> = ranked.front.iter().map(|one| one.id).collect();
     let shown: BTreeSet<u64> = top.iter().copied().collect();
-    let listed: Option<BTreeSet<u64>> = (study.plan.count > ALL_MOST)
+    let listed: Option<BTreeSet<u64>> = (study.plan.count > SWEEP_ROWS)
         .then(|| ranked.best.iter().map(|one| one.id).chain(on_front.iter().copied()).collect());
     let marked = |mut part: Table| {
         let ids = ids(&part);

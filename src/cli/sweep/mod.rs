@@ -22,6 +22,7 @@ use super::{fault, finding, reading, refused};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::kind::Kind;
+use crate::limits::SWEEP_CHUNKS;
 use crate::number::duration;
 use crate::parameter::Values;
 use crate::parameter::field::Fields;
@@ -33,9 +34,8 @@ use crate::sweep::rules::{NoSweepSheet, WrongChunk};
 use crate::text::{Language, Text, t};
 use crate::workbook::sweep_sheet;
 
-/// Designs of a chunk, where nothing else is asked for, and the most chunks.
+/// Designs of a chunk, where nothing else is asked for.
 const CHUNK: u64 = 1000;
-const CHUNKS_MOST: u64 = 1000;
 
 /// A workbook with its plan.
 pub(super) struct Study<'a> {
@@ -196,7 +196,7 @@ fn all(
     let wanted = chunk.map(|(_, of)| of).or(arguments.chunks);
     let usual = || match &arguments.submit {
         Some(_) => Ok(slurm::chunks(study.plan.count, Workshop::open(study, arguments.jobs)?.tried()?.mean())),
-        None => Ok(study.plan.count.div_ceil(CHUNK).clamp(1, CHUNKS_MOST)),
+        None => Ok(study.plan.count.div_ceil(CHUNK).clamp(1, SWEEP_CHUNKS)),
     };
     let opening = match (arguments.fresh, arguments.merge) {
         (true, _) => Opening::Anew,

@@ -15,13 +15,13 @@ use super::{Study, absolute, count, ranges};
 use crate::escape::printable;
 use crate::finding::answer::{self, answer};
 use crate::finding::{Exit, Place, Raise, Refusal};
+use crate::limits::SWEEP_CHUNKS;
 use crate::store::{Existing, Folder, Set};
 use crate::sweep::rules::NoScheduler;
 use crate::text::Text;
 
-/// Seconds of work in a chunk, and the most chunks: an array ends at index 1000 as Slurm is delivered.
+/// Seconds of work in a chunk.
 const CHUNK_SECONDS: f64 = 300.0;
-const CHUNKS_MOST: u64 = 1000;
 /// The script, in the folder of the rows.
 const SCRIPT: &str = "sweep.sbatch";
 
@@ -54,7 +54,7 @@ exit $end
 /// In how many chunks a plan is divided so that each takes about five minutes.
 pub(super) fn chunks(designs: u64, seconds: f64) -> u64 {
     let wanted = (count(designs) * seconds / CHUNK_SECONDS).ceil();
-    let wanted = (1..=CHUNKS_MOST).find(|chunks| count(*chunks) >= wanted).unwrap_or(CHUNKS_MOST);
+    let wanted = (1..=SWEEP_CHUNKS).find(|chunks| count(*chunks) >= wanted).unwrap_or(SWEEP_CHUNKS);
     wanted.min(designs.max(1))
 }
 

@@ -18,6 +18,7 @@ use super::Study;
 use super::folder::Rows;
 use super::progress::Progress;
 use crate::finding::Refusal;
+use crate::limits::{BATCH_DESIGNS, FORECAST_DESIGNS};
 use crate::parameter::{Value, Values};
 use crate::sweep::chance::permuted;
 use crate::sweep::row::{Row, State, judged};
@@ -26,12 +27,10 @@ use crate::sweep::row::{Row, State, judged};
 const SAVED: Duration = Duration::from_secs(60);
 /// A batch is about so long.
 const BATCH: f64 = 1.0;
-/// The fewest and the most designs of a batch for each job.
+/// The fewest designs of a batch for each job.
 const LEAST: usize = 4;
-const MOST: usize = 2_000;
-/// A forecast tries designs until so many are not refused, but no more than so many in all.
+/// A forecast tries designs until so many are not refused.
 const JUDGED: u64 = 8;
-const TRIED_MOST: u64 = 64;
 /// The variable in which Slurm says how many processors a task has.
 const SLURM: &str = "SLURM_CPUS_PER_TASK";
 
@@ -89,7 +88,7 @@ impl<'a> Workshop<'a> {
             ThreadPoolBuilder::new().num_threads(1).build().map_err(|error| fault::refusal(&error.to_string()))?;
         let plan = &self.study.plan;
         let mut tried = Tried::default();
-        for at in 0..plan.count.min(TRIED_MOST) {
+        for at in 0..plan.count.min(FORECAST_DESIGNS) {
             // A stride would meet the same levels of a factorial plan again and again.
             let id = permuted(at, plan.count, 0);
             let begun = Instant::now();
@@ -140,7 +139,7 @@ impl<'a> Workshop<'a> {
             progress.take(&batch, terminal);
             done.append(batch);
             let rate = super::count(end - next) / seconds;
-            size = sized(rate * BATCH).clamp(LEAST * self.jobs, MOST * self.jobs);
+            size = sized(rate * BATCH).clamp(LEAST * self.jobs, BATCH_DESIGNS * self.jobs);
             next = end;
             if next < range.end && saved.elapsed() >= SAVED {
                 rows.save(number, done.clone())?;

@@ -14,10 +14,9 @@ use crate::gcode::rules::expressions::{
     FunctionUnknown, InputUsed, NameUnset, NegativePower, NotFinite, OperatorUnknown, ParameterOutOfRange,
     ParameterReadOnly, ParameterUnset, TooDeep, TwoSigns, ValueMissing,
 };
+use crate::limits::NESTED_BRACKETS;
 use crate::number::trig;
 
-/// How deep brackets may be nested.
-pub const DEEPEST: usize = 64;
 /// Numbers that differ by less are equal for EQ and NE; the other comparisons are exact.
 const EQUAL: f64 = 1e-4;
 
@@ -130,8 +129,8 @@ impl Reader<'_, '_> {
     fn computed(&mut self, cursor: &mut Cursor<'_>) -> Result<Decimal> {
         let column = cursor.column();
         cursor.depth += 1;
-        if cursor.depth > DEEPEST {
-            let mut fault = Refused::of(&TooDeep { most: DEEPEST }, &[column]);
+        if cursor.depth > NESTED_BRACKETS {
+            let mut fault = Refused::of(&TooDeep { most: NESTED_BRACKETS }, &[column]);
             fault.exit = Exit::Limit;
             return Err(fault);
         }

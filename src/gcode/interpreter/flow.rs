@@ -17,10 +17,7 @@ use crate::gcode::rules::flow::{
     OWordUnknown, ProgramMissing, RepeatsTooMany, ReturnInsideSub, SubprogramMissing, SubprogramOutside,
     SubprogramTooLarge, SubprogramUnreadable, WithoutCounterpart,
 };
-use crate::limits::CALL_REPEATS;
-
-/// Most bytes of a subprogram's own file.
-pub(super) const LARGEST_FILE: usize = 16 << 20;
+use crate::limits::{CALL_REPEATS, SUBPROGRAM_BYTES};
 
 /// REPEAT loops in hand: the O-word and how many rounds are left.
 type Loops = Vec<(usize, i64)>;
@@ -356,7 +353,7 @@ impl Reader<'_, '_> {
                             Refused::of(&SubprogramUnreadable { name: name.to_owned(), reason }, &[])
                         })?;
                     let bytes = bytes.ok_or_else(unknown)?;
-                    if bytes.len() > LARGEST_FILE {
+                    if bytes.len() > SUBPROGRAM_BYTES {
                         return Err(Refused::ended(&SubprogramTooLarge { name: name.to_owned() }));
                     }
                     self.memory.library.add(bytes, name.to_owned())

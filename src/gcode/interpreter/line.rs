@@ -10,11 +10,10 @@ use crate::gcode::interpreter::{Reader, Stage, block_number, without_end};
 use crate::gcode::rules::lexis::{
     Aborts, ActiveComment, BeforePercent, EndsWithoutCode, LineTooLong, Percent, ProgramNumber,
 };
+use crate::limits::LEADER_LINES;
 
 /// Most characters of a comment that a message repeats.
 const SHOWN: usize = 250;
-/// Most lines that are looked through for the first `%`.
-const LONGEST_LEADER: usize = 1_000;
 
 impl Reader<'_, '_> {
     /// Counts the line that has just been read, behind which a mark lies; it is the block in hand.
@@ -123,7 +122,7 @@ impl Reader<'_, '_> {
     pub(super) fn pass_leader(&mut self) -> Result<()> {
         let mut line = Vec::new();
         let (mut text, mut at) = (false, self.memory.flow.next);
-        while at.line.lines < LONGEST_LEADER {
+        while at.line.lines < LEADER_LINES {
             let Some(behind) = self.memory.library.line(at, &mut line)? else { break };
             let words = line.trim_ascii().to_ascii_uppercase();
             if words == b"%" {

@@ -6,11 +6,7 @@ use std::io::{self, BufRead, Seek, SeekFrom};
 use crate::finding::answer::answer;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::rules::lexis::{LineEndless, ProgramTooLarge, Unreadable};
-
-/// Most bytes of a line.
-pub const LONGEST_LINE: usize = 4096;
-/// Most bytes of a program.
-pub const LARGEST_PROGRAM: u64 = 900_000_000;
+use crate::limits::{LINE_BYTES, PROGRAM_BYTES};
 
 /// Bytes that can be read again from an earlier place.
 pub trait Bytes: BufRead + Seek {}
@@ -84,7 +80,7 @@ impl<'a> SourceText<'a> {
             self.at.after_return = false;
             let end = memchr::memchr2(b'\n', b'\r', buffer);
             let taken = end.unwrap_or(buffer.len());
-            if line.len() + taken > LONGEST_LINE {
+            if line.len() + taken > LINE_BYTES {
                 return Err(too_long_a_line());
             }
             line.extend_from_slice(&buffer[..taken]);
@@ -92,7 +88,7 @@ impl<'a> SourceText<'a> {
             self.at.after_return = end.is_some_and(|end| buffer[end] == b'\r');
             self.bytes.consume(used);
             self.at.offset += used as u64;
-            if self.at.offset > LARGEST_PROGRAM {
+            if self.at.offset > PROGRAM_BYTES {
                 return Err(too_large());
             }
             if end.is_some() {
@@ -129,9 +125,9 @@ fn unreadable(error: &io::Error) -> Box<Refused> {
 }
 
 fn too_long_a_line() -> Box<Refused> {
-    Refused::ended(&LineEndless { most: LONGEST_LINE })
+    Refused::ended(&LineEndless { most: LINE_BYTES })
 }
 
 fn too_large() -> Box<Refused> {
-    Refused::ended(&ProgramTooLarge { most: LARGEST_PROGRAM / 1_000_000 })
+    Refused::ended(&ProgramTooLarge { most: PROGRAM_BYTES / 1_000_000 })
 }

@@ -12,7 +12,7 @@ use crate::gcode::code::M;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::flow::{Call, LARGEST_FILE};
+use crate::gcode::interpreter::flow::Call;
 use crate::gcode::interpreter::library::Mark;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
@@ -20,7 +20,7 @@ use crate::gcode::rules::flow::{
     BlockCallWithoutP, BlockMissing, CallWithoutP, FileOfAnother, MainJumps, MainReturns, NotAProgramNumber,
     ProgramNowhere, ProgramTwice, RepeatsOfP, RepeatsTooMany, RepeatsTwice, SubprogramTooLarge, SubprogramUnreadable,
 };
-use crate::limits::CALL_REPEATS;
+use crate::limits::{CALL_REPEATS, SUBPROGRAM_BYTES};
 use crate::text::Text;
 
 impl Reader<'_, '_> {
@@ -142,7 +142,7 @@ impl Reader<'_, '_> {
             let nowhere = ProgramNowhere { number: format!("{number:04}") };
             return Err(Refused::of(&nowhere, &[column]).as_alarm_of(self.alarms()));
         };
-        if bytes.len() > LARGEST_FILE {
+        if bytes.len() > SUBPROGRAM_BYTES {
             return Err(Refused::ended(&SubprogramTooLarge { name }));
         }
         let text = self.memory.library.add(bytes, name);

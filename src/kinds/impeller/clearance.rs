@@ -32,6 +32,7 @@ use rustc_hash::FxHashMap;
 
 use crate::kinds::impeller::limit::Limit;
 use crate::kinds::impeller::part::{Face, HUB, Part, Piece, RIM, Ruling};
+use crate::limits::PASS_CELLS;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::{Rotary, Turned};
 use crate::number::queue::Waiting;
@@ -40,7 +41,7 @@ use crate::number::trig::hypot;
 /// How close the bounds are brought to each other, mm.
 pub const CLOSE: f64 = 2e-5;
 /// Cells that are evaluated at most for a pass; a usual one takes some hundreds.
-pub const WORK: usize = 200_000;
+pub const WORK: usize = PASS_CELLS;
 /// Below this part of the radius the distance from the axis is known well enough to this part of it.
 const DEEP: f64 = 0.2;
 const COARSE: f64 = 0.01;

@@ -33,13 +33,14 @@ use nalgebra::Vector3;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::solids::Stock;
+use crate::limits::MOVE_CELLS;
 use crate::number::queue::Waiting;
 use crate::number::trig::{atan2, cos, hypot, sin_cos};
 
 /// How close the bounds are brought to each other, mm.
 pub const CLOSE: f64 = 2e-5;
 /// Cells that are evaluated at most for a move; a usual one takes some tens.
-pub const WORK: usize = 20_000;
+pub const WORK: usize = MOVE_CELLS;
 /// Of a tool that is in the stock the depth is worth knowing to this part of it.
 const COARSE: f64 = 0.01;
 /// What the arithmetic may lose, mm.

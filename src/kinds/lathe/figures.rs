@@ -4,11 +4,9 @@ use super::drawn::{Contour, Drawn};
 use super::part_view::cover;
 use super::sketch::{Held, sketch};
 use crate::figure::{Figure, Ink, Label, Stroke};
+use crate::limits::DRAWN_MOTIONS;
 use crate::text::Text;
 use crate::text::t;
-
-/// Most motions that are drawn.
-const MOTIONS: usize = 4_000;
 
 /// All figures, by the keys of the report's templates: the finished part, and for each set-up its sketch and its path.
 #[must_use]
@@ -140,13 +138,14 @@ fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
         .map(|contour| Stroke { ink: Ink::Outline, points: contour.clone(), filled: true, arrow: false })
         .collect();
     let some = |paths: &[Vec<[f64; 2]>], ink: Ink| {
-        let shown: Vec<Stroke> = paths.iter().take(MOTIONS).map(|points| Stroke::line(ink, points.clone())).collect();
+        let shown: Vec<Stroke> =
+            paths.iter().take(DRAWN_MOTIONS).map(|points| Stroke::line(ink, points.clone())).collect();
         shown
     };
     strokes.extend(some(&drawn.rapid, Ink::Safe));
     strokes.extend(some(&drawn.feed, Ink::Obverse));
     strokes.extend(axis(&drawn.part));
-    let all = drawn.feed.len() <= MOTIONS && drawn.rapid.len() <= MOTIONS;
+    let all = drawn.feed.len() <= DRAWN_MOTIONS && drawn.rapid.len() <= DRAWN_MOTIONS;
     let what = if all {
         t("Recorrido de las herramientas", "Path of the tools")
     } else {

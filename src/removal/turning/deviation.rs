@@ -4,6 +4,7 @@ use super::outline::beside;
 use crate::figure::{Arc, Ink};
 use crate::geometry::chords;
 use crate::geometry::exact::region::Ring;
+use crate::limits::PROFILE_POINTS;
 use crate::number::trig::{atan2, hypot};
 
 /// A line of a wanted profile; `[z, r]` in mm.
@@ -37,8 +38,6 @@ const TOLERANCE: f64 = 1e-5;
 const STEP: f64 = 0.25;
 /// The maximum number of checked places of one line.
 const PLACES: f64 = 2000.0;
-/// The maximum number of points of a profile.
-const POINTS: usize = 1_000_000;
 /// How many edges or lines one step of work skips; only few are close enough to be checked.
 const PASSED: usize = 16;
 
@@ -89,7 +88,7 @@ impl Profile {
                     from = to;
                 }
             }
-            if points.len() > POINTS {
+            if points.len() > PROFILE_POINTS {
                 return None;
             }
         }

@@ -18,7 +18,7 @@ use i_overlay::i_shape::flat::buffer::FlatContoursBuffer;
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::{Point, UNITS};
 use crate::geometry::exact::region::{Ring, twice_area};
-use crate::limits::TILE_CORNERS;
+use crate::limits::{TILE_CORNERS, WAITING_CUTS};
 use crate::number::trig::hypot;
 
 /// How far two contours may be from each other on the average, mm: both round corners to far less.
@@ -28,9 +28,6 @@ pub const AGREE: f64 = 1e-6;
 const FINE: i64 = 1 << 10;
 
 type Corner = IntPoint<i64>;
-
-/// Most cuts that wait for the library.
-const WAITING: usize = 1_000;
 
 /// The removal as the library repeats it, in a thread of its own: it takes the cuts in their order, and what it leaves is
 /// awaited, so that how fast either is makes no difference.
@@ -49,7 +46,7 @@ impl Repeat {
     )]
     pub fn new(start: &[Ring]) -> Self {
         let start = contours(start);
-        let (cuts, waiting) = sync_channel::<Convex>(WAITING);
+        let (cuts, waiting) = sync_channel::<Convex>(WAITING_CUTS);
         let left = spawn(move || {
             let mut tiles = Tiles::default();
             tiles.divide(start);

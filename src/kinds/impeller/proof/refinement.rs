@@ -12,12 +12,9 @@ use crate::kinds::impeller::proof::tip_path::{Along, limits};
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::tables::ToolPaths;
 use crate::kinds::impeller::track::Track;
-use crate::limits::TRIED_STEPS;
+use crate::limits::{TRIED_BLOCKS, TRIED_STEPS};
 use crate::machine::axis::Pose;
 use crate::number::grid::Milli;
-
-/// Blocks a track that may be computed in all: a fraction of a second.
-const BLOCKS: usize = 100_000;
 
 /// What the deviation of the tip along any track of a design cut in n steps, from the positions on the grid, is nowhere greater
 /// than; mm. Where the tracks of the blade alone exceed `enough` those of the splitter, whose fade takes far longer to find, are
@@ -58,7 +55,7 @@ fn greatest_of(design: &Design, blade: &Blade, splitter: Option<&Splitter>) -> O
 /// `None` where no n within reach brings it there.
 #[must_use]
 pub fn needed(design: &Design, deviation: f64, tolerance: f64) -> Option<usize> {
-    let mut left = BLOCKS;
+    let mut left = TRIED_BLOCKS;
     let mut at = |n: usize| {
         left = left.checked_sub(n)?;
         greatest(design, n, tolerance)

@@ -30,6 +30,7 @@ use nalgebra::Vector3;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::ideal::{Ideal, Station};
 use crate::kinds::impeller::track::Track;
+use crate::limits::TIP_LOOKS;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::Rotary;
 use crate::number::bound::Enclosure;
@@ -117,8 +118,6 @@ impl Peak {
 const DRAWN: usize = 240;
 /// How near the bound is brought to what is found, mm.
 const FINE: f64 = 2e-6;
-/// Looks that a track may take beyond three at each block.
-const WORK: u32 = 200_000;
 
 /// A look at a block.
 #[derive(Clone, Copy, Debug)]
@@ -215,7 +214,7 @@ impl Along {
             grid_limit: 0.0,
             past_grid: peak,
             curve: Vec::new(),
-            bound: Enclosure::new([FINE; 2], limits, WORK),
+            bound: Enclosure::new([FINE; 2], limits, TIP_LOOKS),
             stride: n.div_ceil(DRAWN).max(1),
         }
     }

@@ -16,6 +16,7 @@ use std::f64::consts::TAU;
 use crate::kinds::pipe::hole::cut::TooHigh;
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::station::Groove;
+use crate::limits::HEIGHT_LOOKS;
 use crate::number::bound::Enclosure;
 use crate::number::jet::{Jet, Vector, bow, difference, dot, scaled, sum};
 use crate::number::trig::sin_cos;
@@ -65,9 +66,6 @@ impl Groove {
     }
 }
 
-/// Looks that the search for the greatest height may take.
-const LOOKS: u32 = 20_000;
-
 /// A place looked at for its height.
 #[derive(Clone, Copy)]
 struct Look {
@@ -96,7 +94,7 @@ pub fn too_high(design: &Design) -> Option<TooHigh> {
         [groove.height_at(first.min(last) - bow(&[sine], other.alpha - one.alpha) - 1e-12)]
     };
     let mut worst = look(0.0);
-    let mut found = Enclosure::new([1e-3], [design.D_max], LOOKS);
+    let mut found = Enclosure::new([1e-3], [design.D_max], HEIGHT_LOOKS);
     let first: Vec<Look> = (0..=64_u8).map(|at| look(TAU * f64::from(at) / 64.0)).collect();
     let mut keep = |seen: Look| {
         if seen.D > worst.D {

@@ -18,6 +18,7 @@ use nalgebra::Vector3;
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::height::Rule;
 use crate::kinds::pipe::hole::station::{Groove, Station};
+use crate::limits::CUT_HALVINGS;
 use crate::machine::torch::{TorchAxes, TorchPose};
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::trig::{atan2, hypot, sin_cos};
@@ -175,15 +176,12 @@ pub fn off(pose: &TorchPose, station: &Station, beside: f64) -> f64 {
 /// Pieces of the curve before they are halved.
 const PIECES: u32 = 32;
 
-/// How deep the halving may go.
-const DEEPEST: u32 = 20;
-
 impl Way<'_> {
     fn follow(&mut self, from: &Station, to: &Station, depth: u32) -> Result<(), OutOfFormat> {
         let next = machine_axes(to, self.groove.beside, Some(&self.at));
         let middle = self.groove.at(f64::midpoint(from.alpha, to.alpha));
         let beside = self.groove.beside;
-        if depth < DEEPEST
+        if depth < CUT_HALVINGS
             && let Some(middle) = middle
         {
             let halfway = between(&self.at, &next, 0.5).pose();
