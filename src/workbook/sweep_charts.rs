@@ -223,6 +223,9 @@ impl SweepBook<'_> {
             if let Some([low, high]) = self.reach(points, name) {
                 let edge = if high > low { 0.02 * (high - low) } else { 0.5 };
                 let unit = gridded(high - low + 2.0 * edge);
+                // Whole numbers of blades have nothing between them.
+                let whole = matches!(self.results.all.column(name), Some(Cells::Whole(_)));
+                let unit = if whole { unit.ceil() } else { unit };
                 let axis = if is_x { chart.x_axis() } else { chart.y_axis() };
                 axis.set_min(((low - edge) / unit).floor() * unit).set_max(((high + edge) / unit).ceil() * unit);
                 axis.set_major_unit(unit);
