@@ -416,7 +416,7 @@ fn designs_by_chance_are_cut_as_told_and_have_the_gaps_that_a_dense_search_finds
             let (design, cut) = drawn(number);
             let mut wrong = limits(&design, cut.rough.d, grid);
             let why = match Plan::new(&design.job(), &cut) {
-                Ok(made) if made.told.no_splitter => Some("no room for a splitter".to_owned()),
+                Ok(made) if made.told.no_splitter.is_some() => Some("no room for a splitter".to_owned()),
                 Ok(made) => match stopped(&design, &cut, &made) {
                     Some(why) => Some(why.to_owned()),
                     None => {

@@ -24,7 +24,7 @@ use crate::kinds::impeller::clear::flank::FlankWay;
 use crate::kinds::impeller::clear::lane::OwnNormal;
 use crate::kinds::impeller::clear::pass::{Cutting, Pass};
 use crate::kinds::impeller::clear::round::Round;
-use crate::kinds::impeller::clear::told::{FaceError, Told};
+use crate::kinds::impeller::clear::told::{FaceError, NoSplitter, Told};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clear::uncut;
 use crate::kinds::impeller::gap::{RUN_OUT, gap};
@@ -129,7 +129,8 @@ impl Plan {
             root,
             faces,
             splitter_from: v_s,
-            no_splitter: cut.splitters && v_s.is_none(),
+            no_splitter: (cut.splitters && v_s.is_none())
+                .then(|| NoSplitter { largest: largest_round_splitters(job, cut) }),
             rough_from,
             finish_from,
             uncut: if finish_from > 0.0 { uncut::share(part, &finish, Some(finish_from)) } else { 0.0 },
@@ -209,8 +210,7 @@ fn largest(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<f64> {
     let torus = part.circle.torus;
     let width = gap(part, job.N, tool.d).width - 2.0 * s;
     let fits = |d: f64| {
-        let r_c = if tool.flat_radius() == 0.0 { d / 2.0 } else { tool.r_c.min(d / 2.0) };
-        OwnNormal::new(torus, Tool { d, r_c }, torus.r + depth).is_some_and(|lane| {
+        OwnNormal::new(torus, Tool { d, r_c: corner(tool, d) }, torus.r + depth).is_some_and(|lane| {
             let beside = Beside::new(part, lane, s);
             TRIED.iter().all(|&q| {
                 let q = if q < 0.0 { q * d / 2.0 } else { q };
@@ -252,6 +252,34 @@ fn splitter_start(job: &Job, cut: &Cut, rest: &Contacts, ways: &[Vec<FlankWay>; 
     })
 }
 
+/// The largest finishing tool of the same kind that has room round splitters somewhere, in whole hundredths.
+fn largest_round_splitters(job: &Job, cut: &Cut) -> Option<f64> {
+    let fits = |hundredths: f64| {
+        let d = hundredths / 100.0;
+        let finish = Tool { d, r_c: corner(cut.finish, d) };
+        let cut = Cut { finish, ..*cut };
+        let rest = contacts_of(job, finish, job.part.a_p - cut.s, cut.s);
+        let rest = rest.filter(|rest| rest.fits_from().is_some_and(|from| from == 0.0 || cut.partly));
+        rest.is_some_and(|rest| splitter_start(job, &cut, &rest, &ways(job, &cut)).is_some())
+    };
+    // A smaller one has more room; what is told has passed as a tool of the form would.
+    let (mut small, mut large) = (0.0, (cut.finish.d * 100.0).ceil());
+    while large - small > 1.0 {
+        let middle = f64::midpoint(small, large).floor();
+        if fits(middle) {
+            small = middle;
+        } else {
+            large = middle;
+        }
+    }
+    (small > 0.0).then_some(small / 100.0)
+}
+
+/// The corner radius of a tool of another diameter and the same kind.
+fn corner(tool: Tool, d: f64) -> f64 {
+    if tool.flat_radius() == 0.0 { d / 2.0 } else { tool.r_c.min(d / 2.0) }
+}
+
 /// What the ways along a face leave of it.
 fn face_error(ways: &[FlankWay]) -> FaceError {
     let face = ways.first().map_or(Face::Obverse, FlankWay::face);
@@ -276,4 +304,25 @@ fn face_error(ways: &[FlankWay]) -> FaceError {
         }
     }
     error
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::torus::Torus;
+    use crate::machine::rotary::Rotary;
+
+    fn job(r: f64, e: f64) -> Job {
+        Job { part: Part::with(Torus { R: 25.0, r }, e, 2.0), N: 4, machine: Rotary { L: 242.9 } }
+    }
+
+    #[test]
+    fn the_largest_tool_round_splitters_has_room_and_the_next_one_has_none() {
+        let cut = |d: f64| Cut { splitters: true, scallop: 0.2, ..Cut::usual(6.0, d) };
+        let told = |d: f64| Plan::new(&job(15.0, 2.0), &cut(d)).expect("a plan").told;
+        let NoSplitter { largest } = told(6.0).no_splitter.expect("no room");
+        let largest = largest.expect("a tool");
+        assert!(told(largest).splitter_from.is_some(), "{largest}");
+        assert!(told(largest + 0.01).no_splitter.is_some(), "{largest}");
+    }
 }

@@ -11,7 +11,7 @@ use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::root::largest;
 use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
-use crate::kinds::impeller::clear::told::{By, Dropped, ToolTold};
+use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, ToolTold};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters::{self as form, NUMBERS};
 use crate::kinds::impeller::part::{HUB, RIM};
@@ -128,13 +128,18 @@ fn stick_outs() -> [(Which, Key); 2] {
 /// What stops a plan that was made.
 pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
-    if plan.told.no_splitter {
-        findings.push(NoRoomForClearSplitter {}.at(at([
+    if let Some(NoSplitter { largest }) = plan.told.no_splitter {
+        let (d, largest) = (Size::mm(asked.cut.finish.d), Largest(largest));
+        let told = NoRoomForClearSplitter { d, s: Size::mm(asked.cut.s), largest };
+        let place = at([
             form::SPLITTERS.key(),
-            fields::D_F.key(),
+            if asked.given.0.is_some() { fields::D_F.key() } else { form::D_T.key() },
+            fields::ALLOWANCE.key(),
             form::N.key(),
             form::E.key(),
-        ])));
+        ]);
+        let limit = largest.0.map(|_| largest.said(Language::En).into_owned()).unwrap_or_default();
+        findings.push(told.at(place).with(d.said(Language::En), limit));
     }
     for (which, key) in stick_outs() {
         let holder = fields::HOLDER.key();

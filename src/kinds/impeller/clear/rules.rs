@@ -1,8 +1,27 @@
 //! What a person should know of a clear cut: P1201 to P1299.
 
+use std::borrow::Cow;
+
 use crate::finding::rule::{book, rules};
-use crate::finding::{Key, Size};
-use crate::text::Text;
+use crate::finding::{Datum, Key, Said, Size};
+use crate::text::{Language, Text, t};
+
+/// The diameter of the largest tool that passes, mm; none where none does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Largest(pub Option<f64>);
+
+impl Said for Largest {
+    fn said(&self, language: Language) -> Cow<'_, str> {
+        match self.0 {
+            Some(d) => Size { decimals: 2, ..Size::mm(d) }.said(language).into_owned().into(),
+            None => t("ninguna", "none").get(language).to_owned().into(),
+        }
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Number { value: self.0, unit: "mm" }
+    }
+}
 
 rules! {
     /// The rows of a clear cut.
@@ -79,10 +98,10 @@ rules! {
         remedy "use una herramienta menor o menos álabes; quite a mano lo que quede", "use a smaller tool or fewer blades; remove by hand what is left";
         why "Una pasada que no cabe cortaría otro álabe o el fondo: rodete no la hace y avisa.", "A pass that does not fit would cut another blade or the floor: rodete leaves it out and reports it.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8");
-    "P1213" NoRoomForClearSplitter Stop {}
-        es "no hay sitio para álabes intermedios: la fresa de acabado no pasa alrededor de ellos en ningún punto"
-        en "there is no room for splitters: the finishing tool cannot pass around them anywhere"
-        remedy "ponga splitters = no, o use una fresa de acabado menor", "set splitters = no, or use a smaller finishing tool";
+    "P1213" NoRoomForClearSplitter Stop { d: Size, s: Size, largest: Largest }
+        es "no hay sitio para álabes intermedios: la fresa de acabado de {d}, con la demasía s_w de {s}, no pasa alrededor de ellos en ningún punto; la mayor que pasa: {largest}"
+        en "there is no room for splitters: the finishing tool of {d}, with the allowance s_w of {s}, cannot pass around them anywhere; the largest that does: {largest}"
+        remedy "use una fresa de acabado menor o una demasía menor, o ponga splitters = no", "use a smaller finishing tool or a smaller allowance, or set splitters = no";
         why "El contorno del álabe intermedio debe librar los dos álabes.", "The contour of a splitter must clear both blades.";
         example book!("impeller", "d_f" = "");
     "P1214" FeedChangesInBlock Note { tool: Text, change: Size }

@@ -61,6 +61,13 @@ pub struct ToolTold {
     pub feed_error: f64,
 }
 
+/// Nowhere is there room for splitters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoSplitter {
+    /// The largest finishing tool of its kind for which there is, in whole hundredths; `None` where none is found.
+    pub largest: Option<f64>,
+}
+
 /// What a plan says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Told {
@@ -81,7 +88,7 @@ pub struct Told {
     /// v from which on splitters stand; `None` without them.
     pub splitter_from: Option<f64>,
     /// Splitters are wanted, but nowhere is there room for them.
-    pub no_splitter: bool,
+    pub no_splitter: Option<NoSplitter>,
     /// The station from which on the roughing tool cuts; 0 where it does all the way.
     pub rough_from: f64,
     /// The station from which on the finishing tool does.
