@@ -13,18 +13,15 @@ use crate::kinds::impeller::clear::contour::{self, Contour};
 use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
 use crate::kinds::impeller::clear::fit::FADES;
 use crate::kinds::impeller::clear::flank::FlankWay;
-use crate::kinds::impeller::clear::floor_rest::FloorLook;
 use crate::kinds::impeller::clear::holder::Blank;
 use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
 use crate::kinds::impeller::clear::link::{End, link, up};
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
 use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
-use crate::kinds::impeller::clear::poses::{Poses, cusp};
-use crate::kinds::impeller::clear::root::{Root, face_lines, left_above, nose_lines, root};
 use crate::kinds::impeller::clear::round::Round;
 use crate::kinds::impeller::clear::scallop::Ridge;
-use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, ToolTold};
+use crate::kinds::impeller::clear::told::{By, Dropped, ToolTold};
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::gap::over_tops;
 use crate::kinds::impeller::nearest::Axis;
@@ -41,9 +38,6 @@ pub const BESIDE: f64 = 0.4;
 const LAPPED: f64 = 0.9;
 /// Pairs of lanes that are looked at side by side.
 const AHEAD: usize = 16;
-/// Places across the floor at which it is looked at, for each lane, and in all.
-const LOOKS_A_LANE: u32 = 3;
-const ACROSS: [u32; 2] = [40, 240];
 /// Places along a face at which its error is looked at.
 pub(super) const LOOKS: u8 = 48;
 
@@ -263,6 +257,7 @@ impl Draft<'_> {
         let (Some(&begin), Some(&end)) = (breaks.first(), breaks.last()) else { return false };
         let tolerance = self.tolerance(wanted.tool, height);
         let mut from_rim = false;
+        // What is run of it, or told apart.
         let mut run = Vec::new();
         for &[from, to] in kept {
             let (at_hub, at_rim) = (from <= begin, to >= end);
@@ -270,7 +265,13 @@ impl Draft<'_> {
                 (true, true) => wanted.direction,
                 (true, false) if to > inside[0] => Direction::Outwards,
                 (false, true) if from < inside[1] => Direction::Inwards,
-                _ => continue,
+                (false, false) => {
+                    self.leave_out(wanted, [from.max(inside[0]), to.min(inside[1])].map(*to_v), By::Ends);
+                    run.push([from, to]);
+                    continue;
+                }
+                // Outside of the part.
+                (true, false) | (false, true) => continue,
             };
             run.push([from, to]);
             let mut pieces = vec![from];
@@ -295,12 +296,17 @@ impl Draft<'_> {
         let mut open = begin;
         for [from, to] in run.into_iter().chain([[end, end]]) {
             let gap = [open.max(inside[0]), from.min(inside[1])];
-            if gap[1] > gap[0] {
-                self.dropped.push(Dropped { cutting: wanted.cutting, tool: wanted.tool, v: gap.map(*to_v), by });
-            }
+            self.leave_out(wanted, gap.map(*to_v), by);
             open = to;
         }
         from_rim
+    }
+
+    /// Keeps in mind that a stretch of a pass is not run, if it is one.
+    fn leave_out(&mut self, &Wanted { cutting, tool, .. }: &Wanted, v: [f64; 2], by: By) {
+        if v[1] > v[0] {
+            self.dropped.push(Dropped { cutting, tool, v, by });
+        }
     }
 
     /// From where to where a lane at the part λ of the way from obverse to reverse keeps clear of the splitter.
@@ -542,37 +548,6 @@ impl Draft<'_> {
             to_v: |v| v,
         };
         self.run(&wanted, &way, kept, by);
-    }
-
-    /// What the finishing tool leaves of the floor, `None` of a plan that is refused; in the corners, and above them.
-    pub(super) fn rests(&self, lanes: u32, faces: [FaceError; 2]) -> (Option<FloorLook>, Root) {
-        let (part, tool) = (&self.job.part, self.cut.finish);
-        let (beside, over) = (self.beside(), self.cut.scallop + self.cut.tolerance);
-        if self.full() {
-            let (most, v) = (part.a_p, HUB);
-            return (None, Root { over, height: most, v, width: most, width_v: v, above: most });
-        }
-        let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
-        let poses = Poses::along(self.job.machine, passes);
-        let across = (LOOKS_A_LANE * lanes).clamp(ACROSS[0], ACROSS[1]);
-        let cut = || (poses.clone(), v_at(self.finish_from));
-        let floor = || FloorLook::new(part, [self.pitch, beside], self.v_s, tool, cut(), across);
-        let mut lines = face_lines(part, Face::Obverse, 0.0, HUB - 1.0);
-        lines.extend(face_lines(part, Face::Reverse, -self.pitch, HUB - 1.0));
-        if let Some(v_s) = self.v_s {
-            let turn = -self.pitch / 2.0;
-            lines.extend(Face::ALL.into_iter().flat_map(|face| face_lines(part, face, turn, v_s)));
-            lines.extend(nose_lines(part, v_s, turn));
-        }
-        // Between their poses the blocks of the flank passes leave the way by up to the tolerance.
-        let known = faces.iter().map(|face| face.rest).fold(0.0, f64::max) + self.cut.tolerance;
-        let corner = || {
-            let mut root = root(part, &lines, &poses, tool, over);
-            root.above = left_above(part, &lines, &poses, tool, [root.height, known + cusp(tool)]).unwrap_or(known);
-            root
-        };
-        let (look, root) = rayon::join(floor, corner);
-        (Some(look), root)
     }
 
     /// From which distance to the faces on a rest counts as one on the floor.

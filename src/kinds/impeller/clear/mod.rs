@@ -29,6 +29,7 @@ pub mod plan;
 pub mod poses;
 pub mod programs;
 pub(in crate::kinds::impeller) mod remarks;
+mod rests;
 pub mod root;
 pub mod round;
 pub mod rules;

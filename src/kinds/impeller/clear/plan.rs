@@ -23,6 +23,7 @@ use crate::kinds::impeller::clear::fit::Flank;
 use crate::kinds::impeller::clear::flank::FlankWay;
 use crate::kinds::impeller::clear::lane::OwnNormal;
 use crate::kinds::impeller::clear::pass::{Cutting, Pass};
+use crate::kinds::impeller::clear::rests::Rests;
 use crate::kinds::impeller::clear::round::Round;
 use crate::kinds::impeller::clear::told::{FaceError, NoSplitter, Told};
 use crate::kinds::impeller::clear::tool::Tool;
@@ -118,8 +119,8 @@ impl Plan {
         let steps = f64::from(floor_lanes);
         let faces = [face_error(&ways[0]), face_error(&ways[1])];
         // The corners are those that stay without the leaning pass: it takes no more than they tell.
-        let (look, root) = draft.rests(floor_lanes, faces);
-        let floor = draft.lean(&finish, look);
+        let Rests { floor, root, unfinished } = draft.rests(floor_lanes, faces);
+        let floor = draft.lean(&finish, floor);
         let told = Told {
             gap: gap(part, job.N, cut.finish.d).width,
             rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels),
@@ -127,6 +128,7 @@ impl Plan {
             scallop: finish.greatest(|q| ridge(&finish, q).height(finish.room(q).max(0.0) / steps)),
             floor,
             root,
+            unfinished,
             faces,
             splitter_from: v_s,
             no_splitter: (cut.splitters && v_s.is_none())
@@ -310,6 +312,7 @@ fn face_error(ways: &[FlankWay]) -> FaceError {
 mod tests {
     use super::*;
     use crate::geometry::torus::Torus;
+    use crate::kinds::impeller::clear::told::By;
     use crate::machine::rotary::Rotary;
 
     fn job(r: f64, e: f64) -> Job {
@@ -324,5 +327,27 @@ mod tests {
         let largest = largest.expect("a tool");
         assert!(told(largest).splitter_from.is_some(), "{largest}");
         assert!(told(largest + 0.01).no_splitter.is_some(), "{largest}");
+    }
+
+    #[test]
+    fn what_lies_before_a_splitter_and_is_not_reached_is_told() {
+        let cut = Cut { splitters: true, partly: true, scallop: 0.1, ..Cut::usual(6.0, 6.0) };
+        let told = Plan::new(&job(18.0, 1.0), &cut).expect("a plan").told;
+        let v_s = told.splitter_from.expect("splitters");
+        let lost: Vec<_> = told.dropped.iter().filter(|one| one.by == By::Ends).collect();
+        assert!(lost.iter().any(|one| matches!(one.cutting, Cutting::Floor { .. })), "{:?}", told.dropped);
+        assert!(lost.iter().all(|one| one.v[0] >= HUB && one.v[0] < one.v[1] && one.v[0] < v_s));
+    }
+
+    #[test]
+    fn a_rounded_end_is_named_only_where_the_face_is_cut() {
+        let cut = |d: f64, r_c: f64, partly: bool| {
+            let tool = Tool { d, r_c };
+            Cut { rough: tool, finish: tool, partly, scallop: 0.1, ..Cut::usual(d, d) }
+        };
+        let told = |cut: Cut| Plan::new(&job(15.0, 2.0), &cut).expect("a plan").told;
+        let partly = told(cut(8.0, 1.0, true));
+        assert!(partly.finish_from > 0.0 && partly.root.height >= 2.0 && partly.unfinished.is_none());
+        assert!(told(cut(6.0, 3.0, false)).unfinished.is_some());
     }
 }

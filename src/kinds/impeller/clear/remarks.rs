@@ -236,8 +236,8 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     if root.height > 0.0 || root.width > 0.0 {
         findings.push(RestAtTheRoot { over, height, here, width, there }.at(at([fields::D_F.key()])));
     }
-    if asked.cut.finish.r_c > 0.0 && root.height >= job.part.a_p {
-        findings.push(FacesUnfinished { share: share(root.v, 0) }.at(at([
+    if let Some(v) = told.unfinished {
+        findings.push(FacesUnfinished { share: share(v, 0) }.at(at([
             fields::CORNER.key(),
             fields::CORNER_F.key(),
             form::A_P.key(),
@@ -280,12 +280,18 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     // What a splitter stands in the way of is cut by the passes round it, what the roughing tool leaves beside it by the other.
     let rest = plan.passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. }));
     let cut = |one: &Dropped| rest && one.tool == Which::Rough;
-    let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == By::Blade && !cut(one)).collect();
-    let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])));
-    if let Some(longest) = longest {
-        let [from, to] = longest.v.map(|v| share(v, 0));
-        let left_out = PassesLeftOut { count: left.len(), what: longest.cutting.name(), from, to };
-        findings.push(left_out.at(at([form::D_T.key(), fields::D_F.key(), form::SPLITTERS.key()])));
+    for by in [By::Blade, By::Ends] {
+        let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by && !cut(one)).collect();
+        let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])));
+        if let Some(longest) = longest {
+            let [from, to] = longest.v.map(|v| share(v, 0));
+            let (count, what) = (left.len(), longest.cutting.name());
+            let place = at([form::D_T.key(), fields::D_F.key(), form::SPLITTERS.key()]);
+            findings.push(match by {
+                By::Ends => StretchesNotReached { count, what, from, to }.at(place),
+                By::Blade | By::Splitter => PassesLeftOut { count, what, from, to }.at(place),
+            });
+        }
     }
     findings
 }

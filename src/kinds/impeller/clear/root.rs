@@ -83,6 +83,14 @@ pub struct Line {
     turn: f64,
 }
 
+impl Line {
+    /// v of it.
+    #[must_use]
+    pub const fn v(&self) -> f64 {
+        self.v
+    }
+}
+
 /// The lines of a face of a blade turned about the axis of the part, from v on, as far as it is in the blank.
 #[must_use]
 pub fn face_lines(part: &Part, face: Face, turn: f64, from: f64) -> Vec<Line> {

@@ -180,4 +180,11 @@ rules! {
         why "La regla publicada pide un tercio más que la herramienta; de un corte clear rodete comprueba cada pasada con los álabes vecinos.",
             "The published rule asks for a third more than the tool; of a clear cut rodete checks each pass against the neighbouring blades.";
         example book!("impeller", "splitters" = "no");
+    "P1226" StretchesNotReached Caution { count: usize, what: Text, from: Size, to: Size }
+        es "tramos que no se cortan porque a la herramienta le cierran el paso por los dos extremos: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
+        en "stretches not cut because the tool is shut off at both ends: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
+        remedy "use una herramienta menor, que quepa también en el cubo; quite a mano lo que quede", "use a smaller tool, which fits at the hub, too; remove by hand what is left";
+        why "Una pasada entra por el cubo o por el borde; con partly = sí no entra por el cubo, y el álabe intermedio cierra el paso desde el borde.",
+            "A pass comes in at the hub or at the rim; with partly = yes none comes in at the hub, and a splitter shuts the way from the rim.";
+        example book!("impeller", "r" = "18", "e" = "1", "d_f" = "", "T_f" = "", "D_f" = "", "c_s" = "0.1", "tol" = "0.02", "partly" = "yes");
 }

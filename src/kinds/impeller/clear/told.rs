@@ -22,13 +22,15 @@ pub struct Dropped {
     pub by: By,
 }
 
-/// What stands in the way of a pose.
+/// Why a pose is not run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// The splitter, or its neighbour where the splitter's own pass is meant.
     Splitter,
     /// The blade on the other side of the channel, or the floor of a tube that is too narrow.
     Blade,
+    /// Nothing, but neither from the hub nor from the rim does a clear way lead to it.
+    Ends,
 }
 
 /// What the flank passes leave of a face.
@@ -83,6 +85,8 @@ pub struct Told {
     pub floor: FloorRest,
     /// What is left in the corner of face and floor.
     pub root: Root,
+    /// v where the rounded end of the finishing tool leaves a face that it runs along unfinished up to the tops.
+    pub unfinished: Option<f64>,
     /// What the flank passes leave of obverse and reverse.
     pub faces: [FaceError; 2],
     /// v from which on splitters stand; `None` without them.
