@@ -219,6 +219,11 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
         tools.clone().filter(|(one, _)| !two || *one == which).map(|(one, _)| value(of(plan, one))).fold(0.0, f64::max)
     };
     for (which, key) in told_of {
+        if let Some(stage) = asked.cut.stage(which).filter(|stage| stage.radius < asked.cut.tool(which).a()) {
+            let (holder, d) = (Size::mm(2.0 * stage.radius), Size::mm(asked.cut.tool(which).d));
+            let told = HolderThinnerThanTool { holder, tool: tool_name(which), d };
+            findings.push(missed(told.at(at([fields::HOLDER.key(), key])), holder, d));
+        }
         if asked.cut.stage(which).is_none() {
             let enough = enough(greatest(which, |tool| tool.stick_out));
             findings.push(StickOutThatIsEnough { tool: tool_name(which), enough }.at(at([key])));

@@ -187,4 +187,11 @@ rules! {
         why "Una pasada entra por el cubo o por el borde; con partly = sí no entra por el cubo, y el álabe intermedio cierra el paso desde el borde.",
             "A pass comes in at the hub or at the rim; with partly = yes none comes in at the hub, and a splitter shuts the way from the rim.";
         example book!("impeller", "r" = "18", "e" = "1", "d_f" = "", "T_f" = "", "D_f" = "", "c_s" = "0.1", "tol" = "0.02", "partly" = "yes");
+    "P1227" HolderThinnerThanTool Caution { holder: Size, tool: Text, d: Size }
+        es "d_h = {holder} es menor que el diámetro de {tool}, {d}: si es el de su mango, el portaherramientas queda sin comprobar"
+        en "d_h = {holder} is less than the diameter of {tool}, {d}: if it is that of its shank, the holder is not checked"
+        remedy "escriba en d_h el diámetro del portaherramientas, y el voladizo desde la punta hasta él", "fill in d_h with the diameter of the holder, and the stick-out from the tip to it";
+        why "rodete comprueba un solo cilindro, que empieza donde acaba el voladizo; lo que hay más arriba y es más ancho no lo mira.",
+            "rodete checks one cylinder, which begins where the stick-out ends; what is wider farther up is not looked at.";
+        example book!("impeller", "splitters" = "no", "l_t" = "8", "d_h" = "3");
 }
