@@ -204,6 +204,18 @@ mod tests {
         }
     }
 
+    /// The curve is steep there: at 21.4 mm it comes within 1.11 mm, between places a tenth of a millimetre apart.
+    #[test]
+    fn a_lead_in_that_touches_between_two_looks_is_not_clear() {
+        let (r, R, theta, e, beside) = (11.413_163, 17.376_105, 20.133_064, -4.357_537, 1.170_557);
+        let wall = PipeWall::new([r, r * 1.1], R, theta, e);
+        let seat = Seat::Edge(PipePair::new(r, R, theta, e));
+        let outline = Outline { seat, wall, radius: r * 1.1, Z: 20.0, beside };
+        assert!(nearest(&outline, 21.4) < 1.115);
+        let longest = outline.longest_lead_in(21.4);
+        assert!((21.0..21.4).contains(&longest) && outline.longest_lead_in(longest) == longest, "{longest}");
+    }
+
     #[test]
     fn lines_that_cross_are_not_apart() {
         let line = |one: [f64; 2], other: [f64; 2]| [Vector2::from(one), Vector2::from(other)];
