@@ -64,6 +64,29 @@ fn what_cannot_be_proved_is_refused_before_long() {
 }
 
 #[test]
+fn a_search_that_takes_all_of_its_work_leaves_the_others_decided() {
+    // The first pass looked at runs beside far faces evenly: no bounds of it close, and what was left was too little for the others.
+    let real = |key, value: f64| (key, Value::Real(value));
+    let cells = [
+        real("R", 38.57),
+        real("r", 27.588),
+        real("e", 1.895),
+        real("a_p", 5.628),
+        real("d_t", 2.0),
+        real("d_f", 2.0),
+        real("r_cf", 1.0),
+        real("s_w", 0.571),
+        real("kappa", 0.625),
+        real("c_s", 0.02),
+        real("delta", 0.5),
+        real("tol", 0.02),
+        real("L_b", 58.0),
+    ];
+    let outcome = common::outcome("clear", &cells);
+    assert_eq!(End::of(&outcome.findings, false), End::Whole, "{:?}", outcome.findings);
+}
+
+#[test]
 fn floor_lanes_overlap_however_thin_the_finishing_tool_is() {
     // By the law of the ridges alone the lanes would be farther apart than the tool is wide, with strips of the floor between.
     for (d_f, c_s) in [(1.0, 0.025), (1.5, 0.1)] {

@@ -96,7 +96,7 @@ impl<'a> ClearCutting<'a> {
     /// The least clearance of all ways to some walls, and where.
     fn least(&self, walls: &Walls) -> Option<(Bounds, At)> {
         let mut least: Option<(Bounds, At)> = None;
-        let mut work = WORK;
+        let (mut work, mut deciding) = (WORK, WORK);
         // The last passes come nearest: of all before them it is then enough to know that they are not nearer still.
         for way in self.ways.iter().rev() {
             let mut clearance = |until| searched(walls, &way.stands, until, &mut work);
@@ -109,6 +109,11 @@ impl<'a> ClearCutting<'a> {
             }
             if self.straddles(bounds) {
                 bounds = clearance(Until::Within(CLOSE / 10.0));
+            }
+            // Where the work has ended before, on which side of the limit they are takes far less.
+            if self.straddles(bounds) {
+                let limit = Until::Decided(self.turned() - self.limit());
+                bounds = both(bounds, searched(walls, &way.stands, limit, &mut deciding));
             }
             let place = match bounds.place {
                 Some(place) => motion(place.along),
@@ -195,6 +200,12 @@ fn searched(walls: &Walls, way: &[Stand], until: Until, work: &mut usize) -> Bou
         *work = LESS;
     }
     bounds
+}
+
+/// What two searches of one way have found.
+fn both(one: Bounds, other: Bounds) -> Bounds {
+    let lower = one.lower.max(other.lower);
+    if other.upper < one.upper { Bounds { lower, ..other } } else { Bounds { lower, ..one } }
 }
 
 impl Way {
