@@ -24,6 +24,12 @@ const FINER_ROW: usize = 121;
 /// are the valleys of its distance from a face.
 const NARROW: f64 = 0.25;
 
+/// Places beside each of the nearest of those, on either side, and how many of them there are to a step: of two valleys that are
+/// nearer to each other than two steps, the row shows one.
+const BESIDE: i8 = 8;
+const BESIDE_ROW: usize = 17;
+const A_STEP: f64 = 4.0;
+
 /// Steps of a golden section about the nearest of those, where parabolas do not lead to a bottom.
 const STEPS: u32 = 24;
 /// How far from an end of a face it is asked whether the distance falls, in parts of those lines' spacing.
@@ -338,7 +344,22 @@ impl Scan<'_> {
                     continue;
                 }
                 let bottom = valley(about, finer / 4.0, at).filter(|(_, v)| (ends[0]..=ends[1]).contains(v));
-                least = nearer(least, bottom.unwrap_or_else(|| golden(ends, STEPS, at)));
+                let found = bottom.unwrap_or_else(|| golden(ends, STEPS, at));
+                least = nearer(least, found);
+                // Another valley beside that one.
+                let mut beside = [(f64::INFINITY, about); BESIDE_ROW];
+                for (place, line) in beside.iter_mut().zip(-BESIDE..=BESIDE) {
+                    let v = (about + finer * f64::from(line) / A_STEP).clamp(begin, end);
+                    *place = (at(v), v);
+                }
+                for (_, about) in bottoms(&beside, reach) {
+                    if (about - found.1).abs() > finer / A_STEP {
+                        let ends = within(about, finer / A_STEP);
+                        let bottom = valley(about, finer / A_STEP / 4.0, at);
+                        let bottom = bottom.filter(|(_, v)| (ends[0]..=ends[1]).contains(v));
+                        least = nearer(least, bottom.unwrap_or_else(|| golden(ends, STEPS, at)));
+                    }
+                }
             }
         }
         least
