@@ -1,5 +1,5 @@
 //! Designs by chance: the true gap and the limits that follow from it against a dense search, and the clear cut of each
-//! against the simulator of [`impeller_cut`](super::impeller_cut). Nothing of the search uses the geometry of the gap.
+//! against the simulator of [`impeller_swept`](super::impeller_swept). Nothing of the search uses the geometry of the gap.
 //!
 //! `RODETE_DESIGNS=1000` takes so many designs, `RODETE_DESIGNS_FROM=200` others than the first; `RODETE_DESIGNS_GRID=4` takes
 //! the grids that many times as fine.
@@ -20,7 +20,7 @@ use rodete::kinds::impeller::sweep::Sweep;
 use rodete::number::trig::{atan2, cos, sin};
 use rodete::parameter::Value;
 
-use super::impeller_cut::{Design, Point, STEP, add, dot, norm, simulate, turned};
+use super::impeller_swept::{Design, Point, STEP, add, dot, norm, simulate, turned};
 use crate::common;
 
 /// How many designs.

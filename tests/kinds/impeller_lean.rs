@@ -7,7 +7,7 @@ use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::part::Face;
 use rodete::kinds::impeller::solids::Stock;
 
-use crate::impeller_cut::{SHIPPED, judge, simulate};
+use crate::impeller_swept::{SHIPPED, judge, simulate};
 
 /// The cut of the new workbook.
 fn cut() -> Cut {
