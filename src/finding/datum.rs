@@ -52,16 +52,22 @@ impl Size {
         Self { value, unit: "mm", decimals: 3 }
     }
 
-    /// A number without a unit, or with one that stands in the sentence; said with at most so many decimals.
+    /// A number without a unit, said with at most so many decimals.
     #[must_use]
     pub const fn number(value: f64, decimals: usize) -> Self {
         Self { value, unit: "", decimals }
     }
 
-    /// A number without a unit, or whose sentence says the unit.
+    /// An angle in degrees, said with at most so many decimals.
     #[must_use]
-    pub const fn plain(value: f64, decimals: usize) -> Self {
-        Self { value, unit: "", decimals }
+    pub const fn degrees(value: f64, decimals: usize) -> Self {
+        Self { value, unit: "°", decimals }
+    }
+
+    /// A share in percent, said with at most so many decimals.
+    #[must_use]
+    pub const fn percent(value: f64, decimals: usize) -> Self {
+        Self { value, unit: "%", decimals }
     }
 
     /// A speed of a spindle in revolutions a minute, said to the whole one.
@@ -92,6 +98,29 @@ impl Said for Size {
 
     fn datum(&self) -> Datum {
         Datum::Number { value: self.value.is_finite().then_some(self.value), unit: self.unit }
+    }
+}
+
+/// A number with its unit whose sentence does without the unit, as behind the letter of an axis: said as the number alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bare(pub Size);
+
+impl Bare {
+    /// A length in mm, said with at most so many decimals.
+    #[must_use]
+    pub const fn mm(value: f64, decimals: usize) -> Self {
+        Self(Size { value, unit: "mm", decimals })
+    }
+}
+
+impl Said for Bare {
+    fn said(&self, language: Language) -> Cow<'_, str> {
+        let number = Size { unit: "", ..self.0 };
+        number.said(language).into_owned().into()
+    }
+
+    fn datum(&self) -> Datum {
+        self.0.datum()
     }
 }
 

@@ -11,7 +11,7 @@ pub mod sample;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-pub use self::datum::{Datum, Said, Size, Typed};
+pub use self::datum::{Bare, Datum, Said, Size, Typed};
 pub use self::key::Key;
 pub use self::rule::{AlarmFamily, Example, Raise, Rule};
 use crate::text::{Language, Text, t};

@@ -279,7 +279,8 @@ impl Reading<'_> {
 
     fn percentage(&mut self, number: f64) {
         // Shown as the spreadsheet shows it, without the product's rounding.
-        let [read, shown] = [number, (number * 1e8).round() / 1e6].map(|value| Typed { value, unit: "" });
+        let read = Typed { value: number, unit: "" };
+        let shown = Typed { value: (number * 1e8).round() / 1e6, unit: "%" };
         self.caution(&Percentage { name: named(self.parameter), read, shown });
     }
 

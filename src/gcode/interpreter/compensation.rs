@@ -19,7 +19,7 @@
 
 use std::f64::consts::PI;
 
-use crate::finding::Size;
+use crate::finding::{Bare, Size};
 use crate::gcode::code::{G, Group, SinglePassCycle};
 use crate::gcode::control::{NoseCorner, RadiusRule};
 use crate::gcode::in_force::{Compensation, InForce};
@@ -274,7 +274,7 @@ impl Reader<'_, '_> {
         for cut in self.memory.compensator.stage.cuts() {
             self.memory.remarks.row(
                 &NoseCutsContour {
-                    radius: Size::plain(cut.radius, 4),
+                    radius: Bare::mm(cut.radius, 4),
                     depth: Size::mm(cut.depth),
                     into: cut.into.motion.line,
                 },
@@ -357,17 +357,17 @@ fn refusal(misfit: &Misfit) -> Box<Refused> {
         Misfit::ArcEntry => Refused::of(&CompensationBeginsOnArc {}, &[]),
         Misfit::ArcExit => Refused::of(&CompensationEndsOnArc {}, &[]),
         Misfit::Arc { radius, arc } => {
-            Refused::of(&NoseInArc { radius: Size::plain(radius, 4), arc: Size::plain(arc, 4) }, &[])
+            Refused::of(&NoseInArc { radius: Bare::mm(radius, 4), arc: Bare::mm(arc, 4) }, &[])
         }
         Misfit::Corner { radius, turn } => {
-            Refused::of(&NoseInCorner { radius: Size::plain(radius, 4), turn: Size::plain(turn.to_degrees(), 2) }, &[])
+            Refused::of(&NoseInCorner { radius: Bare::mm(radius, 4), turn: Size::degrees(turn.to_degrees(), 2) }, &[])
         }
         Misfit::Short { radius, length, taken } => Refused::of(
             &NoseInShortPiece {
-                radius: Size::plain(radius, 4),
-                length: Size::plain(length, 4),
-                taken: Size::plain(taken, 4),
-                most: Size::plain(radius * length / taken, 4),
+                radius: Bare::mm(radius, 4),
+                length: Bare::mm(length, 4),
+                taken: Bare::mm(taken, 4),
+                most: Bare::mm(radius * length / taken, 4),
             },
             &[],
         ),

@@ -8,7 +8,7 @@
 //! Beside what LinuxCNC refuses: G18, rotary axes and stops of the program (M0, M1) under compensation. After a
 //! [`Misfit`](crate::gcode::cutter::Misfit) motions are those of the program until G40.
 
-use crate::finding::{Raise, Size};
+use crate::finding::{Bare, Raise};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
 use crate::gcode::in_force::{Compensation, InForce};
@@ -305,15 +305,16 @@ impl Reader<'_, '_> {
 
     fn refuse_cutter(&mut self, misfit: &Misfit, line: usize) {
         match *misfit {
-            Misfit::Entry { length, radius } => self
-                .refuse_here(line, &EntryTooShort { length: Size::number(length, 4), radius: Size::number(radius, 4) }),
+            Misfit::Entry { length, radius } => {
+                self.refuse_here(line, &EntryTooShort { length: Bare::mm(length, 4), radius: Bare::mm(radius, 4) })
+            }
             Misfit::EntryArc => self.refuse_here(line, &EntryArc {}),
             Misfit::Arc { radius, arc } => {
-                self.refuse_here(line, &CutterInArc { radius: Size::number(radius, 4), arc: Size::number(arc, 4) })
+                self.refuse_here(line, &CutterInArc { radius: Bare::mm(radius, 4), arc: Bare::mm(arc, 4) })
             }
-            Misfit::Corner { radius } => self.refuse_here(line, &CutterInCorner { radius: Size::number(radius, 4) }),
+            Misfit::Corner { radius } => self.refuse_here(line, &CutterInCorner { radius: Bare::mm(radius, 4) }),
             Misfit::Still => self.refuse_here(line, &CompensationHeld { most: HELD_PIECES }),
-            Misfit::Short { radius } => self.refuse_here(line, &CutterInShortPiece { radius: Size::number(radius, 4) }),
+            Misfit::Short { radius } => self.refuse_here(line, &CutterInShortPiece { radius: Bare::mm(radius, 4) }),
         }
     }
 }

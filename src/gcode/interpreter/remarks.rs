@@ -95,7 +95,7 @@ impl Turns {
                 format!("; {count} such blocks, the largest in line {line}"),
             ),
         };
-        let degrees = Size::number(degrees, 3);
+        let degrees = Size::degrees(degrees, 3);
         HalfTurn { axis, degrees, count: self.count, line, more }.at(place(file, self.first.line, Vec::new()))
     }
 }

@@ -1,7 +1,7 @@
 //! What is wrong with arcs, planes, axes and work offsets.
 
 use crate::finding::rule::rules;
-use crate::finding::{Example, Size};
+use crate::finding::{Bare, Example, Size};
 use crate::text::Text;
 
 rules! {
@@ -260,7 +260,7 @@ rules! {
         why "La fresa está al lado del contorno: un arco desde ahí no es el programado.",
             "The cutter is beside the contour: an arc from there is not the programmed arc.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D2 G1 X10|X20|G40|G2 X30 I5|M2", "5");
-    "G0437" EntryTooShort Stop { length: Size, radius: Size }
+    "G0437" EntryTooShort Stop { length: Bare, radius: Bare }
         es "la entrada de la compensación mide {length}; debe ser mayor que el radio {radius}"
         en "the entry into compensation is {length} long; it must be longer than the radius {radius}"
         remedy "alargue en el plano el primer movimiento después de G41 o G42", "lengthen, in the plane, the first motion after G41 or G42";
@@ -274,14 +274,14 @@ rules! {
         why "La fresa no quedaría al lado del contorno al acabar el arco.",
             "The cutter would not be beside the contour at the end of the arc.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D6|G3 X10 Y2.679 J20|G1 X50|G40 X80|M2", "3");
-    "G0439" CutterInArc Stop { radius: Size, arc: Size }
+    "G0439" CutterInArc Stop { radius: Bare, arc: Bare }
         es "el radio {radius} de la fresa no cabe en el arco de radio {arc}"
         en "the cutter's radius {radius} does not fit into the arc of radius {arc}"
         remedy "use una fresa menor, o cambie el contorno", "use a smaller cutter, or change the contour";
         why "La fresa cortaría el otro lado del contorno.",
             "The cutter would cut into the other side of the contour.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D20 G1 X30|G3 X30 Y10 I0 J5|G1 X0|G40 X-30|M2", "3");
-    "G0440" CutterInCorner Stop { radius: Size }
+    "G0440" CutterInCorner Stop { radius: Bare }
         es "el radio {radius} de la fresa no cabe en el rincón"
         en "the cutter's radius {radius} does not fit into the corner"
         remedy "use una fresa menor, o cambie el contorno", "use a smaller cutter, or change the contour";
@@ -295,7 +295,7 @@ rules! {
         why "El control necesita el movimiento siguiente para calcular la esquina, y no mira tan adelante.",
             "The control needs the next motion to work out the corner, and does not look that far ahead.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D2 G1 X10|O1 REPEAT [5001]|G1 Z1|G1 Z0|O1 ENDREPEAT|G40 X20|M2", "4");
-    "G0442" CutterInShortPiece Stop { radius: Size }
+    "G0442" CutterInShortPiece Stop { radius: Bare }
         es "el radio {radius} de la fresa no cabe: los rincones ocupan más que la longitud del tramo anterior"
         en "the cutter's radius {radius} does not fit: the corners need more length than the element before them has"
         remedy "use una fresa menor, o cambie el contorno", "use a smaller cutter, or change the contour";
@@ -387,8 +387,8 @@ rules! {
             "The sign gives the direction, and the manual does not say what −0 means.";
         example Example::program("fagor-8055", "G90|G0 B90|G0 B-0|M30", "3:4");
     "G0455" HalfTurn Caution { axis: char, degrees: Size, count: u64, line: usize, more: Text }
-        es "un eje giratorio da más de media vuelta en un bloque en avance: {axis} gira {degrees}°{more}"
-        en "a rotary axis makes more than half a turn in one feed block: {axis} turns {degrees}°{more}"
+        es "un eje giratorio da más de media vuelta en un bloque en avance: {axis} gira {degrees}{more}"
+        en "a rotary axis makes more than half a turn in one feed block: {axis} turns {degrees}{more}"
         remedy "compruebe el sentido del giro y si el eje de la máquina es rollover (--rotary)",
             "check which way the axis must turn, and whether the machine's axis is rollover (--rotary)";
         why "Un eje ajustado de otra manera gira por el otro lado, con la herramienta en la pieza.",

@@ -92,7 +92,7 @@ fn expand(start: [f64; 2], groove: &Groove, axes: [usize; 2]) -> Result<Vec<Move
     let [across, down] = [steps(way[0], step[0]), steps(way[1], step[1])];
     let total = (across + 1.0) * down;
     if total > GROOVE_STEPS {
-        return Err(Trouble::of(&TooManyGrooveSteps { passes: Size::plain(total, 0), most: GROOVE_STEPS }).beyond());
+        return Err(Trouble::of(&TooManyGrooveSteps { passes: Size::number(total, 0), most: GROOVE_STEPS }).beyond());
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 100,000")]
     let [across, down] = [across as usize, down as usize];

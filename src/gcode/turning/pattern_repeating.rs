@@ -54,7 +54,7 @@ pub fn repeat(profile: &Profile, repeat: &Repeat) -> Result<Vec<Move>, Box<Troub
     let most = ROUGHING_PASSES.min(REPEATED_MOVES / profile.elements.len());
     #[expect(clippy::cast_precision_loss, reason = "counts of passes")]
     if count > most {
-        return Err(Trouble::of(&TooManyRepeats { passes: Size::plain(count as f64, 0), most: most as f64 }).beyond());
+        return Err(Trouble::of(&TooManyRepeats { passes: Size::number(count as f64, 0), most: most as f64 }).beyond());
     }
     let plain = PassFrame { axes: [0, 1], signs: [1.0; 2] };
     let mut tool = CycleMoves::new(plain, profile.start);

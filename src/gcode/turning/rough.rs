@@ -159,7 +159,7 @@ fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move
     #[expect(clippy::cast_precision_loss, reason = "a small constant")]
     let most = (ROUGHING_WORK / parts).min(ROUGHING_PASSES as f64).floor();
     if passes > most {
-        return Err(Trouble::of(&TooManyRoughingPasses { passes: Size::plain(passes, 0), most }).beyond());
+        return Err(Trouble::of(&TooManyRoughingPasses { passes: Size::number(passes, 0), most }).beyond());
     }
     let mut tool = CycleMoves::new(frame, profile.start);
     tool.rapid(top);

@@ -73,7 +73,7 @@ impl Threading {
                 let passes = trig::pow(target / self.first, 2.0).ceil();
                 #[expect(clippy::cast_precision_loss, reason = "a small constant")]
                 let most = THREAD_PASSES as f64;
-                return Err(Trouble::of(&TooManyThreadPasses { passes: Size::plain(passes, 0), most }).beyond());
+                return Err(Trouble::of(&TooManyThreadPasses { passes: Size::number(passes, 0), most }).beyond());
             }
             #[expect(clippy::cast_precision_loss, reason = "a count of passes")]
             let by_area = self.first * ((depths.len() + 1) as f64).sqrt();

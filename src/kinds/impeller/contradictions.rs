@@ -1,6 +1,6 @@
 //! What is valid alone but not together: the checks of one parameter of the impeller against another.
 
-use crate::finding::{Finding, Raise, Size};
+use crate::finding::{Bare, Finding, Raise, Size};
 use crate::gcode::control::Rotary as Counting;
 use crate::gcode::machine_codes::{refused_codes, refused_retract};
 use crate::gcode::word::Distance;
@@ -124,8 +124,9 @@ impl Design {
             if let [Some(low), Some(high)] = ends
                 && low >= high
             {
-                let axis = axis.letter();
-                let told = TravelReversed { axis, low: Size::number(low, 3), high: Size::number(high, 3) };
+                let unit = if axis.rotary() { "°" } else { "mm" };
+                let bare = |value| Bare(Size { value, unit, decimals: 3 });
+                let told = TravelReversed { axis: axis.letter(), low: bare(low), high: bare(high) };
                 findings.push(told.at(at(keys)).with(shown(low, 3), shown(high, 3)));
             }
         }

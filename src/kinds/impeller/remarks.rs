@@ -1,6 +1,6 @@
 //! What the impeller's job has to say: refusals and remarks for a person.
 
-use crate::finding::{Finding, Key, Place, Raise, Size};
+use crate::finding::{Bare, Finding, Key, Place, Raise, Size};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::parameters as form;
@@ -52,7 +52,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
     }
     let moves = made.limited.by_axis;
     if moves > 0 {
-        let most = Size::number(design.F_max.unwrap_or(0.0), 3);
+        let most = Size { value: design.F_max.unwrap_or(0.0), unit: "mm/min", decimals: 3 };
         findings.push(FeedReduced { moves, most }.at(at([form::F.key(), form::F_MAX.key()])));
     }
     let moves = made.limited.by_format;
@@ -82,7 +82,7 @@ fn calibration_remark(design: &Design, axis: Calibrated) -> Finding {
     let B = Size { value: axis.B.to_degrees(), unit: "°", decimals: 5 };
     let place = at([form::R_B.key()]);
     let told = if difference.abs() > 0.01 {
-        CalibrationDiffers { found, B, R_B, better: Size::number(axis.R_B, 4) }.at(place)
+        CalibrationDiffers { found, B, R_B, better: Bare::mm(axis.R_B, 4) }.at(place)
     } else {
         CalibrationAgrees { found, B, R_B }.at(place)
     };

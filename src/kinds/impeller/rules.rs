@@ -1,7 +1,7 @@
 //! Contradictions of an impeller, and what a person should know of its plan.
 
 use crate::finding::rule::{book, rules};
-use crate::finding::{Example, Size};
+use crate::finding::{Bare, Example, Size};
 use crate::text::{Text, t};
 
 rules! {
@@ -65,7 +65,7 @@ rules! {
         remedy "compruebe R_B y H; L debe ser mayor que {least}", "check R_B and H; make L greater than {least}";
         why "El eje B gira por debajo de la pieza y no puede estar dentro de ella.", "The B axis swivels below the part and cannot be inside it.";
         example book!("impeller", "R_B" = "1", "H" = "1");
-    "P1010" TravelReversed Stop { axis: char, low: Size, high: Size }
+    "P1010" TravelReversed Stop { axis: char, low: Bare, high: Bare }
         es "el límite inferior de {axis} ({low}) no es menor que el superior ({high})"
         en "the lower limit of {axis} ({low}) is not below the upper limit ({high})"
         remedy "intercambie los límites", "swap the limits";
@@ -174,8 +174,8 @@ rules! {
             "With five axes moving together, a linear axis may have to go much faster than the tip.";
         example book!("impeller --case full", "F_max" = "");
     "P1026" FeedReduced Note { moves: usize, most: Size }
-        es "rodete reduce el avance en {moves} movimientos para que ningún eje pase de F_max = {most} mm/min"
-        en "rodete reduces the feed in {moves} moves so that no axis exceeds F_max = {most} mm/min"
+        es "rodete reduce el avance en {moves} movimientos para que ningún eje pase de F_max = {most}"
+        en "rodete reduces the feed in {moves} moves so that no axis exceeds F_max = {most}"
         remedy "", "";
         why "Un eje al que se pide demasiado se retrasa, y la punta se sale de su trayectoria.",
             "An axis that is asked to go too fast lags, and the tip leaves its path.";
@@ -208,7 +208,7 @@ rules! {
             "Up to a hundredth apart, a tenth of what the eye sees in a slot, workbook and slots agree.";
         example book!("impeller --case full", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
             "CALIBRATION!C10" = "6", "CALIBRATION!C11" = "-206.5", "CALIBRATION!C12" = "-185.5");
-    "P1031" CalibrationDiffers Caution { found: Size, B: Size, R_B: Size, better: Size }
+    "P1031" CalibrationDiffers Caution { found: Size, B: Size, R_B: Size, better: Bare }
         es "la calibración da R_B = {found} y B = {B}; el libro dice R_B = {R_B} (rodete toma la raíz más próxima)"
         en "the calibration gives R_B = {found} and B = {B}; the workbook says R_B = {R_B} (rodete takes the nearest root)"
         remedy "compruebe las ranuras y valore poner R_B = {better}", "check the slots and consider R_B = {better}";
@@ -289,8 +289,8 @@ rules! {
             "If machine zero is at the bottom, that block takes the tool into the part in rapid.";
         example book!("impeller --case full");
     "P1042" RibsLeft Caution { most: Size, from: Size, width: Size, across: Size }
-        es "quedan nervios sin cortar en los canales: ninguna pasada toca hasta un {most} % de la superficie torneada entre dos álabes (valor máximo), desde el {from} % del camino del cubo al borde; en el borde el más ancho mide hasta {width} a lo largo del canto ({across} de través)"
-        en "ribs stay uncut in the channels: no pass touches up to {most} % of the turned surface between two blades (upper bound), from {from} % of the way from hub to rim; at the rim the widest rib measures up to {width} along the edge ({across} across)"
+        es "quedan nervios sin cortar en los canales: ninguna pasada toca hasta un {most} de la superficie torneada entre dos álabes (valor máximo), desde el {from} del camino del cubo al borde; en el borde el más ancho mide hasta {width} a lo largo del canto ({across} de través)"
+        en "ribs stay uncut in the channels: no pass touches up to {most} of the turned surface between two blades (upper bound), from {from} of the way from hub to rim; at the rim the widest rib measures up to {width} along the edge ({across} across)"
         remedy "vacíe los canales con un programa propio, o use más álabes o una herramienta mayor si la separación real lo permite: el plan solo corta a los lados de cada álabe",
             "clear the channels with a program of your own, or use more blades or a larger tool if the true gap allows: the plan cuts only beside each blade";
         why "El metal que queda obstruye el canal entre los álabes.", "The metal left blocks the channel between the blades.";
@@ -311,16 +311,16 @@ rules! {
             "The side of a cylindrical cutter does not follow a twisted face: where it enters the face, the blade gets thinner.";
         example book!("impeller --case full");
     "P1045" ToolDoesNotPass Caution { tool: Size, gap: Size, at: Size, blades: Text, thickness: Text }
-        es "la herramienta de {tool} no pasa entre los álabes: la mayor que pasa es de {gap}; el paso más estrecho está al {at} % del camino del cubo al borde; {blades}; {thickness}"
-        en "the tool of {tool} does not pass between the blades: the largest that passes is {gap}; the narrowest place is {at} % of the way from hub to rim; {blades}; {thickness}"
+        es "la herramienta de {tool} no pasa entre los álabes: la mayor que pasa es de {gap}; el paso más estrecho está al {at} del camino del cubo al borde; {blades}; {thickness}"
+        en "the tool of {tool} does not pass between the blades: the largest that passes is {gap}; the narrowest place is {at} of the way from hub to rim; {blades}; {thickness}"
         remedy "use menos álabes, álabes más delgados o una herramienta menor; los límites publicados miden a lo largo del paralelo, que no es por donde pasa la herramienta",
             "use fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not where the tool passes";
         why "Una herramienta más ancha que el canal corta los dos álabes.",
             "A tool wider than the channel cuts into both blades.";
         example book!("impeller --case full", "N" = "5", "splitters" = "no");
     "P1046" GapBelowPublished Caution { gap: Size, tool: Size, least: Size, at: Size, blades: Text, thickness: Text }
-        es "entre los álabes pasa como mucho una herramienta de {gap}; para la de {tool} la regla publicada pide {least}; el paso más estrecho está al {at} % del camino del cubo al borde; {blades}; {thickness}"
-        en "a tool of {gap} at most passes between the blades; for the tool of {tool} the published rule asks for {least}; the narrowest place is {at} % of the way from hub to rim; {blades}; {thickness}"
+        es "entre los álabes pasa como mucho una herramienta de {gap}; para la de {tool} la regla publicada pide {least}; el paso más estrecho está al {at} del camino del cubo al borde; {blades}; {thickness}"
+        en "a tool of {gap} at most passes between the blades; for the tool of {tool} the published rule asks for {least}; the narrowest place is {at} of the way from hub to rim; {blades}; {thickness}"
         remedy "use menos álabes, álabes más delgados o una herramienta menor; los límites publicados miden a lo largo del paralelo, que no es por donde pasa la herramienta",
             "use fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not where the tool passes";
         why "La regla publicada pide un tercio más que la herramienta, para que ni la flexión ni las desviaciones toquen el otro álabe.",

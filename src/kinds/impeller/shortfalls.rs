@@ -41,12 +41,12 @@ fn at_most(value: f64) -> Size {
 
 fn left_standing(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding> {
     let ribs = ribs(part, design.N, design.d_t, sweeps);
-    let from = Size::number((ribs.from? * 100.0).floor(), 0);
-    let most = Size::number((ribs.share * 1000.0).ceil() / 10.0, 1);
+    let from = Size::percent((ribs.from? * 100.0).floor(), 0);
+    let most = Size::percent((ribs.share * 1000.0).ceil() / 10.0, 1);
     let across = at_most(ribs.width * design.torus.r / design.torus.R);
     let told = RibsLeft { most, from, width: at_most(ribs.width), across };
     let place = at([form::D_T.key(), form::N.key(), form::E.key(), form::SPLITTERS.key()]);
-    Some(told.at(place).with(format!("{} %", most.said(Language::En)), "0 %"))
+    Some(told.at(place).with(most.said(Language::En), "0 %"))
 }
 
 fn too_deep(design: &Design, sweeps: &[Sweep]) -> Option<Finding> {
@@ -92,7 +92,7 @@ pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
         return None;
     }
     let (gap, least, tool) = (Size::mm(limits.gap.width), Size::mm(limits.least), Size::mm(design.d_t));
-    let station = Size::number(limits.gap.station * 100.0, 1);
+    let station = Size::percent(limits.gap.station * 100.0, 1);
     let blades = match limits.N_max {
         Some(N) => Text::new(
             format!("N_max real = {N} (publicado: {})", published(design)),

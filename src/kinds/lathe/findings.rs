@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::finding::rules::OtherContour;
-use crate::finding::{Finding, Grade, Place, Raise, Size};
+use crate::finding::{Bare, Finding, Grade, Place, Raise, Size};
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::kinds::lathe::Raised;
 use crate::kinds::lathe::rules::{
@@ -61,7 +61,7 @@ pub(super) fn assumed(given: &Given, program: &str) -> Vec<Finding> {
     }
     if !given.referred && (has("G28") || has("G30")) {
         let [X, Z] = given.reference();
-        let [X, Z] = [2.0 * X, Z].map(|at| Size::number(at, 3));
+        let [X, Z] = [2.0 * X, Z].map(|at| Bare::mm(at, 3));
         found.push(ReferenceAssumed { X, Z }.at(Place::File));
     }
     found

@@ -27,7 +27,7 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use crate::figure::Figure;
-use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule, Said, Size};
+use crate::finding::{Bare, Exit, Finding, Grade, Place, Raise, Refusal, Rule, Said, Size};
 use crate::gcode::interpreter::{Setting, Standstill};
 use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
@@ -282,11 +282,11 @@ const HELD_WELL: (f64, f64) = (5.0, 0.25);
 fn held(setup: &Setup) -> Finding {
     let Setup { lathe, stock, .. } = setup;
     let place = at([form::Z_S.key(), form::L4.key()]);
-    let [left, right] = stock.held(lathe).map(|at| Size::number(at, 3));
+    let [left, right] = stock.held(lathe).map(|at| Bare::mm(at, 3));
     let Some(grip) = setup.part.as_deref().and_then(|part| stock.grip(lathe, part)) else {
         return NothingInTheJaws { left, right }.at(place);
     };
-    let (X, length) = (Size::number(grip.diameter, 3), Size::mm(grip.length));
+    let (X, length) = (Bare::mm(grip.diameter, 3), Size::mm(grip.length));
     let least = HELD_WELL.0.max(HELD_WELL.1 * lathe.chuck.jaws);
     if grip.length >= least {
         return HeldAlong { X, length }.at(place);

@@ -3,7 +3,7 @@
 //! Codes P4001 on are of values that contradict each other, L0205 to L0220 and from L0229 on of what was followed.
 
 use crate::finding::rule::{book, rules};
-use crate::finding::{Example, Key, Size};
+use crate::finding::{Bare, Example, Key, Size};
 use crate::text::{Text, t};
 
 /// A program between the usual first and last blocks for the bar of D 50: the roughing tool in front of it, and away again.
@@ -40,13 +40,13 @@ rules! {
         remedy "corrija d o D", "correct d or D";
         why "Entre el agujero y la superficie debe quedar pared.", "There must be a wall between the bore and the surface.";
         example book!("lathe", "d" = "60");
-    "P4004" SlideTravelReversed Stop { low: Key, least: Size, high: Key, greatest: Size }
+    "P4004" SlideTravelReversed Stop { low: Key, least: Bare, high: Key, greatest: Bare }
         es "{low} es {least} y debe ser menor que {high} = {greatest}"
         en "{low} is {least}; it must be less than {high} = {greatest}"
         remedy "corrija el recorrido", "correct the travel";
         why "Con los límites al revés no vale ninguna posición.", "With the limits reversed no position is allowed.";
         example book!("lathe", "X_min" = "100", "X_max" = "-100");
-    "P4005" BodyReversed Stop { low: Key, least: Size, high: Key, greatest: Size }
+    "P4005" BodyReversed Stop { low: Key, least: Bare, high: Key, greatest: Bare }
         es "{low} es {least} y debe ser menor que {high} = {greatest}"
         en "{low} is {least}; it must be less than {high} = {greatest}"
         remedy "corrija el cuerpo de la torreta", "correct the turret's body";
@@ -196,7 +196,7 @@ rules! {
         remedy "rellene R_X y R_Z en el libro (hoja DATOS)", "fill in R_X and R_Z in the workbook (sheet DATA)";
         why "Si el control cuenta desde el otro cero, la herramienta va en rápido a otro sitio.", "If the control counts from the other zero, the tool goes to another place, in rapid.";
         example blocks!("G53 G0 X400. Z400.");
-    "L0211" ReferenceAssumed Note { X: Size, Z: Size }
+    "L0211" ReferenceAssumed Note { X: Bare, Z: Bare }
         es "el libro no da el punto de referencia: rodete lo supone en X{X} Z{Z} desde M"
         en "the workbook gives no reference point: rodete assumes X{X} Z{Z} from M"
         remedy "rellene R_X y R_Z en el libro (hoja DATOS)", "fill in R_X and R_Z in the workbook (sheet DATA)";
@@ -227,14 +227,14 @@ rules! {
         why "Contados desde el cero máquina, los movimientos irían contra el plato.",
             "Counted from machine zero, the motions would run into the chuck.";
         example blocks!("G55|G1 X48. F0.2|G54");
-    "L0215" NothingInTheJaws Stop { left: Size, right: Size }
+    "L0215" NothingInTheJaws Stop { left: Bare, right: Bare }
         es "en el segundo amarre no hay material entre las garras: nada sujeta la pieza"
         en "in the second set-up there is no metal between the jaws: nothing holds the part"
         remedy "cambie Z_s (o L4) para que haya un cilindro entre Z{left} y Z{right}, donde están las garras",
             "change Z_s (or L4) so that a cylinder lies between Z{left} and Z{right}, where the jaws are";
         why "Las garras se cerrarían en el vacío.", "The jaws would close on nothing.";
         example book!("lathe", "Z_s" = "500", "PROGRAM 2!A6" = "M30");
-    "L0216" HardlyHeld Stop { X: Size, left: Size, right: Size }
+    "L0216" HardlyHeld Stop { X: Bare, left: Bare, right: Bare }
         es "en el segundo amarre las garras, cerradas en X{X}, apenas sujetan longitud en Z"
         en "in the second set-up the jaws, closed on X{X}, hold hardly any length along Z"
         remedy "cambie Z_s (o L4) para que haya un cilindro entre Z{left} y Z{right}, donde están las garras",
@@ -242,7 +242,7 @@ rules! {
         why "Sujeta por una línea, la pieza se ladea con la primera pasada y se sale.",
             "A part held along a line tilts at the first pass and comes out.";
         example book!("lathe", "Z_s" = "-1", "PROGRAM 2!A6" = "M30");
-    "L0217" HeldAlong Note { X: Size, length: Size }
+    "L0217" HeldAlong Note { X: Bare, length: Size }
         es "en el segundo amarre las garras se cierran en X{X} y sujetan {length}"
         en "in the second set-up the jaws close on X{X} and hold {length}"
         remedy "", "";

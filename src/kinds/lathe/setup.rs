@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::finding::{CellPlace, Finding, Key, Place, Raise, Size};
+use crate::finding::{Bare, CellPlace, Finding, Key, Place, Raise, Size};
 use crate::gcode::control::Control;
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, ToolOffset, Tools};
@@ -101,7 +101,7 @@ impl Given {
         let reversed = |pair: [Length; 2]| {
             let [least, greatest] = pair.map(|one| fields.get(one));
             let [least, greatest] = [least?, greatest?];
-            (least >= greatest).then(|| (pair.map(Field::key), [least, greatest].map(|at| Size::number(at, 3))))
+            (least >= greatest).then(|| (pair.map(Field::key), [least, greatest].map(|at| Bare::mm(at, 3))))
         };
         for (keys @ [low, high], [least, greatest]) in travels.into_iter().filter_map(reversed) {
             stop(&keys, &SlideTravelReversed { low, least, high, greatest });

@@ -155,8 +155,8 @@ rules! {
         why "Un texto o una palabra de una lista no tiene unidad.", "A text or a word from a list has no unit.";
         example book!("impeller", "part:unit" = "mm");
     "W0422" Percentage Caution { name: Text, read: Typed, shown: Typed }
-        es "{name} está en una celda con formato de porcentaje: rodete lee {read}, pero la hoja muestra {shown} %"
-        en "{name} is in a cell formatted as a percentage: rodete reads {read}, but the sheet shows {shown} %"
+        es "{name} está en una celda con formato de porcentaje: rodete lee {read}, pero la hoja muestra {shown}"
+        en "{name} is in a cell formatted as a percentage: rodete reads {read}, but the sheet shows {shown}"
         remedy "dé a la celda formato General y compruebe el valor", "set the cell's format to General and check the value";
         why "Con ese formato, un 2 puede haberse guardado como 0.02.", "With that format a 2 may have been stored as 0.02.";
         example made!("percentage", "la celda de e con formato de porcentaje", "the cell of e formatted as a percentage");

@@ -12,7 +12,7 @@
 //! one revolution), and the start angle Q of G32 and G92 (thousandths of a degree, not modal, 0 where it is not given). How far
 //! a thread is pulled out at the end of G92 is a parameter of the control: none is taken here.
 
-use crate::finding::Size;
+use crate::finding::{Bare, Size};
 use crate::gcode::code::{G, Group, SinglePassCycle};
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::refused::{Refused, Result};
@@ -148,7 +148,7 @@ impl Reader<'_, '_> {
         let infeed = end[across] - start[across];
         if infeed * (infeed + taper) < 0.0 {
             return Err(Refused::of(
-                &PassBeginsBeyondStart { taper: Size::plain(taper, 3), cycle: number, infeed: Size::mm(infeed.abs()) },
+                &PassBeginsBeyondStart { taper: Bare::mm(taper, 3), cycle: number, infeed: Size::mm(infeed.abs()) },
                 &[self.block.column(letter::R)],
             )
             .hanging_on(doubt::LATHE));

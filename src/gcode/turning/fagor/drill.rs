@@ -77,7 +77,7 @@ pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Box<Trouble>> 
         if reached.len() >= DRILL_STEPS || next < EPS {
             #[expect(clippy::cast_precision_loss, reason = "a small constant")]
             let most = DRILL_STEPS as f64;
-            return Err(Trouble::of(&TooManyFagorDrillSteps { passes: Size::plain(most + 1.0, 0), most }).beyond());
+            return Err(Trouble::of(&TooManyFagorDrillSteps { passes: Size::number(most + 1.0, 0), most }).beyond());
         }
         v = (v - next).max(bottom);
         if v - bottom < EPS {

@@ -63,7 +63,7 @@ pub fn groove(start: [f64; 2], along: Along, groove: &Groove) -> Result<Vec<Move
     let places = ((A[0] - B[0]) / step - EPS).ceil().max(0.0);
     if places >= GROOVE_PLACES {
         return Err(
-            Trouble::of(&TooManyFagorPasses { passes: Size::plain(places + 1.0, 0), most: GROOVE_PLACES }).beyond()
+            Trouble::of(&TooManyFagorPasses { passes: Size::number(places + 1.0, 0), most: GROOVE_PLACES }).beyond()
         );
     }
     let mut tool = CycleMoves::new(frame, start);

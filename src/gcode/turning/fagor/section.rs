@@ -118,7 +118,7 @@ pub fn section(start: [f64; 2], along: Along, section: &Section) -> Result<Vec<M
     #[expect(clippy::cast_precision_loss, reason = "a small constant")]
     let most = ROUGHING_PASSES as f64;
     if passes > most {
-        return Err(Trouble::of(&TooManyFagorPasses { passes: Size::plain(passes, 0), most }).beyond());
+        return Err(Trouble::of(&TooManyFagorPasses { passes: Size::number(passes, 0), most }).beyond());
     }
     let path = moved.clone().with_lead(S[0]).with_wall(S[1]);
     let mut tool = CycleMoves::new(frame, start);

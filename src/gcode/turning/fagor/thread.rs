@@ -83,7 +83,7 @@ impl Threading {
                 #[expect(clippy::cast_precision_loss, reason = "a small constant")]
                 let most = THREAD_PASSES as f64;
                 return Err(
-                    Trouble::of(&TooManyFagorThreadPasses { passes: Size::plain(passes.ceil(), 0), most }).beyond()
+                    Trouble::of(&TooManyFagorThreadPasses { passes: Size::number(passes.ceil(), 0), most }).beyond()
                 );
             }
             #[expect(clippy::cast_precision_loss, reason = "a count of passes")]

@@ -1,7 +1,7 @@
 //! The rows of drilling cycles, threads and passes.
 
 use crate::finding::rule::rules;
-use crate::finding::{Example, Size};
+use crate::finding::{Bare, Example, Size};
 use crate::text::Text;
 
 rules! {
@@ -28,7 +28,7 @@ rules! {
         remedy "dé un tiempo positivo", "give a positive time";
         why "El control no puede esperar un tiempo negativo.", "The control cannot wait for a negative time.";
         example Example::program("linuxcnc", "G21 G90 F100 S500 M3|G0 Z5|G82 X0 Y0 R2 Z-5 P-1|M2", "3:18");
-    "G0732" HolePlaneBelowBottom Stop { r: Size, bottom: Size }
+    "G0732" HolePlaneBelowBottom Stop { r: Bare, bottom: Bare }
         es "R ({r}) está por debajo del fondo ({bottom})"
         en "R ({r}) is below the bottom ({bottom})"
         remedy "ponga R por encima del fondo del agujero", "put R above the bottom of the hole";
@@ -173,7 +173,7 @@ rules! {
             "give the end of the pass; X and Z are absolute, U and W are increments";
         why "Sin el punto final la pasada está incompleta.", "Without its end point the pass is incomplete.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G90 R1.|M30", "3:1");
-    "G0754" PassBeginsBeyondStart Stop { taper: Size, cycle: u8, infeed: Size }
+    "G0754" PassBeginsBeyondStart Stop { taper: Bare, cycle: u8, infeed: Size }
         es "con R{taper}, G{cycle} empieza la pasada más allá del punto de partida"
         en "with R{taper}, G{cycle} begins the pass beyond the start point"
         remedy "si R va contra la entrada, no puede ser mayor que ella: {infeed}",

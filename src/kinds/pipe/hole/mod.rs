@@ -218,12 +218,12 @@ fn no_room(error: OutOfFormat) -> Vec<Finding> {
 
 /// The refusal of a place where the torch would have to be too high.
 fn height_refused(design: &Design, place: &TooHigh) -> Finding {
-    let alpha = Size::number(place.alpha.to_degrees(), 2);
+    let alpha = Size::degrees(place.alpha.to_degrees(), 2);
     let keys = at([GAMMA.key(), D_MAX.key(), G0.key()]);
     match place.sigma_o {
         Some(sigma) => {
             let (height, most) = (Size::mm(place.D), Size::mm(design.D_max));
-            let told = TorchTooHigh { alpha, sigma: Size::number(sigma.to_degrees(), 2), height, most };
+            let told = TorchTooHigh { alpha, sigma: Size::degrees(sigma.to_degrees(), 2), height, most };
             told.at(keys).with(height.said(Language::En), most.said(Language::En))
         }
         None => TorchLiesDown { alpha }.at(keys),

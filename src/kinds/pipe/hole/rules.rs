@@ -56,16 +56,16 @@ rules! {
             "If never released, the height control does not follow the pipe; if never held, it dives into the groove.";
         example book!("pipe-hole", "hold_on" = "M62");
     "P3009" TorchTooHigh Stop { alpha: Size, sigma: Size, height: Size, most: Size }
-        es "en α = {alpha}° la antorcha está a {sigma}° del tubo y necesita una altura de {height}; D_max es {most}"
-        en "at α = {alpha}° the torch is at {sigma}° to the pipe and needs a height of {height}; D_max is {most}"
+        es "en α = {alpha} la antorcha está a {sigma} del tubo y necesita una altura de {height}; D_max es {most}"
+        en "at α = {alpha} the torch is at {sigma} to the pipe and needs a height of {height}; D_max is {most}"
         remedy "elija un ángulo de bisel γ menor, una antorcha más fina, un g0 menor o un D_max mayor",
             "choose a smaller groove angle γ, a slimmer torch, a smaller g0, or a larger D_max";
         why "Cuanto más se tumba la antorcha, más lejos queda la punta para que el cuerpo no toque el tubo; desde allí el arco no corta.",
             "The more the torch leans, the farther away its tip must stay so that its body clears the pipe; from there the arc does not cut.";
         example book!("pipe-hole", "gamma" = "45", "D_max" = "8");
     "P3010" TorchLiesDown Stop { alpha: Size }
-        es "en α = {alpha}° la antorcha se tumba: su eje no sale por el exterior del tubo"
-        en "at α = {alpha}° the torch lies flat: its axis does not come out of the pipe's outside"
+        es "en α = {alpha} la antorcha se tumba: su eje no sale por el exterior del tubo"
+        en "at α = {alpha} the torch lies flat: its axis does not come out of the pipe's outside"
         remedy "elija un ángulo de bisel γ menor, una antorcha más fina, un g0 menor o un D_max mayor",
             "choose a smaller groove angle γ, a slimmer torch, a smaller g0, or a larger D_max";
         why "Un chorro paralelo a la pared no la atraviesa.", "A beam parallel to the wall does not go through it.";
