@@ -19,7 +19,7 @@ use super::{BUILD, Sink, drawings, finding, opened, reading, refused, side_by_si
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
 use crate::kind::{Kind, Outcome, Wants};
-use crate::report::stationery::{Stationery, Template};
+use crate::report::stationery::{Logo, Stationery, Template};
 use crate::report::{self, Attachment, Content, Role};
 use crate::store::{self, Existing, Folder, Set};
 use crate::text::{Language, t};
@@ -222,27 +222,7 @@ fn build(
     let (tables, live) = (settings.tables, settings.view);
     let delivery = Delivery { item, outcome, language, tables, printed, viewer, live, into: into.is_some() };
     delivery.write(scene, &mut set)?;
-    let mut failed = Vec::new();
-    if let Some(typst) = &settings.typst {
-        let at_work = AtWork::begin();
-        failed = drawings::print(item, outcome, language, typst, &mut set)?;
-        drop(at_work);
-        // The report tells the sum of the results: what these list must be settled before.
-        if !failed.is_empty() {
-            delivery.list_again(&[SETUP, REPORT], &mut set)?;
-        }
-        let unset = match &settings.templates {
-            Ok(templates) => {
-                let setter = Setter { stationery: Stationery { logo, templates }, language, typst };
-                typeset(item, &bytes, outcome, &setter, &mut set, verdict)?
-            }
-            Err(refused) => Some((**refused).clone()),
-        };
-        if unset.is_some() {
-            delivery.list_again(&[], &mut set)?;
-        }
-        failed.extend(unset);
-    }
+    let failed = print(&delivery, &bytes, settings, logo, &mut set, verdict)?;
     if let Some(into) = into {
         into.put(outcome, &delivery.listed(&set), settings.tables, language, &mut set)?;
     }
@@ -257,6 +237,39 @@ fn build(
         verdict.refuse(Refusal { exit: Exit::ReportFailed, findings: failed });
     }
     Ok(())
+}
+
+/// Adds drawings, report and set-up sheet to the set, where they are asked for, and lists anew what is delivered where any of them fails; gives the
+/// findings of those that fail, which keep nothing else from being delivered.
+fn print(
+    delivery: &Delivery<'_>,
+    bytes: &[u8],
+    settings: &Settings<'_>,
+    logo: Option<Logo>,
+    set: &mut Set<'_>,
+    verdict: &mut Ending,
+) -> Result<Vec<Finding>, Refusal> {
+    let Some(typst) = &settings.typst else { return Ok(Vec::new()) };
+    let Delivery { item, outcome, language, .. } = *delivery;
+    let at_work = AtWork::begin();
+    let mut failed = drawings::print(item, outcome, language, typst, set)?;
+    drop(at_work);
+    // The report tells the sum of the results: what these list must be settled before.
+    if !failed.is_empty() {
+        delivery.list_again(&[SETUP, REPORT], set)?;
+    }
+    let unset = match &settings.templates {
+        Ok(templates) => {
+            let setter = Setter { stationery: Stationery { logo, templates }, language, typst };
+            typeset(item, bytes, outcome, &setter, set, verdict)?
+        }
+        Err(refused) => Some((**refused).clone()),
+    };
+    if unset.is_some() {
+        delivery.list_again(&[], set)?;
+    }
+    failed.extend(unset);
+    Ok(failed)
 }
 
 /// Adds report and set-up sheet to the set; gives the finding where it fails, which keeps nothing else from being delivered.

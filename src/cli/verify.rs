@@ -132,34 +132,7 @@ fn follow(
     let bytes: Box<dyn Bytes> = if arguments.json { Box::new(Summed::new(file, &sum)) } else { Box::new(file) };
     let mut interpreter = Interpreter::new(bytes, setting);
     let start = interpreter.position().1;
-    let mut before = start;
-    let (mut faults, mut total): (Vec<Refused>, usize) = (Vec::new(), 0);
-    let mut canon = String::new();
-    while let Some(item) = interpreter.next() {
-        match item {
-            Ok(motion) => {
-                read.account.take(&motion, &before);
-                before = motion.machine;
-                if arguments.canon {
-                    canon.push_str(&line(&motion, interpreter.file(interpreter.in_force().file)).to_string());
-                    canon.push('\n');
-                    if canon.len() > CHUNK {
-                        terminal.out(&canon);
-                        canon.clear();
-                    }
-                }
-            }
-            Err(fault) => {
-                total += 1;
-                read.verdict.exit = gravest(read.verdict.exit, fault.exit);
-                // Where the reading ended is reported whatever went before.
-                if faults.len() < LISTED_REFUSALS || fault.exit == Exit::Limit {
-                    faults.push(*fault);
-                }
-            }
-        }
-    }
-    terminal.out(&canon);
+    let (faults, total) = read_through(&mut interpreter, start, arguments.canon, read, terminal);
     read.net = interpreter.position().1.differences(&start);
     read.lines = interpreter.lines();
     if dialect.turns() {
@@ -180,6 +153,45 @@ fn follow(
     read.verdict.sha256 = sum.take();
     read.consulted = shared.consulted();
     Ok(())
+}
+
+/// Reads a program to its end from where the machine is before it, and prints its canonical motions where they are asked for. Gives
+/// the refusals that are listed, and how many there are.
+fn read_through(
+    interpreter: &mut Interpreter<'_>,
+    mut before: Pose,
+    canonical: bool,
+    read: &mut Read,
+    terminal: &mut Terminal,
+) -> (Vec<Refused>, usize) {
+    let (mut faults, mut total): (Vec<Refused>, usize) = (Vec::new(), 0);
+    let mut canon = String::new();
+    while let Some(item) = interpreter.next() {
+        match item {
+            Ok(motion) => {
+                read.account.take(&motion, &before);
+                before = motion.machine;
+                if canonical {
+                    canon.push_str(&line(&motion, interpreter.file(interpreter.in_force().file)).to_string());
+                    canon.push('\n');
+                    if canon.len() > CHUNK {
+                        terminal.out(&canon);
+                        canon.clear();
+                    }
+                }
+            }
+            Err(fault) => {
+                total += 1;
+                read.verdict.exit = gravest(read.verdict.exit, fault.exit);
+                // Where the reading ended is reported whatever went before.
+                if faults.len() < LISTED_REFUSALS || fault.exit == Exit::Limit {
+                    faults.push(*fault);
+                }
+            }
+        }
+    }
+    terminal.out(&canon);
+    (faults, total)
 }
 
 /// X as the lathe's program has it, a diameter, in what is reported in sum; canonical motions have radii.
@@ -311,11 +323,17 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
     if canon {
         return;
     }
+    let Some(dialect) = read.dialect else { return };
+    terminal.out(&summary(read, dialect, &name, language));
+    finding::notes(&read.verdict.findings, &name, language, terminal);
+}
+
+/// What a program does, in figures: lines and motions, the reach of each axis, where it ends, way and time.
+fn summary(read: &Read, dialect: &Control, name: &str, language: Language) -> String {
     let (account, lathe) = (&read.account, read.lathe());
     let es = language == Language::Es;
     let word = |spanish: &'static str, english: &'static str| if es { spanish } else { english };
     let number = |value: f64| shown(value, 3);
-    let Some(dialect) = read.dialect else { return };
     let mut text = format!(
         "{name}: {}, {} {}, {} {}\n",
         dialect.name,
@@ -374,6 +392,5 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
             word("tiempo en avance y esperas, sin los rápidos", "time at feed and dwells, without rapid motions")
         ));
     }
-    terminal.out(&text);
-    finding::notes(&read.verdict.findings, &name, language, terminal);
+    text
 }

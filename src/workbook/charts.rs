@@ -110,19 +110,7 @@ pub fn draw<'a>(
         }
         count += 1;
         let (few, x, y) = (x.table.rows() < POINTS, x.range(curves, language)?, y.range(curves, language)?);
-        let ink = Color::RGB(*ink);
-        let mut marker = ChartMarker::new();
-        let mut line = ChartFormat::new();
-        if few {
-            marker
-                .set_type(ChartMarkerType::Circle)
-                .set_size(7)
-                .set_format(ChartFormat::new().set_solid_fill(ChartSolidFill::new().set_color(ink)));
-            line.set_no_line();
-        } else {
-            marker.set_none();
-            line.set_line(ChartLine::new().set_color(ink).set_width(1.75));
-        }
+        let (marker, mut line) = stroke(few, Color::RGB(*ink));
         drawn
             .add_series()
             .set_name(words(series.name.get(language)))
@@ -154,6 +142,34 @@ pub fn draw<'a>(
     drawn.plot_area().set_layout(
         &ChartLayout::new().set_offset(left / width, top / height).set_dimensions(plot[0] / width, plot[1] / height),
     );
+    write_words(&mut drawn, chart, count, language);
+    let size = [pixels(width), pixels(height)];
+    drawn.set_width(size[0]).set_height(size[1]);
+    // The points picked for a chart stand on a hidden sheet.
+    drawn.show_hidden_data();
+    drawn.set_alt_text(words(chart.title.get(language)));
+    Ok(Some((drawn, size)))
+}
+
+/// How a curve is drawn: one of few points as points, any other as a line.
+fn stroke(few: bool, ink: Color) -> (ChartMarker, ChartFormat) {
+    let mut marker = ChartMarker::new();
+    let mut line = ChartFormat::new();
+    if few {
+        marker
+            .set_type(ChartMarkerType::Circle)
+            .set_size(7)
+            .set_format(ChartFormat::new().set_solid_fill(ChartSolidFill::new().set_color(ink)));
+        line.set_no_line();
+    } else {
+        marker.set_none();
+        line.set_line(ChartLine::new().set_color(ink).set_width(1.75));
+    }
+    (marker, line)
+}
+
+/// Writes the titles, the axes' names and numbers, and the legend where there is more than one curve.
+fn write_words(drawn: &mut Chart, chart: &kind::Chart, curves: usize, language: Language) {
     let grid = ChartLine::new().set_color(GRID).set_width(0.75).clone();
     let font = ChartFont::new().set_size(9).clone();
     let name = ChartFont::new().set_size(10).unset_bold().clone();
@@ -169,17 +185,11 @@ pub fn draw<'a>(
             .set_major_gridlines_line(&grid);
     }
     drawn.title().set_name(words(chart.title.get(language))).set_font(ChartFont::new().set_size(12));
-    if count > 1 {
+    if curves > 1 {
         drawn.legend().set_position(ChartLegendPosition::Bottom).set_font(&font);
     } else {
         drawn.legend().set_hidden();
     }
-    let size = [pixels(width), pixels(height)];
-    drawn.set_width(size[0]).set_height(size[1]);
-    // The points picked for a chart stand on a hidden sheet.
-    drawn.show_hidden_data();
-    drawn.set_alt_text(words(chart.title.get(language)));
-    Ok(Some((drawn, size)))
 }
 
 /// Cells as a chart takes them.

@@ -39,16 +39,9 @@ use crate::workbook::results::Tables;
 use crate::workbook::sweep_book::SweepBook;
 use crate::workbook::template;
 
-/// Makes summary, workbook, report and best designs from the chunks, which are all there.
-pub(super) fn merge(
-    arguments: &Sweep,
-    study: &Study<'_>,
-    kinds: &[&dyn Kind],
-    rows: &Rows<'_>,
-    interrupted: &Arc<AtomicBool>,
-    terminal: &mut Terminal,
-) -> Result<Exit, Refusal> {
-    let Study { plan, language, .. } = study;
+/// Takes in all chunks, one after another: what the designs come to, and what there is to know of the inputs, shares or, of a plan
+/// for them, Sobol's indices.
+fn take_in<'a>(plan: &'a Plan, rows: &Rows<'_>) -> Result<(Ranked, Shares<'a>, Option<Indices<'a>>), Refusal> {
     let kept = usize::try_from(SWEEP_ROWS).unwrap_or(usize::MAX);
     let (mut ranking, mut shares) = (Ranking::new(plan, kept), Shares::new(plan));
     let mut indices = Indices::new(plan);
@@ -64,7 +57,20 @@ pub(super) fn merge(
             None => shares.take(&part),
         }
     }
-    let ranked = ranking.end();
+    Ok((ranking.end(), shares, indices))
+}
+
+/// Makes summary, workbook, report and best designs from the chunks, which are all there.
+pub(super) fn merge(
+    arguments: &Sweep,
+    study: &Study<'_>,
+    kinds: &[&dyn Kind],
+    rows: &Rows<'_>,
+    interrupted: &Arc<AtomicBool>,
+    terminal: &mut Terminal,
+) -> Result<Exit, Refusal> {
+    let Study { plan, language, .. } = study;
+    let (ranked, shares, indices) = take_in(plan, rows)?;
     let (top, built) = (ranked.top(usize::from(arguments.top)), ranked.built(usize::from(arguments.top)));
     let folder = Folder::open(rows.place())?;
     let stem = store::stem(study.workbook);

@@ -11,12 +11,53 @@ use crate::kinds::lathe::rules::{
     TooManyMotions, TooMuchWork,
 };
 use crate::kinds::lathe::setup::Given;
+use crate::kinds::lathe::text::SheetProgram;
 use crate::limits::{FOLLOWED_MOTIONS, PROGRAM_FINDINGS};
 use crate::machine::axis::Axis;
 use crate::removal::turning::alarm::{Alarm, Cause};
 use crate::removal::turning::second_removal::AGREE;
 use crate::removal::turning::spindle::revolutions;
 use crate::text::Text;
+
+/// What went wrong with the blocks of a program.
+#[derive(Default)]
+pub(super) struct Faults {
+    /// As it is told of lines.
+    pub(super) told: Vec<Finding>,
+    /// How many refusals are not listed.
+    pub(super) more: usize,
+    /// Refusals in more than one cell, as they are told of lines and as they are told of cells.
+    together: Vec<(Finding, Finding)>,
+}
+
+impl Faults {
+    /// Takes a refusal, once: a cycle reads the blocks of its contour, and they are read again where they stand.
+    pub(super) fn refused(&mut self, fault: Finding, in_cells: Option<Finding>) {
+        if self.told.contains(&fault) {
+            return;
+        }
+        if self.told.len() < PROGRAM_FINDINGS {
+            self.together.extend(in_cells.map(|in_cells| (fault.clone(), in_cells)));
+            self.told.push(fault);
+        } else {
+            self.more += 1;
+        }
+    }
+
+    /// All of it, each at its cells where the program stands in cells.
+    pub(super) fn placed(self, source: &SheetProgram) -> Vec<Finding> {
+        let Self { told, together, .. } = self;
+        told.into_iter()
+            .map(|finding| match together.iter().find(|(told, _)| *told == finding) {
+                Some((_, in_cells)) => in_cells.clone(),
+                None => {
+                    let place = source.placed(finding.place.clone());
+                    finding.placed(place)
+                }
+            })
+            .collect()
+    }
+}
 
 /// A line of the program, or of the file of a subprogram.
 pub(super) fn at_line(file: Option<&str>, line: usize) -> Place {

@@ -37,7 +37,9 @@ use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Limits, Measure, Suggested};
 use crate::kind::{Chapters, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants};
 use crate::kinds::lathe::drawn::Drawn;
-use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
+use crate::kinds::lathe::findings::{
+    Faults, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from,
+};
 use crate::kinds::lathe::parameters::{self as form, FORM, PROGRAM_KEY, SECOND_KEY};
 use crate::kinds::lathe::profile::{compared, wanted};
 use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NoMotion, NothingInTheJaws};
@@ -46,7 +48,6 @@ use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::sketch::Held;
 use crate::kinds::lathe::tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::limits::FOLLOWED_MOTIONS;
-use crate::limits::PROGRAM_FINDINGS;
 use crate::machine::axis::Position;
 use crate::number::shown;
 use crate::parameter::field::Fields;
@@ -362,9 +363,7 @@ fn follow<'a>(
     };
     let mut interpreter = source.read(given.setting());
     let mut in_force = InForceWatch::new(given.own.clone());
-    let (mut faults, mut more) = (Vec::new(), 0);
-    // Refusals in more than one cell, as they are told of lines and as they are told of cells.
-    let mut together: Vec<(Finding, Finding)> = Vec::new();
+    let mut faults = Faults::default();
     let mut without_zero = BTreeSet::new();
     // Where following stopped to be judged, and whether anything was still followed.
     let (mut last, mut unjudged) = (lost.then_some(Place::File), false);
@@ -385,7 +384,7 @@ fn follow<'a>(
         match item {
             Ok(motion) if one.rows.len() == FOLLOWED_MOTIONS => {
                 one.endless = true;
-                faults.insert(0, too_many(interpreter.file(interpreter.in_force().file), motion.line));
+                faults.told.insert(0, too_many(interpreter.file(interpreter.in_force().file), motion.line));
                 break;
             }
             Ok(_) if one.uncut => unjudged = true,
@@ -399,12 +398,12 @@ fn follow<'a>(
                 {
                     let fault = fault.placed(at_line(file, motion.line));
                     last.get_or_insert_with(|| fault.place.clone());
-                    faults.push(fault);
+                    faults.told.push(fault);
                 }
                 let mut step = one.simulation.take(&motion, &control);
                 if one.simulation.is_spent() {
                     one.endless = true;
-                    faults.insert(0, too_much_work(file, &motion, one.rows.len()));
+                    faults.told.insert(0, too_much_work(file, &motion, one.rows.len()));
                     break;
                 }
                 in_force.judge(&mut step);
@@ -436,49 +435,31 @@ fn follow<'a>(
                 let in_cells = source.refused_together(&fault);
                 let fault = Finding::from(*fault);
                 last.get_or_insert_with(|| fault.place.clone());
-                // A cycle reads the blocks of its contour, and they are read again where they stand.
-                if faults.contains(&fault) {
-                    continue;
-                }
-                if faults.len() < PROGRAM_FINDINGS {
-                    together.extend(in_cells.map(|in_cells| (fault.clone(), in_cells)));
-                    faults.push(fault);
-                } else {
-                    more += 1;
-                }
+                faults.refused(fault, in_cells);
             }
         }
     }
-    if more > 0 {
-        faults.push(MoreRefusals { count: more }.at(Place::File));
+    if faults.more > 0 {
+        faults.told.push(MoreRefusals { count: faults.more }.at(Place::File));
     }
     one.files = (1..).map_while(|number| interpreter.file(number)).map(str::to_owned).collect();
     one.program.parts = source.whole(one.files.iter().map(String::as_str));
-    faults.extend(interpreter.remarks());
-    faults.extend(assumed(given, &source.main.text));
+    faults.told.extend(interpreter.remarks());
+    faults.told.extend(assumed(given, &source.main.text));
     if one.account.program.is_none() && last.is_none() && !one.endless && !one.uncut {
-        faults.push(NoMotion {}.at(Place::File));
+        faults.told.push(NoMotion {}.at(Place::File));
     }
     if let Some(place) = last {
         one.lost = true;
         if unjudged {
-            faults.push(unjudged_from(place));
+            faults.told.push(unjudged_from(place));
         }
     }
-    faults.extend(held);
+    faults.told.extend(held);
     one.repeated = one.simulation.repeated().unwrap_or_default();
-    faults.extend((one.repeated > AGREE).then(|| not_repeated(one.repeated)));
-    watch(Seen::End(&faults, &one.simulation));
-    one.findings = faults
-        .into_iter()
-        .map(|finding| match together.iter().find(|(told, _)| *told == finding) {
-            Some((_, in_cells)) => in_cells.clone(),
-            None => {
-                let place = source.placed(finding.place.clone());
-                finding.placed(place)
-            }
-        })
-        .collect();
+    faults.told.extend((one.repeated > AGREE).then(|| not_repeated(one.repeated)));
+    watch(Seen::End(&faults.told, &one.simulation));
+    one.findings = faults.placed(source);
     one.drawn.part = one.simulation.product();
     one
 }

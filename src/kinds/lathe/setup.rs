@@ -74,50 +74,102 @@ const ZEROS: [[Length; 2]; 5] = [
 /// The turret's body, along X and along Z.
 const BODY: [[Length; 2]; 2] = [[&form::BX_MIN, &form::BX_MAX], [&form::BZ_MIN, &form::BZ_MAX]];
 
+/// The travel of the slides, X and Z.
+const TRAVELS: [[Length; 2]; 2] = [[&form::X_MIN, &form::X_MAX], [&form::Z_MIN, &form::Z_MAX]];
+
+/// The reference point.
+const REFERENCE: [Length; 2] = [&form::R_X, &form::R_Z];
+
+/// The values that contradict each other, each with its cells.
+fn contradictions(fields: &Fields) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let (D, L, L4, L5) = (fields.get(&form::D), fields.get(&form::L), fields.get(&form::L4), fields.get(&form::L5));
+    let mut stop = |keys: &[Key], told: &dyn Raise| {
+        findings.push(fields.locate(told.at(Place::Parameters(keys.to_vec()))));
+    };
+    if L4 >= L {
+        stop(&[form::L4.key(), form::L.key()], &HeldBeyondStock { L4: Size::mm(L4), L: Size::mm(L) });
+    }
+    if L4 < L && L5 >= L - L4 {
+        let told = FacingBeyondOverhang { L5: Size::mm(L5), overhang: Size::mm(L - L4) };
+        stop(&[form::L5.key(), form::L.key(), form::L4.key()], &told);
+    }
+    let bore = fields.get(&form::STOCK_BORE_D);
+    if let Some(d) = bore.filter(|d| *d >= D) {
+        let told = BoreBeyondStock { d: Size::mm(d), D: Size::mm(D) };
+        stop(&[form::STOCK_BORE_D.key(), form::D.key()], &told);
+    }
+    let reversed = |pair: [Length; 2]| {
+        let [least, greatest] = pair.map(|one| fields.get(one));
+        let [least, greatest] = [least?, greatest?];
+        (least >= greatest).then(|| (pair.map(Field::key), [least, greatest].map(|at| Bare::mm(at, 3))))
+    };
+    for (keys @ [low, high], [least, greatest]) in TRAVELS.into_iter().filter_map(reversed) {
+        stop(&keys, &SlideTravelReversed { low, least, high, greatest });
+    }
+    for (keys @ [low, high], [least, greatest]) in BODY.into_iter().filter_map(reversed) {
+        stop(&keys, &BodyReversed { low, least, high, greatest });
+    }
+    let (given, empty): (Vec<_>, Vec<_>) = BODY.into_iter().flatten().partition(|one| fields.get(one).is_some());
+    let empty: Vec<Key> = empty.into_iter().map(Field::key).collect();
+    if !given.is_empty() && !empty.is_empty() {
+        stop(&empty, &BodyHalfGiven { lost: empty.join(", ") });
+    }
+    if REFERENCE.into_iter().filter(|one| fields.get(one).is_some()).count() == 1 {
+        stop(&[form::R_X.key(), form::R_Z.key()], &ReferenceHalfGiven {});
+    }
+    findings
+}
+
+/// The machine of a form.
+fn machine(fields: &Fields) -> Lathe {
+    let between = |[least, greatest]: [Length; 2], scale: f64| {
+        let bound = |one: Length, beyond: f64| fields.get(one).map_or(beyond, |value: f64| value * scale);
+        [bound(least, -5000.0), bound(greatest, 5000.0)]
+    };
+    let default = Lathe::default();
+    let origin = match REFERENCE.map(|one| fields.get(one)) {
+        [Some(X), Some(Z)] => [X / 2.0, Z],
+        _ => [0.0, 0.0],
+    };
+    Lathe {
+        origin,
+        travel_x: between(TRAVELS[0], 0.5),
+        travel_z: between(TRAVELS[1], 1.0),
+        rapid: [fields.get(&form::G_X), fields.get(&form::G_Z)],
+        bent_rapid: fields.get(&form::RAPID) == Rapids::Bent,
+        greatest_speed: fields.get(&form::S_MAX),
+        turret_behind: fields.get(&form::TURRET) == Side::Rear,
+        chuck: Chuck {
+            body: fields.get(&form::L1),
+            jaws: fields.get(&form::L2),
+            diameter: fields.get(&form::D_C),
+            ..default.chuck
+        },
+        tailstock: default.tailstock,
+    }
+}
+
+/// The stock of a form, and how it is held.
+fn stock(fields: &Fields) -> Stock {
+    let (L, L4) = (fields.get(&form::L), fields.get(&form::L4));
+    Stock {
+        diameter: fields.get(&form::D),
+        length: L,
+        bore: fields.get(&form::STOCK_BORE_D).unwrap_or_default(),
+        overhang: L - L4,
+        facing: fields.get(&form::L5),
+        support: fields.get(&form::TAILSTOCK),
+    }
+}
+
 impl Given {
     /// The set-up of a filled-in form.
     ///
     /// # Errors
     /// Every contradiction, each with its cells.
     pub fn of(fields: &Fields) -> Result<Self, Vec<Finding>> {
-        let mut findings = Vec::new();
-        let (D, L, L4, L5) = (fields.get(&form::D), fields.get(&form::L), fields.get(&form::L4), fields.get(&form::L5));
-        let mut stop = |keys: &[Key], told: &dyn Raise| {
-            findings.push(fields.locate(told.at(Place::Parameters(keys.to_vec()))));
-        };
-        if L4 >= L {
-            stop(&[form::L4.key(), form::L.key()], &HeldBeyondStock { L4: Size::mm(L4), L: Size::mm(L) });
-        }
-        if L4 < L && L5 >= L - L4 {
-            let told = FacingBeyondOverhang { L5: Size::mm(L5), overhang: Size::mm(L - L4) };
-            stop(&[form::L5.key(), form::L.key(), form::L4.key()], &told);
-        }
-        let bore = fields.get(&form::STOCK_BORE_D);
-        if let Some(d) = bore.filter(|d| *d >= D) {
-            let told = BoreBeyondStock { d: Size::mm(d), D: Size::mm(D) };
-            stop(&[form::STOCK_BORE_D.key(), form::D.key()], &told);
-        }
-        let travels: [[Length; 2]; 2] = [[&form::X_MIN, &form::X_MAX], [&form::Z_MIN, &form::Z_MAX]];
-        let reversed = |pair: [Length; 2]| {
-            let [least, greatest] = pair.map(|one| fields.get(one));
-            let [least, greatest] = [least?, greatest?];
-            (least >= greatest).then(|| (pair.map(Field::key), [least, greatest].map(|at| Bare::mm(at, 3))))
-        };
-        for (keys @ [low, high], [least, greatest]) in travels.into_iter().filter_map(reversed) {
-            stop(&keys, &SlideTravelReversed { low, least, high, greatest });
-        }
-        for (keys @ [low, high], [least, greatest]) in BODY.into_iter().filter_map(reversed) {
-            stop(&keys, &BodyReversed { low, least, high, greatest });
-        }
-        let (given, empty): (Vec<_>, Vec<_>) = BODY.into_iter().flatten().partition(|one| fields.get(one).is_some());
-        let empty: Vec<Key> = empty.into_iter().map(Field::key).collect();
-        if !given.is_empty() && !empty.is_empty() {
-            stop(&empty, &BodyHalfGiven { lost: empty.join(", ") });
-        }
-        let given_reference = [fields.get(&form::R_X), fields.get(&form::R_Z)];
-        if given_reference.iter().flatten().count() == 1 {
-            stop(&[form::R_X.key(), form::R_Z.key()], &ReferenceHalfGiven {});
-        }
+        let mut findings = contradictions(fields);
         let (control, point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
         let tolerance = fields.get(&form::EPS);
         let behind = fields.get(&form::TURRET) == Side::Rear;
@@ -127,48 +179,17 @@ impl Given {
             .filter_map(|row| row.get(&tools::T).map(|T| (T, row.get(&tools::D).unwrap_or(T))))
             .collect();
         let first_offset = own.first_key_value().map_or(0, |(_, D)| *D);
-        let between = |[least, greatest]: [Length; 2], scale: f64| {
-            let bound = |one: Length, beyond: f64| fields.get(one).map_or(beyond, |value: f64| value * scale);
-            [bound(least, -5000.0), bound(greatest, 5000.0)]
-        };
-        let default = Lathe::default();
-        let origin = match given_reference {
-            [Some(X), Some(Z)] => [X / 2.0, Z],
-            _ => [0.0, 0.0],
-        };
-        let lathe = Lathe {
-            origin,
-            travel_x: between(travels[0], 0.5),
-            travel_z: between(travels[1], 1.0),
-            rapid: [fields.get(&form::G_X), fields.get(&form::G_Z)],
-            bent_rapid: fields.get(&form::RAPID) == Rapids::Bent,
-            greatest_speed: fields.get(&form::S_MAX),
-            turret_behind: behind,
-            chuck: Chuck {
-                body: fields.get(&form::L1),
-                jaws: fields.get(&form::L2),
-                diameter: fields.get(&form::D_C),
-                ..default.chuck
-            },
-            tailstock: default.tailstock,
-        };
-        let stock = Stock {
-            diameter: D,
-            length: L,
-            bore: bore.unwrap_or_default(),
-            overhang: L - L4,
-            facing: L5,
-            support: fields.get(&form::TAILSTOCK),
-        };
         if !findings.is_empty() {
             return Err(findings);
         }
+        let stock = stock(fields);
         let faults = stock.faults();
         if !faults.is_empty() {
             return Err(faults);
         }
         let size = |one: Length| fields.get(one).unwrap_or_default();
-        let body = empty.is_empty().then(|| [0, 1].map(|end| [size(BODY[1][end]), size(BODY[0][end])]));
+        let whole = BODY.into_iter().flatten().all(|one| fields.get(one).is_some());
+        let body = whole.then(|| [0, 1].map(|end| [size(BODY[1][end]), size(BODY[0][end])]));
         let zeros = ZEROS.map(|[X, Z]| [size(X) / 2.0, size(Z)]);
         // An X that is not given is 0, on the axis; a Z has no such place.
         let empty = (2..)
@@ -180,14 +201,14 @@ impl Given {
             })
             .collect();
         Ok(Self {
-            setup: Setup { tolerance, ..Setup::new(lathe, stock, Turret { tools, body }) },
+            setup: Setup { tolerance, ..Setup::new(machine(fields), stock, Turret { tools, body }) },
             control,
             point,
             block_delete: fields.get(&form::BLOCK_DELETE),
             second: fields.get(&form::Z_S).unwrap_or_default(),
             own,
             plane: fields.get(&form::HOLE_R),
-            referred: given_reference.iter().all(Option::is_some),
+            referred: REFERENCE.into_iter().all(|one| fields.get(one).is_some()),
             offsets,
             first_offset,
             zeros,
