@@ -1,5 +1,7 @@
 //! Subprograms, loops and branches.
 
+use std::collections::BTreeSet;
+
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::CallBy;
 use crate::gcode::interpreter::Reader;
@@ -14,8 +16,8 @@ use crate::gcode::interpreter::source::Position;
 use crate::gcode::interpreter::structure::{OWord, Structure, Word, label, shown, word};
 use crate::gcode::rules::flow::{
     ArgumentsTooMany, BehindOWord, CallWithWords, CallWithoutP, CallsTooDeep, LabelNotWhole, MainReturns, NotCalled,
-    OWordUnknown, ProgramMissing, RepeatsTooMany, ReturnInsideSub, SubprogramMissing, SubprogramOutside,
-    SubprogramTooLarge, SubprogramUnreadable, WithoutCounterpart,
+    OWordUnknown, ProgramMissing, RepeatsTooMany, ReturnInsideSub, SubprogramBefore, SubprogramMissing,
+    SubprogramOutside, SubprogramTooLarge, SubprogramUnreadable, WithoutCounterpart,
 };
 use crate::limits::{CALL_REPEATS, SUBPROGRAM_BYTES};
 
@@ -61,6 +63,8 @@ pub(super) struct Flow {
     loops: Loops,
     /// The line in hand was reached as the next clause of an IF.
     clause: bool,
+    /// The subprograms that the control has met, by text and O-word.
+    met: BTreeSet<(usize, usize)>,
     /// What M70 or M73 has kept outside of all calls.
     main: Context,
 }
@@ -134,6 +138,11 @@ impl Reader<'_, '_> {
             Word::Sub => {
                 let end = self.mark(mark.next)?;
                 self.nothing_more(cursor)?;
+                // Within a call the control would run it as it stands.
+                if !self.memory.flow.frames.is_empty() {
+                    return Err(Refused::of(&NotCalled { label: shown(&name) }, &[]));
+                }
+                self.memory.flow.met.extend(index.map(|index| (self.block.spot.text, index)));
                 self.go_to(end.after);
                 Ok(())
             }
@@ -202,8 +211,12 @@ impl Reader<'_, '_> {
                 self.nothing_more(cursor)?;
                 self.leave_round(&mark, kind == Word::Break)
             }
-            // The number of a program that the flow runs into: the program itself, or one called by M98.
-            Word::Program | Word::Call => self.nothing_more(cursor),
+            // The number of a program that the flow runs into: the program's own, or that of the next one.
+            Word::Program => {
+                self.nothing_more(cursor)?;
+                self.structure()?.run_into(index)
+            }
+            Word::Call => self.nothing_more(cursor),
         }
     }
 
@@ -306,7 +319,7 @@ impl Reader<'_, '_> {
         let back = self.memory.flow.next;
         let found = self.structure()?.sub(name);
         let start = match found {
-            Some(index) => Mark { line: self.mark(Some(index))?.after, ..back },
+            Some(index) => self.sought(index, back)?,
             None => self.file_of(name)?,
         };
         self.enter(Call {
@@ -360,8 +373,10 @@ impl Reader<'_, '_> {
                 }
             };
         let structure = self.memory.library.structure(text, &self.memory.control.lexis)?;
-        let sub = structure.sub(name).and_then(|sub| structure.o_word(sub));
-        sub.map(|sub| Mark { text, line: sub.after }).ok_or_else(unknown)
+        let sub = structure.sub(name).and_then(|index| Some((index, structure.o_word(index)?.after)));
+        let (index, line) = sub.ok_or_else(unknown)?;
+        self.memory.flow.met.insert((text, index));
+        Ok(Mark { text, line })
     }
 
     /// ENDSUB and RETURN, with their value.
@@ -425,10 +440,21 @@ impl Reader<'_, '_> {
         let Some(index) = found else {
             return Err(Refused::of(&ProgramMissing { number: name }, &[self.block.column(letter::P)]));
         };
-        let start = Mark { line: self.mark(Some(index))?.after, ..back };
+        let start = self.sought(index, back)?;
         self.enter(Call::of(name, back, repeats, start))?;
         self.open(start);
         Ok(())
+    }
+
+    /// Where the SUB or program at an O-word begins, as a call finds it from the line behind its own: where the control has met
+    /// it, or from the call on.
+    fn sought(&mut self, index: usize, back: Mark) -> Result<Mark> {
+        let mark = self.mark(Some(index))?;
+        if mark.at.lines < back.line.lines && !self.memory.flow.met.contains(&(back.text, index)) {
+            return Err(Refused::of(&SubprogramBefore { label: shown(&mark.label), line: mark.at.lines + 1 }, &[]));
+        }
+        self.memory.flow.met.insert((back.text, index));
+        Ok(Mark { line: mark.after, ..back })
     }
 
     fn return_from_program(&mut self) -> Result<()> {
@@ -466,5 +492,41 @@ impl Reader<'_, '_> {
             return Ok(());
         }
         Err(Refused::of(&CallWithWords {}, &[self.block.m_column(4)]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::control::LINUXCNC;
+    use crate::gcode::interpreter::{Files, Interpreter, Setting};
+    use crate::text::Text;
+
+    /// A folder with `deep.ngc`, which calls itself, and with a subprogram before it that it calls.
+    struct Deep;
+
+    impl Files for Deep {
+        fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text> {
+            let text = "o<before> sub\nG0 Y1\no<before> endsub\no<deep> sub\nG0 X#1\no1 if [#1 GT 1]\no<deep> call [#1-1]\n\
+                        o1 endif\no2 if [#1 LT 0]\no<before> call\no2 endif\no<deep> endsub\n";
+            Ok((name == "deep").then(|| text.as_bytes().to_vec()))
+        }
+    }
+
+    #[test]
+    fn a_file_of_its_own_knows_its_subprogram_and_none_before_it() {
+        for (argument, expected) in [
+            (3, Ok(vec![3.0, 2.0, 1.0])),
+            (-1, Err("O<before> is before the call, in line 1, and the control does not know of it yet")),
+        ] {
+            let program = format!("G21 G90\no<deep> call [{argument}]\nM2\n");
+            let mut setting = Setting::new(&LINUXCNC);
+            setting.files = Box::new(Deep);
+            let read: Result<Vec<f64>, _> =
+                Interpreter::over(program.as_bytes(), setting).map(|item| Ok(item?.to.0[0])).collect();
+            assert_eq!(
+                read.map_err(|fault: Box<crate::gcode::interpreter::Refused>| fault.what.en.into_owned()),
+                expected.map_err(str::to_owned)
+            );
+        }
     }
 }

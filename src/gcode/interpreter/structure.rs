@@ -14,7 +14,7 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
 use crate::gcode::rules::flow::{
-    ClauseBehindElse, LabelMissing, LabelTwice, NotClosed, OWordsTooMany, Stray, SubprogramInside,
+    ClauseBehindElse, LabelMissing, LabelReused, LabelTwice, NotClosed, OWordsTooMany, Stray, SubprogramInside,
 };
 use crate::limits::O_WORDS;
 use crate::text::Text;
@@ -120,6 +120,11 @@ pub(super) struct Structure {
     lines: BTreeMap<usize, usize>,
     subs: BTreeMap<String, usize>,
     programs: BTreeMap<String, usize>,
+    /// The words that open IF, WHILE, DO and REPEAT, by their scope and label. A scope is a SUB, or what follows the number of a
+    /// program; `None` before the first.
+    opening: BTreeMap<(Option<usize>, String), usize>,
+    /// The last number of a program.
+    program: Option<usize>,
 }
 
 /// A label: a number, or a name in `<` and `>`. `None` where it is computed, as only calls may have it.
@@ -177,7 +182,7 @@ impl Structure {
     /// Looks through a file up to the second `%`.
     ///
     /// # Errors
-    /// For words that do not belong together, two subprograms of one label, and too many words.
+    /// For words that do not belong together, two subprograms of one label, a label used again in its scope, and too many words.
     pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Result<Self> {
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();
@@ -234,8 +239,12 @@ impl Structure {
                     return Err(inside(&mark, outer));
                 }
                 self.define(&mark, index)?;
+                self.program = Some(index);
             }
-            (Word::Do | Word::Repeat | Word::If, _) => open.push(index),
+            (Word::Do | Word::Repeat | Word::If, _) => {
+                self.begin(&mark, index, open.first().copied())?;
+                open.push(index);
+            }
             (Word::While, Some((top, Word::Do)))
             | (Word::EndWhile, Some((top, Word::While)))
             | (Word::EndRepeat, Some((top, Word::Repeat)))
@@ -244,7 +253,10 @@ impl Structure {
                 self.words[top].next = Some(index);
                 open.pop();
             }
-            (Word::While, _) => open.push(index),
+            (Word::While, _) => {
+                self.begin(&mark, index, open.first().copied())?;
+                open.push(index);
+            }
             (Word::ElseIf | Word::Else, Some((top, Word::If | Word::ElseIf))) => {
                 // Each clause opens anew and knows the next; ENDIF closes them all.
                 mark.opens = Some(top);
@@ -287,9 +299,44 @@ impl Structure {
         Err(refused(mark.at.lines + 1, &LabelTwice { label: shown(&mark.label), line }))
     }
 
+    /// Takes in a word that opens IF, WHILE, DO or REPEAT; `outermost` is the first that is open around it.
+    fn begin(&mut self, mark: &OWord, index: usize, outermost: Option<usize>) -> Result<()> {
+        let scope = outermost.filter(|&outer| self.is_sub(outer)).or(self.program);
+        match self.opening.insert((scope, mark.label.clone()), index) {
+            Some(first) => Err(self.again(mark, first)),
+            None => Ok(()),
+        }
+    }
+
+    fn is_sub(&self, index: usize) -> bool {
+        self.words.get(index).is_some_and(|mark| mark.word == Word::Sub)
+    }
+
+    fn again(&self, mark: &OWord, first: usize) -> Box<Refused> {
+        let line = self.words.get(first).map_or(0, |first| first.at.lines + 1);
+        let (label, word) = (shown(&mark.label), mark.word.name());
+        refused(mark.at.lines + 1, &LabelReused { label, word, line })
+    }
+
+    /// What the flow meets that runs into a program without a call: one scope goes on, with the labels of those before.
+    ///
+    /// # Errors
+    /// For a label that is used again.
+    pub(super) fn run_into(&self, program: Option<usize>) -> Result<()> {
+        for ((scope, label), &index) in self.opening.iter().filter(|((scope, _), _)| *scope == program) {
+            let before = self.opening.iter().find(|((other, same), first)| {
+                same == label && other != scope && **first < index && !other.is_some_and(|other| self.is_sub(other))
+            });
+            if let (Some((_, &first)), Some(mark)) = (before, self.words.get(index)) {
+                return Err(self.again(mark, first));
+            }
+        }
+        Ok(())
+    }
+
     /// The SUB that an O-word stands in.
     pub(super) fn around(&self, index: Option<usize>) -> Option<usize> {
-        (0..index?).rev().find(|&at| self.words.get(at).is_some_and(|mark| mark.word == Word::Sub))
+        (0..index?).rev().find(|&at| self.is_sub(at))
     }
 
     /// True where the file holds subprograms.

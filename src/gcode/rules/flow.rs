@@ -323,4 +323,18 @@ rules! {
         remedy "corrija primero los bloques rechazados", "correct the rejected blocks first";
         why "Un error que viene de otro desaparece con él.", "An error caused by another one disappears with it.";
         example Example::program("linuxcnc", "G21 G90 G80|G1 F100 X1,5|X2|M2", "2");
+    "G0346" LabelReused Stop { label: String, word: String, line: usize }
+        es "{label} {word} usa otra vez la etiqueta de la línea {line}"
+        en "{label} {word} uses the label of line {line} again"
+        remedy "dé a cada IF, WHILE, DO y REPEAT una etiqueta propia", "give each IF, WHILE, DO and REPEAT a label of its own";
+        why "El control recuerda las etiquetas del programa y las de cada subprograma: ante una repetida se para, o vuelve al primer DO.",
+            "The control remembers the labels of the program and of each subprogram: at one used again it stops, or goes back to the first DO.";
+        example Example::program("linuxcnc", "G21 G90 F100|O7 IF [1]|O7 ENDIF|O7 IF [1]|O7 ENDIF|M2", "4");
+    "G0347" SubprogramBefore Stop { label: String, line: usize }
+        es "{label} está antes de la llamada, en la línea {line}, y el control aún no lo conoce"
+        en "{label} is before the call, in line {line}, and the control does not know of it yet"
+        remedy "póngalo después del subprograma que lo llama, o los SUB al principio del programa", "put it after the subprogram that calls it, or put the SUBs at the beginning of the program";
+        why "El control busca desde la llamada hasta el final, y solo vuelve atrás a un subprograma que ya ha encontrado.",
+            "The control searches from the call to the end, and goes back only to a subprogram that it has met already.";
+        example Example::program("linuxcnc", "G21 G90 F100|M98 P2|M2|O1|M99|O2|M98 P1|M99", "7");
 }
