@@ -7,7 +7,8 @@
 //! - Entry: a line from where the cutter is to R aside of the programmed end, at right angles to the programmed line; or an
 //!   arc whose programmed end is touched tangentially by the arc that is made: its centre lies on the normal there, as
 //!   far from the start as from the end.
-//! - Inner corners: the piece held back and the next one meet where their offsets cross.
+//! - Inner corners: the piece held back and the next one meet where their offsets cross. Of the two crossings beside an arc
+//!   [`meet`] takes LinuxCNC's, which near a reversal may be the one far from the corner.
 //! - Outer corners: an arc about the corner at the next piece's feed, behind what follows the last piece without way; before
 //!   a rapid motion a straight rapid one.
 //! - Corners that turn by no more than [`NEARLY`] are none: the next piece goes on from where the last one ends.
@@ -21,7 +22,8 @@
 //! inner ones only.
 //!
 //! # References
-//! LinuxCNC, cutter compensation, G40 to G42.1; corners as its interpreter `rs274` prints them.
+//! LinuxCNC, cutter compensation, G40 to G42.1; corners as its interpreter `rs274` prints them, and crossings as
+//! `convert_straight_comp2` and `convert_arc_comp2` of its `interp_convert.cc` choose them.
 
 use std::f64::consts::{PI, TAU};
 
@@ -101,8 +103,17 @@ pub struct Placed<T> {
 /// Where the centre of the cutter may be aside of a piece.
 #[derive(Clone, Copy, Debug)]
 enum Offset {
-    Line { through: Point, along: Point },
-    Circle { centre: Point, radius: f64 },
+    Line {
+        through: Point,
+        along: Point,
+    },
+    /// `inside` says on which side of the programmed arc the cutter is; `turning` is 1 counter-clockwise, −1 clockwise.
+    Circle {
+        centre: Point,
+        radius: f64,
+        inside: bool,
+        turning: f64,
+    },
 }
 
 /// The pieces that are held back, the first with a way in the plane.
@@ -134,21 +145,23 @@ pub struct Stage<T> {
 }
 
 impl<T: Clone> Stage<T> {
-    /// A stage before its entry, with the cutter's radius, greater than 0.
+    /// A stage before its entry, with the cutter's radius, greater than 0, and the unit of length in force.
     #[must_use]
-    pub const fn new(left: bool, radius: f64) -> Self {
-        Self { side: if left { 1.0 } else { -1.0 }, radius, unit: LengthUnit::Millimetre, following: None }
-    }
-
-    /// The unit of length in force from here on.
-    pub const fn take_unit(&mut self, unit: LengthUnit) {
-        self.unit = unit;
+    pub const fn new(left: bool, radius: f64, unit: LengthUnit) -> Self {
+        Self { side: if left { 1.0 } else { -1.0 }, radius, unit, following: None }
     }
 
     /// Where the cutter's centre is R aside of the last piece's end; `None` before the entry.
     #[must_use]
     pub fn aside(&self) -> Option<Point> {
         self.following.as_ref().map(|following| self.beside(&following.end))
+    }
+
+    /// The entry that has just been taken in begins at another point than its programmed one.
+    pub fn enter_from(&mut self, point: Point) {
+        if let Some(following) = &mut self.following {
+            following.held.start = point;
+        }
     }
 
     /// Takes in a piece and puts what can be placed behind `out`, in order.
@@ -177,7 +190,7 @@ impl<T: Clone> Stage<T> {
         let bent = if start.curvature == 0.0 { following.end.curvature } else { start.curvature };
         let inner = if back { bent != 0.0 && !inside(bent) } else { turn > NEARLY };
         let begin = if inner {
-            let meeting = meet(&following.offset, &offset, start.at).ok_or(Misfit::Corner { radius: self.radius })?;
+            let meeting = meet(&following.offset, &offset).ok_or(Misfit::Corner { radius: self.radius })?;
             self.flush(following.held, meeting, out)?;
             meeting
         } else if back || turn < -NEARLY {
@@ -217,9 +230,14 @@ impl<T: Clone> Stage<T> {
 
     fn offset(&self, element: &Element, end: &End) -> Offset {
         match element.path {
-            Path::Arc { centre, .. } => Offset::Circle { centre, radius: distance(self.beside(end), centre) },
+            Path::Arc { centre, .. } => self.circle(centre, distance(self.beside(end), centre), end),
             _ => Offset::Line { through: self.beside(end), along: end.along },
         }
+    }
+
+    fn circle(&self, centre: Point, radius: f64, end: &End) -> Offset {
+        let inside = self.side * end.curvature > 0.0;
+        Offset::Circle { centre, radius, inside, turning: 1.0_f64.copysign(end.curvature) }
     }
 
     fn enter(&mut self, step: Step<T>, _: &mut Vec<Placed<T>>) -> Result<(), Misfit> {
@@ -246,7 +264,7 @@ impl<T: Clone> Stage<T> {
             let turns = (sweep.abs() / TAU).ceil().max(1.0) - 1.0;
             let swept = angle(centre, from, way.to, sweep);
             way.path = Path::Arc { centre, sweep: (swept + turns * TAU).copysign(sweep) };
-            offset = Offset::Circle { centre, radius: apart };
+            offset = self.circle(centre, apart, &end);
         }
         let held = Held { start: from, way, entry: true, first: step.tag, stills: Vec::new() };
         self.following = Some(Following { end, offset, held });
@@ -295,32 +313,38 @@ fn angle(centre: Point, from: Point, to: Point, direction: f64) -> f64 {
     if between < 0.0 { between + TAU } else { between }
 }
 
-/// The crossing of two offsets that is nearest to a point.
-fn meet(one: &Offset, other: &Offset, near: Point) -> Option<Point> {
+/// The crossing of two offsets at an inner corner, the first piece's before the next one's: LinuxCNC's, by side and turn.
+fn meet(one: &Offset, other: &Offset) -> Option<Point> {
     let found = match (*one, *other) {
         (Offset::Line { through, along }, Offset::Line { through: point, along: other }) => {
             let across = along[0] * other[1] - along[1] * other[0];
             let apart = plus(point, through, -1.0);
             let way = (apart[0] * other[1] - apart[1] * other[0]) / across;
-            [plus(through, along, way); 2]
+            plus(through, along, way)
         }
-        (Offset::Line { through, along }, Offset::Circle { centre, radius })
-        | (Offset::Circle { centre, radius }, Offset::Line { through, along }) => {
-            let foot = plus(through, along, dot(plus(centre, through, -1.0), along));
-            let high = distance(foot, centre);
-            let half = (radius * radius - high * high).sqrt();
-            [plus(foot, along, half), plus(foot, along, -half)]
+        (Offset::Line { through, along }, Offset::Circle { centre, radius, inside, .. }) => {
+            on_line(through, along, centre, if inside { radius } else { -radius })
         }
-        (Offset::Circle { centre, radius }, Offset::Circle { centre: other, radius: second }) => {
+        (Offset::Circle { centre, radius, inside, .. }, Offset::Line { through, along }) => {
+            on_line(through, along, centre, if inside { -radius } else { radius })
+        }
+        (
+            Offset::Circle { centre, radius, inside, .. },
+            Offset::Circle { centre: other, radius: second, turning, .. },
+        ) => {
             let apart = distance(centre, other);
             let along = plus(other, centre, -1.0).map(|share| share / apart);
             let way = (apart * apart + radius * radius - second * second) / (2.0 * apart);
-            let foot = plus(centre, along, way);
-            let half = (radius * radius - way * way).sqrt();
-            let across = [-along[1], along[0]];
-            [plus(foot, across, half), plus(foot, across, -half)]
+            let half = (radius * radius - way * way).sqrt() * if inside { turning } else { -turning };
+            plus(plus(centre, along, way), [-along[1], along[0]], half)
         }
     };
-    let nearest = found.into_iter().min_by(|a, b| distance(*a, near).total_cmp(&distance(*b, near)))?;
-    nearest.iter().all(|share| share.is_finite()).then_some(nearest)
+    found.iter().all(|share| share.is_finite()).then_some(found)
+}
+
+/// Where a line crosses a circle: the crossing further on for a positive radius, the one further back for a negative.
+fn on_line(through: Point, along: Point, centre: Point, radius: f64) -> Point {
+    let foot = plus(through, along, dot(plus(centre, through, -1.0), along));
+    let high = distance(foot, centre);
+    plus(foot, along, (radius * radius - high * high).sqrt().copysign(radius))
 }

@@ -337,6 +337,7 @@ impl Reader<'_, '_> {
         if self.memory.control.cancel.restores() {
             self.lathe_motion(motion);
         }
+        self.straight_behind_cutter(motion);
         match motion {
             _ if self.memory.control.machine_move.by_itself()
                 && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) =>
@@ -352,7 +353,7 @@ impl Reader<'_, '_> {
             G::Rapid | G::Linear => {
                 let feed = if motion == G::Linear { Some(self.feed()?) } else { None };
                 self.state.modal.motion = motion;
-                if self.block.present & AXIS_WORDS == 0 {
+                if self.block.present & AXIS_WORDS == 0 && !self.memory.milling.takes_bare_lines() {
                     return Ok(());
                 }
                 let to = self.end_point();

@@ -5,7 +5,7 @@
 //! refused under compensation, as LinuxCNC refuses it.
 //!
 //! # Refusals
-//! Beside what LinuxCNC refuses: G18, rotary axes and stops of the program (M0, M1) under compensation. After a
+//! Beside what LinuxCNC refuses: G18, another unit, rotary axes and stops of the program (M0, M1) under compensation. After a
 //! [`Misfit`](crate::gcode::cutter::Misfit) motions are those of the program until G40.
 
 use crate::finding::{Bare, Raise};
@@ -25,6 +25,7 @@ use crate::gcode::rules::geometry::{
 use crate::gcode::turning::nose::{Element, Path, Point};
 use crate::limits::HELD_PIECES;
 use crate::machine::axis::{Axis, Pose};
+use crate::machine::length_unit::LengthUnit;
 use crate::number::trig;
 
 /// A motion on its way through the stage.
@@ -42,12 +43,19 @@ pub(super) struct Milling {
     stage: Option<Stage<Carried>>,
     /// Where G40 has left the centre of the cutter, aside of where the program stands; machine coordinates.
     left: Option<Pose>,
+    /// No G0 or G1 has come since then: LinuxCNC makes no arc before.
+    straight_due: bool,
 }
 
 impl Milling {
     /// Motions pass as they are programmed.
     pub(super) const fn idle(&self) -> bool {
         self.stage.is_none() && self.left.is_none()
+    }
+
+    /// A G0 or G1 without axis words counts as a motion: as the entry of the compensation, or as the way back from it.
+    pub(super) fn takes_bare_lines(&self) -> bool {
+        self.left.is_some() || self.stage.as_ref().is_some_and(|stage| stage.aside().is_none())
     }
 
     /// Where the centre of the cutter is where the program has come to its end.
@@ -106,7 +114,7 @@ impl Reader<'_, '_> {
             let spot = self.block.spot;
             self.memory.remarks.row(&CompensationOfNothing {}, spot, Some(column));
         } else {
-            self.memory.milling.stage = Some(Stage::new(left, diameter.abs() / 2.0));
+            self.memory.milling.stage = Some(Stage::new(left, diameter.abs() / 2.0, self.state.modal.unit));
         }
         Ok(())
     }
@@ -149,8 +157,15 @@ impl Reader<'_, '_> {
             | None => false,
             Some(_) => before,
         };
-        let others =
-            [(Group::Plane, before && plane), (Group::NonModal, behind && at_once), (Group::Motion, behind && cycle)];
+        let inch = self.state.modal.unit == LengthUnit::Inch;
+        let unit = block.g(Group::Units).is_some_and(|code| (code == G::Inch) != inch);
+        let others = [
+            (Group::Plane, before && plane),
+            // LinuxCNC makes the piece held back in the wrong unit then.
+            (Group::Units, before && unit),
+            (Group::NonModal, behind && at_once),
+            (Group::Motion, behind && cycle),
+        ];
         let mut groups = BEHIND.into_iter().map(|group| (group, behind && block.g(group).is_some())).chain(others);
         let column = match groups.find(|(_, found)| *found) {
             Some((group, _)) => block.g_column(group),
@@ -175,7 +190,6 @@ impl Reader<'_, '_> {
         self.state.modal.compensation = Compensation::Off;
         let Some(mut stage) = self.memory.milling.stage.take() else { return };
         let mut out = Vec::new();
-        stage.take_unit(self.state.modal.unit);
         let result = stage.finish(&mut out);
         self.hand_placed(out);
         match result {
@@ -183,9 +197,20 @@ impl Reader<'_, '_> {
                 let mut tip = self.state.at;
                 place(&mut tip, end);
                 self.memory.milling.left = Some(self.state.frame.to_machine(&tip));
+                self.memory.milling.straight_due = true;
             }
             Ok(None) => {}
             Err(misfit) => self.refuse_cutter(&misfit, self.block.spot.line),
+        }
+    }
+
+    /// Looks at a motion code of the program: what follows G40 is straight, whatever a cycle or a reference point does between.
+    pub(super) fn straight_behind_cutter(&mut self, motion: G) {
+        if matches!(motion, G::Rapid | G::Linear | G::Arc(_))
+            && std::mem::take(&mut self.memory.milling.straight_due)
+            && matches!(motion, G::Arc(_))
+        {
+            self.refuse_here(self.block.spot.line, &ArcBehindCompensation {});
         }
     }
 
@@ -207,7 +232,6 @@ impl Reader<'_, '_> {
         };
         let element = Element { from: point(&motion.from), to: point(&motion.to), path };
         let mut out = Vec::new();
-        stage.take_unit(self.state.modal.unit);
         let result = if Axis::ALL.into_iter().skip(3).any(|axis| by[axis as usize] != 0.0) {
             Err(None)
         } else {
@@ -216,8 +240,13 @@ impl Reader<'_, '_> {
                 .map_err(Some)
         };
         self.hand_placed(out);
+        // Where G40 has left the cutter aside, the entry leads from there; its way is that of the programmed one.
+        let left = self.memory.milling.left.take().map(|machine| point(&self.state.frame.to_program(&machine)));
         match result {
-            Ok(()) => self.memory.milling.stage = Some(stage),
+            Ok(()) => {
+                left.into_iter().for_each(|point| stage.enter_from(point));
+                self.memory.milling.stage = Some(stage);
+            }
             Err(misfit) => {
                 match misfit {
                     Some(misfit) => self.refuse_cutter(&misfit, motion.line),
@@ -239,10 +268,7 @@ impl Reader<'_, '_> {
                     place(&mut motion.to, tip);
                     motion.machine = self.state.frame.to_machine(&motion.to);
                 }
-                MotionKind::Arc(..) => {
-                    self.memory.milling.left = None;
-                    self.refuse_here(motion.line, &ArcBehindCompensation {});
-                }
+                MotionKind::Arc(..) => self.memory.milling.left = None,
                 _ => {
                     self.memory.milling.left = None;
                     let programmed = motion;
