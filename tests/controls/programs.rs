@@ -1,6 +1,6 @@
 //! The programs of every control, in the folder that has its name. `good/NAME` is read without a refusal. `bad/NAME` says in a
-//! comment on its first line what rodete says of it, `expected: LINE:COLUMN PART OF THE MESSAGE`, without a column where the block
-//! as a whole is refused. All have the control's `tools.tbl` and `machine.var` where there are any, in millimetres, or the
+//! comment on its first line, or behind `%`, what rodete says of it, `expected: LINE:COLUMN PART OF THE MESSAGE`, without a
+//! column where the block as a whole is refused. All have the control's `tools.tbl` and `machine.var` where there are any, in millimetres, or the
 //! parameters in `good/NAME.var`. Nothing else that stands there is asked here: LinuxCNC's are held against LinuxCNC in
 //! `tests/reading/interpreter/corpus.rs`, `clean` is followed over its stock in `tests/turning/lathe.rs`.
 
@@ -52,9 +52,11 @@ fn read(control: &'static Control, program: &Path) -> (usize, Vec<Refused>) {
 /// Place and part of the message that the first line of a bad program says.
 fn expected(program: &Path) -> (String, String) {
     let text = fs::read(program).unwrap();
-    let first = String::from_utf8_lossy(&text).lines().next().unwrap_or_default().to_owned();
-    let said =
-        first.trim_start_matches([';', '(', ' ']).strip_prefix("expected: ").and_then(|said| said.split_once(' '));
+    let first = String::from_utf8_lossy(&text).lines().find(|line| *line != "%").unwrap_or_default().to_owned();
+    let said = first
+        .trim_start_matches(['\u{feff}', ';', '(', ' '])
+        .strip_prefix("expected: ")
+        .and_then(|said| said.split_once(' '));
     let (place, message) = said.unwrap_or_else(|| panic!("{}: {first}", program.display()));
     // A parenthesis that the comment opened.
     let message = if first.starts_with('(') { message.strip_suffix(')').unwrap_or(message) } else { message };

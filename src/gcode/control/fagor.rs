@@ -5,7 +5,7 @@ use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedPath,
-    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, MissingFeed, NegativeRadius,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius,
     NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
     SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing, Written,
 };
@@ -156,6 +156,7 @@ const LEXIS: Lexis = Lexis {
     comments: Comments::Semicolon,
     delete: BlockDelete::Numbered,
     percent: Percent::Named,
+    mark: Mark::Skipped,
     point: DimensionPoint::Free,
     longest_line: 4096,
     most_machine_codes: 7,

@@ -12,7 +12,7 @@ use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedPath,
-    FeedRule, Increments, Language, LengthWord, Lexis, MachineMove, MissingFeed, NegativeRadius, NoseCorner,
+    FeedRule, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner,
     OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
     SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
 };
@@ -57,6 +57,7 @@ pub static FANUC_LATHE_A: Control = Control {
         comments: Comments::Parentheses,
         delete: BlockDelete::Numbered,
         percent: Percent::Leader,
+        mark: Mark::Skipped,
         point: DimensionPoint::BySetting,
         longest_line: 4096,
         most_machine_codes: 3,

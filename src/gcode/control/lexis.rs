@@ -127,12 +127,41 @@ impl Percent {
         }
     }
 
+    /// True where nothing may stand before the first `%` or beside any, not even a comment.
+    #[must_use]
+    pub const fn bare(self) -> bool {
+        match self {
+            Self::Pair => true,
+            Self::Named | Self::Leader => false,
+        }
+    }
+
     /// True where text may stand before the first `%`, and a program may end with its text.
     #[must_use]
     pub const fn leader(self) -> bool {
         match self {
             Self::Leader => true,
             Self::Named | Self::Pair => false,
+        }
+    }
+}
+
+/// What a byte order mark at the beginning of a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// Passed over, with a remark.
+    Skipped,
+    /// Characters that the control does not know.
+    Rejected,
+}
+
+impl Mark {
+    /// True where the control does not read a file with it.
+    #[must_use]
+    pub const fn rejected(self) -> bool {
+        match self {
+            Self::Skipped => false,
+            Self::Rejected => true,
         }
     }
 }
@@ -178,6 +207,8 @@ pub struct Lexis {
     pub delete: BlockDelete,
     /// `%`
     pub percent: Percent,
+    /// A byte order mark.
+    pub mark: Mark,
     /// Dimensions without a decimal point.
     pub point: DimensionPoint,
     /// Most characters of a line.

@@ -5,7 +5,7 @@ use crate::gcode::control::codes::{BY_MODE, COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedPath,
-    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, MissingFeed, NegativeRadius,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius,
     OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
     SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
 };
@@ -40,8 +40,10 @@ pub static LINUXCNC: Control = Control {
         comments: Comments::ParenthesesAndSemicolon,
         delete: BlockDelete::Plain,
         percent: Percent::Pair,
+        mark: Mark::Rejected,
         point: DimensionPoint::Free,
-        longest_line: 255,
+        // The interpreter reads 253 bytes with the end of the line, which may be of two.
+        longest_line: 251,
         most_machine_codes: 4,
         builders: BuilderCodes::One,
     },

@@ -5,9 +5,9 @@
 use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, CommentForm,
     Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedPath, FeedRule, HeightHold,
-    Increments, Language, LengthWord, Lexis, MachineMove, MissingFeed, NegativeRadius, NoseCorner, OffsetRule, Opening,
-    Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule, Start,
-    TextForm, ToolCall, ToolChange, Turns, Writing,
+    Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, OffsetRule,
+    Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule,
+    Start, TextForm, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -48,6 +48,7 @@ impl Control {
                     comments,
                     delete,
                     percent,
+                    mark,
                     point,
                     longest_line,
                     most_machine_codes,
@@ -108,6 +109,7 @@ impl Control {
         row(t("comentarios que se leen", "comments as read"), comments.told());
         row(t("salto de bloque", "block delete"), delete.told());
         row(t("principio y fin del texto", "begin and end of the text"), percent.told());
+        row(t("marca de orden de bytes (BOM)", "byte order mark (BOM)"), mark.told());
         row(t("cota sin punto decimal", "dimension without a decimal point"), point.told());
         row(t("mayor longitud de una línea", "longest line"), Text::same(longest_line.to_string()));
         row(t("códigos M en un bloque", "M codes in a block"), at_most(*most_machine_codes));
@@ -265,8 +267,12 @@ told! {
     }
     Percent {
         Self::Named => "una primera línea % con el nombre; ningún otro %", "a first line % with the name; no other %";
-        Self::Pair => "% abre el texto y, si lo abre, también lo termina; sin % el programa necesita M2 o M30", "% opens the text and, if it opens it, ends it; without % the program needs M2 or M30";
+        Self::Pair => "% solo en su línea, y sin comentario antes, abre el texto y, si lo abre, también lo termina; sin % el programa necesita M2 o M30", "% alone on its line, with no comment before it, opens the text and, if it opens it, ends it; without % the program needs M2 or M30";
         Self::Leader => "el texto antes del primer % se pasa por alto; el siguiente %, el fin del archivo u otro número de programa lo terminan", "text before the first % is passed over; the next %, the end of the file or another program number ends it";
+    }
+    Mark {
+        Self::Skipped => "se omite, con una nota", "skipped, with a note";
+        Self::Rejected => "se rechaza", "rejected";
     }
     DimensionPoint {
         Self::Free => "lo mismo que con él", "the same as with one";

@@ -5,6 +5,7 @@ use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, comments};
 use crate::gcode::interpreter::library::{Mark, Spot};
 use crate::gcode::interpreter::refused::{Refused, Result};
+use crate::gcode::interpreter::source::Position;
 use crate::gcode::interpreter::tape::has_code;
 use crate::gcode::interpreter::{Reader, Stage, block_number, without_end};
 use crate::gcode::rules::lexis::{
@@ -63,7 +64,7 @@ impl Reader<'_, '_> {
     pub(super) fn execute_line(&mut self, line: &[u8]) -> Result<()> {
         let Some(mut cursor) = self.open_line(line)? else { return Ok(()) };
         if cursor.peek() == b'%' && self.block.spot.n.is_none() && !line.trim_ascii_start().starts_with(b"/") {
-            return self.percent_line(&mut cursor);
+            return self.percent_line(&mut cursor, line);
         }
         let opening = self.memory.stage == Stage::Opening;
         self.memory.stage = Stage::Running;
@@ -87,15 +88,18 @@ impl Reader<'_, '_> {
     }
 
     /// `%` begins and ends a program; a Fagor program begins with `%` and its name.
-    fn percent_line(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
-        let opening = self.memory.stage == Stage::Opening && !self.memory.percent;
+    fn percent_line(&mut self, cursor: &mut Cursor<'_>, line: &[u8]) -> Result<()> {
+        let bare = self.memory.control.lexis.percent.bare();
+        let opening =
+            self.memory.stage == Stage::Opening && !self.memory.percent && (!bare || self.only_blank_lines_before()?);
         cursor.pass();
+        let alone = if bare { line.trim_ascii() == b"%" } else { cursor.peek() == 0 };
         if self.memory.control.lexis.percent.named() {
             if opening {
                 self.memory.percent = true;
                 return Ok(());
             }
-        } else if cursor.peek() == 0 {
+        } else if alone {
             if opening {
                 self.memory.percent = true;
                 return Ok(());
@@ -111,6 +115,20 @@ impl Reader<'_, '_> {
             }
         }
         Err(Refused::of(&Percent {}, &[cursor.column().saturating_sub(1)]))
+    }
+
+    /// True where no comment stands before the line in hand, which is the first with more than one.
+    fn only_blank_lines_before(&mut self) -> Result<bool> {
+        let (mut line, mut at) = (Vec::new(), Mark { line: Position::START, ..self.memory.flow.next });
+        while let Some(behind) = self.memory.library.line(at, &mut line)?
+            && behind.line.lines < self.block.spot.line
+        {
+            if !line.trim_ascii().is_empty() {
+                return Ok(false);
+            }
+            at = behind;
+        }
+        Ok(true)
     }
 
     /// A lathe's program has come to the end of its text without a code that ends it.

@@ -102,8 +102,8 @@ use crate::gcode::control::{Control, RadiusRule};
 use crate::gcode::in_force::InForce;
 use crate::gcode::motion::Motion;
 use crate::gcode::rules::flow::{
-    BlockNumberInvalid, ByteOrderMark, EndlessProgram, EndsInSubprogram, NoEnd, NoEndOrPercent, NoProgram,
-    SubprogramsAlone,
+    BlockNumberInvalid, ByteOrderMark, ByteOrderMarkRejected, EndlessProgram, EndsInSubprogram, NoEnd, NoEndOrPercent,
+    NoProgram, SubprogramsAlone,
 };
 use crate::gcode::rules::lexis::{MoreRefusals, Utf16};
 use crate::machine::axis::Pose;
@@ -346,6 +346,9 @@ impl Reader<'_, '_> {
         }
         if first && line.starts_with(b"\xEF\xBB\xBF") {
             line.drain(..3);
+            if self.memory.control.lexis.mark.rejected() {
+                return Err(Refused::of(&ByteOrderMarkRejected {}, &[]).fatal());
+            }
             self.memory.remarks.row(&ByteOrderMark {}, self.block.spot, None);
         }
         self.execute_line(line)

@@ -29,14 +29,15 @@ impl Tape {
     /// True where the text ends with this line.
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn ends(&mut self, line: &[u8]) -> bool {
-        let mut cursor = Cursor::new(line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line), self.comments);
-        let first = cursor.peek();
-        let percent = cursor.accept(b'%') && cursor.peek() == 0;
+        let line = line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line);
+        let mut cursor = Cursor::new(line, self.comments);
+        let percent =
+            if self.percent.bare() { line.trim_ascii() == b"%" } else { cursor.accept(b'%') && cursor.peek() == 0 };
         let begun = match self.percent {
             Percent::Named => return false,
             // A `%` that none has opened is refused where it is executed.
             Percent::Pair if percent && self.begun && !self.opened => return false,
-            Percent::Pair => first != 0,
+            Percent::Pair => !line.trim_ascii().is_empty(),
             Percent::Leader => has_code(line),
         };
         if percent && (self.begun || self.opened) {
@@ -70,7 +71,7 @@ mod tests {
         assert_eq!(missed, Err("there is no subprogram O100".to_owned()));
         // Nor does what does not belong together there spoil the program.
         assert_eq!(motions(&format!("\n%\n{behind}o100 call\n%\no100 sub\no200 if [1]\n"), &LINUXCNC), Ok(1));
-        assert_eq!(motions(&format!("\u{feff}%\n{behind}o100 call\n%\no100 endif\n"), &LINUXCNC), Ok(1));
+        assert_eq!(motions(&format!(" %\n{behind}o100 call\n%\no100 endif\n"), &LINUXCNC), Ok(1));
 
         let behind = "O1000\nG0 X5.\nM99\n";
         assert_eq!(motions(&format!("%\nO0001\nM98 P1000\nM30\n{behind}%\n"), &FANUC_LATHE_A), Ok(1));

@@ -260,7 +260,7 @@ rules! {
         remedy "", "";
         why "Algún control lee estos bytes como caracteres del primer bloque.",
             "Some controls read these bytes as characters of the first block.";
-        example Example::program("linuxcnc", "﻿G21 G90|G0 X1|M2", "1");
+        example Example::program("fanuc-lathe-a", "﻿G21 G98|G0 X40. Z2.|M30", "1");
     "G0336" EndsInSubprogram Stop {}
         es "el archivo termina dentro de un subprograma"
         en "the file ends inside a subprogram"
@@ -337,4 +337,11 @@ rules! {
         why "El control busca desde la llamada hasta el final, y solo vuelve atrás a un subprograma que ya ha encontrado.",
             "The control searches from the call to the end, and goes back only to a subprogram that it has met already.";
         example Example::program("linuxcnc", "G21 G90 F100|M98 P2|M2|O1|M99|O2|M98 P1|M99", "7");
+    "G0348" ByteOrderMarkRejected Stop {}
+        es "el archivo empieza con una marca de orden de bytes (BOM)"
+        en "the file begins with a byte order mark (BOM)"
+        remedy "guárdelo como texto ASCII o UTF-8 sin BOM", "save it as ASCII or UTF-8 text without a BOM";
+        why "El control no conoce estos caracteres y se para en la primera línea.",
+            "The control does not know these characters and stops at the first line.";
+        example Example::program("linuxcnc", "﻿G21 G90|G0 X1|M2", "1");
 }

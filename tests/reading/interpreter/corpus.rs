@@ -76,7 +76,7 @@ fn good_programs_move_as_in_linuxcnc() {
 /// What the second line of a bad program says of rs274: `; rs274: refuses`, or another word and why rodete is stricter.
 fn said_of_rs274(name: &str, program: &[u8]) -> String {
     let text = String::from_utf8_lossy(program);
-    let said = text.lines().nth(1).and_then(|line| line.strip_prefix("; rs274: "));
+    let said = text.lines().filter(|line| *line != "%").nth(1).and_then(|line| line.strip_prefix("; rs274: "));
     let said = said.unwrap_or_else(|| panic!("{name}: ; rs274: …")).trim();
     let (rs274, reason) = said.split_once(": ").map_or((said, None), |(rs274, reason)| (rs274, Some(reason)));
     assert_eq!(reason.is_some_and(|reason| reason.len() > 10), rs274 != "refuses", "{name}: why rodete is stricter");
