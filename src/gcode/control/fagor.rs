@@ -4,10 +4,10 @@ use crate::gcode::code::{G, Group, M, Name, TurningCycle};
 use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedPath,
-    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius,
-    NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
-    SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing, Written,
+    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
+    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
+    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary,
+    RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing, Written,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -27,6 +27,7 @@ pub static FAGOR_8055: Control = Control {
             "Fagor Automation, CNC 8055 M, solución de errores (Ref. 1310), errores 0054 y 1085: en un arco de G17 K es el paso de una hélice, siempre positivo",
             "Fagor Automation, CNC 8055 M, error solution (Ref. 1310), errors 0054 and 1085: in an arc of G17 K is the pitch of a helix, always positive",
         ),
+        FRAME,
     ],
     ..FAGOR_8055_BASE
 };
@@ -39,6 +40,7 @@ pub static FAGOR_8055_T: Control = Control {
             "Fagor Automation, CNC 8055 T, manual de programación: lista de funciones G",
             "Fagor Automation, CNC 8055 T, programming manual: list of G functions",
         ),
+        FRAME,
         NO_HELIX,
     ],
     class: Class::Lathe,
@@ -70,11 +72,24 @@ pub static FAGOR_8070: Control = Control {
     feed: FeedRule { law: FeedLaw::Seconds, ..FAGOR_8055_BASE.feed },
     written: Some(&WRITING_8070),
     codes: &CODES_8070,
-    lexis: Lexis { dwell: &[DwellWord { letter: 'K', unit: 1.0 }], ..LEXIS },
+    // Of block numbers, empty lines, switches and decimals no page was at hand.
+    lexis: Lexis {
+        dwell: &[DwellWord { letter: 'K', unit: 1.0 }],
+        delete: BlockDelete::Numbered,
+        empty: EmptyBlock::Passed,
+        greatest_number: 999_999_999,
+        decimals: Decimals::Free,
+        ..LEXIS
+    },
     arcs: ArcWords { across: Across::Unknown, ..FAGOR_8055_BASE.arcs },
     rotary: RotaryRule { delivered: Rotary::Linear, ..FAGOR_8055_BASE.rotary },
     ..FAGOR_8055_BASE
 };
+
+const FRAME: Text = t(
+    "Fagor Automation, CNC 8055/8055i, nuevas prestaciones, p. 11: cabecera %nombre de hasta 20 caracteres, una coma y los atributos M, X, H, O; con otra forma, o sin X, el programa no es ejecutable. CNC 8055 M, solución de errores, 0001: ningún bloque vacío ni con solo la etiqueta; 0002: /1 a /3, N de 0 a 99999999; manual de programación, p. 65 y 88: ±5.4 en milímetros, ±4.5 en pulgadas, I, J, K y R ±6.5",
+    "Fagor Automation, CNC 8055/8055i, new features, p. 11: header %name of up to 20 characters, a comma and the attributes M, X, H, O; in another form, or without X, the program is not executable. CNC 8055 M, error solution, 0001: no block empty or with a label alone; 0002: /1 to /3, N 0 to 99999999; programming manual, p. 65 and 88: ±5.4 in millimetres, ±4.5 in inches, I, J, K and R ±6.5",
+);
 
 const NO_HELIX: Text = t(
     "de la palabra de centro a través del plano de un arco no había página a mano",
@@ -154,9 +169,12 @@ const LEXIS: Lexis = Lexis {
     dwell: &[DwellWord { letter: 'K', unit: 0.01 }],
     language: Language::Words,
     comments: Comments::Semicolon,
-    delete: BlockDelete::Numbered,
+    delete: BlockDelete::Three,
     percent: Percent::Named,
     mark: Mark::Skipped,
+    empty: EmptyBlock::Rejected,
+    greatest_number: 99_999_999,
+    decimals: Decimals::FourOrFive,
     point: DimensionPoint::Free,
     longest_line: 4096,
     most_machine_codes: 7,

@@ -11,10 +11,10 @@ use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle
 use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedPath,
-    FeedRule, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner,
-    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
-    SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
+    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
+    FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
+    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary,
+    RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -58,6 +58,9 @@ pub static FANUC_LATHE_A: Control = Control {
         delete: BlockDelete::Numbered,
         percent: Percent::Leader,
         mark: Mark::Skipped,
+        empty: EmptyBlock::Passed,
+        greatest_number: 999_999_999,
+        decimals: Decimals::Free,
         point: DimensionPoint::BySetting,
         longest_line: 4096,
         most_machine_codes: 3,

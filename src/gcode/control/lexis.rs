@@ -72,15 +72,18 @@ pub enum BlockDelete {
     Plain,
     /// `/`, or `/1` to `/9` for one of nine switches.
     Numbered,
+    /// `/`, or `/1` to `/3` for one of three switches.
+    Three,
 }
 
 impl BlockDelete {
-    /// True where a digit behind `/` names a switch.
+    /// The greatest digit behind `/` that names a switch; 0 where none does.
     #[must_use]
-    pub const fn numbered(self) -> bool {
+    pub const fn switches(self) -> u8 {
         match self {
-            Self::Plain => false,
-            Self::Numbered => true,
+            Self::Plain => 0,
+            Self::Numbered => 9,
+            Self::Three => 3,
         }
     }
 }
@@ -166,6 +169,46 @@ impl Mark {
     }
 }
 
+/// What a block without words is: an empty line, a block number alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EmptyBlock {
+    /// Passed over.
+    Passed,
+    /// Rejected; a comment may stand alone.
+    Rejected,
+}
+
+impl EmptyBlock {
+    /// True where the control does not take it.
+    #[must_use]
+    pub const fn rejected(self) -> bool {
+        match self {
+            Self::Passed => false,
+            Self::Rejected => true,
+        }
+    }
+}
+
+/// How many decimals a dimension may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decimals {
+    /// Any number.
+    Free,
+    /// Four; five in inches, and of a centre or a radius.
+    FourOrFive,
+}
+
+impl Decimals {
+    /// Most decimals of a dimension, in inches or not, and of a centre or a radius; `None` where any number will do.
+    #[must_use]
+    pub const fn most(self, inch: bool, centre: bool) -> Option<usize> {
+        match self {
+            Self::Free => None,
+            Self::FourOrFive => Some(if inch || centre { 5 } else { 4 }),
+        }
+    }
+}
+
 /// Whether M codes of the machine's builder exclude one another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BuilderCodes {
@@ -209,6 +252,12 @@ pub struct Lexis {
     pub percent: Percent,
     /// A byte order mark.
     pub mark: Mark,
+    /// A block without words.
+    pub empty: EmptyBlock,
+    /// The greatest block number.
+    pub greatest_number: u32,
+    /// Decimals of a dimension.
+    pub decimals: Decimals,
     /// Dimensions without a decimal point.
     pub point: DimensionPoint,
     /// Most characters of a line.

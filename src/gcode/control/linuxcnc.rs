@@ -4,10 +4,10 @@ use crate::gcode::code::{Cycle, G, Group, M, Name};
 use crate::gcode::control::codes::{BY_MODE, COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedPath,
-    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius,
-    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
-    SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
+    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
+    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
+    NegativeRadius, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
+    SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -41,6 +41,9 @@ pub static LINUXCNC: Control = Control {
         delete: BlockDelete::Plain,
         percent: Percent::Pair,
         mark: Mark::Rejected,
+        empty: EmptyBlock::Passed,
+        greatest_number: 999_999_999,
+        decimals: Decimals::Free,
         point: DimensionPoint::Free,
         // The interpreter reads 253 bytes with the end of the line, which may be of two.
         longest_line: 251,

@@ -4,10 +4,10 @@
 
 use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, CommentForm,
-    Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedPath, FeedRule, HeightHold,
-    Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, OffsetRule,
-    Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule,
-    Start, TextForm, ToolCall, ToolChange, Turns, Writing,
+    Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange, FeedPath,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius,
+    NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
+    SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -49,6 +49,9 @@ impl Control {
                     delete,
                     percent,
                     mark,
+                    empty,
+                    greatest_number: greatest_read,
+                    decimals,
                     point,
                     longest_line,
                     most_machine_codes,
@@ -110,6 +113,12 @@ impl Control {
         row(t("salto de bloque", "block delete"), delete.told());
         row(t("principio y fin del texto", "begin and end of the text"), percent.told());
         row(t("marca de orden de bytes (BOM)", "byte order mark (BOM)"), mark.told());
+        row(t("bloque sin palabras", "block without words"), empty.told());
+        row(
+            t("mayor número de bloque que se lee", "largest block number as read"),
+            Text::same(greatest_read.to_string()),
+        );
+        row(t("decimales de una cota", "decimals of a dimension"), decimals.told());
         row(t("cota sin punto decimal", "dimension without a decimal point"), point.told());
         row(t("mayor longitud de una línea", "longest line"), Text::same(longest_line.to_string()));
         row(t("códigos M en un bloque", "M codes in a block"), at_most(*most_machine_codes));
@@ -264,6 +273,7 @@ told! {
     BlockDelete {
         Self::Plain => "/", "/";
         Self::Numbered => "/, o /1 a /9", "/, or /1 to /9";
+        Self::Three => "/, o /1 a /3", "/, or /1 to /3";
     }
     Percent {
         Self::Named => "una primera línea % con el nombre; ningún otro %", "a first line % with the name; no other %";
@@ -273,6 +283,14 @@ told! {
     Mark {
         Self::Skipped => "se omite, con una nota", "skipped, with a note";
         Self::Rejected => "se rechaza", "rejected";
+    }
+    EmptyBlock {
+        Self::Passed => "se pasa por alto", "passed over";
+        Self::Rejected => "se rechaza; un comentario solo, no", "rejected, but not a comment alone";
+    }
+    Decimals {
+        Self::Free => "los que haya", "as many as there are";
+        Self::FourOrFive => "4; en pulgadas, y en I, J, K y R, 5; más allá una precaución", "4; in inches, and of I, J, K and R, 5; a caution beyond";
     }
     DimensionPoint {
         Self::Free => "lo mismo que con él", "the same as with one";

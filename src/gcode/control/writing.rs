@@ -36,6 +36,17 @@ pub enum Opening {
     Name,
 }
 
+impl Opening {
+    /// True where attributes follow the name, without which the control runs no program.
+    #[must_use]
+    pub const fn attributes(self) -> bool {
+        match self {
+            Self::NameAndAttributes => true,
+            Self::None | Self::Name => false,
+        }
+    }
+}
+
 /// What the text of a program looks like on the control, whoever wrote it.
 #[derive(Clone, Copy, Debug)]
 pub struct TextForm {

@@ -111,13 +111,18 @@ impl<'l> Cursor<'l> {
         found
     }
 
-    /// Passes `/` if it stands next, with the number of its switch, as Fanuc and Fagor have them.
-    pub(super) fn accept_delete(&mut self, numbered: bool) -> bool {
-        let found = self.accept(b'/');
-        if found && numbered && matches!(self.peek(), b'1'..=b'9') {
-            self.pass();
+    /// Passes `/` if it stands next, with the number of its switch, as Fanuc and Fagor have them: 0 where there is none.
+    pub(super) fn accept_delete(&mut self, numbered: bool) -> Option<u8> {
+        if !self.accept(b'/') {
+            return None;
         }
-        found
+        match self.peek() {
+            digit @ b'1'..=b'9' if numbered => {
+                self.pass();
+                Some(digit - b'0')
+            }
+            _ => Some(0),
+        }
     }
 
     /// Passes a word of lower-case letters if it stands next.
@@ -166,7 +171,7 @@ impl<'l> Cursor<'l> {
             return None;
         }
         self.at += end;
-        Some(Decimal { value: decimal(mantissa, decimals), point })
+        Some(Decimal { value: decimal(mantissa, decimals), point, decimals })
     }
 
     fn any_number(&mut self) -> Result<Decimal> {
@@ -229,7 +234,7 @@ impl<'l> Cursor<'l> {
         } else {
             decimal(mantissa, decimals)
         };
-        Ok(Decimal { value, point })
+        Ok(Decimal { value, point, decimals })
     }
 
     fn is_exponent(&self) -> bool {
@@ -280,6 +285,8 @@ pub(super) struct Decimal {
     pub(super) value: f64,
     /// It has a decimal point.
     pub(super) point: bool,
+    /// How many digits stand behind it.
+    pub(super) decimals: usize,
 }
 
 /// A whole number below 2^53 divided by a power of ten up to 10^22: both are exact, so that the quotient is the double

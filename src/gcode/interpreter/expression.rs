@@ -141,7 +141,7 @@ impl Reader<'_, '_> {
             _ => return Err(no_value(cursor)),
         };
         cursor.depth -= 1;
-        Ok(Decimal { value: finite(value, column)?, point: true })
+        Ok(Decimal { value: finite(value, column)?, point: true, decimals: 0 })
     }
 
     /// An expression in brackets; operators of one binding are applied from left to right.

@@ -8,13 +8,17 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::interpreter::tape::has_code;
 use crate::gcode::interpreter::{Reader, Stage, block_number, without_end};
+use crate::gcode::rules::flow::{BlockEmpty, BlockNumberTooGreat, SwitchUnknown};
 use crate::gcode::rules::lexis::{
-    Aborts, ActiveComment, BeforePercent, EndsWithoutCode, LineTooLong, Percent, ProgramNumber,
+    Aborts, ActiveComment, BeforePercent, EndsWithoutCode, HeaderInvalid, HeaderNotExecutable, LineTooLong, Percent,
+    ProgramNumber,
 };
 use crate::limits::LEADER_LINES;
 
 /// Most characters of a comment that a message repeats.
 const SHOWN: usize = 250;
+/// Most characters of a program's name in its header.
+const LONGEST_NAME: usize = 20;
 
 impl Reader<'_, '_> {
     /// Counts the line that has just been read, behind which a mark lies; it is the block in hand.
@@ -48,15 +52,35 @@ impl Reader<'_, '_> {
         }
         let mut cursor = Cursor::new(line, self.memory.control.lexis.comments);
         let first = cursor.peek();
+        let empty_rejected = self.memory.control.lexis.empty.rejected();
         if first == 0 {
-            return Ok(None);
+            return if empty_rejected && line.trim_ascii().is_empty() {
+                Err(Refused::of(&BlockEmpty {}, &[]))
+            } else {
+                Ok(None)
+            };
         }
         self.block.clear();
-        if cursor.accept_delete(self.memory.control.lexis.delete.numbered()) && self.memory.setting.block_delete {
-            return Ok(None);
+        let column = cursor.column();
+        let switches = self.memory.control.lexis.delete.switches();
+        match cursor.accept_delete(switches > 0) {
+            Some(switch) if switch > switches => {
+                return Err(Refused::of(&SwitchUnknown { switch: switch.into(), most: switches.into() }, &[column]));
+            }
+            Some(_) if self.memory.setting.block_delete => return Ok(None),
+            _ => {}
         }
+        let column = cursor.column();
         if cursor.accept(b'n') {
-            self.block.spot.n = Some(block_number(&mut cursor)?);
+            let number = block_number(&mut cursor)?;
+            let most = self.memory.control.lexis.greatest_number;
+            if number > most {
+                return Err(Refused::of(&BlockNumberTooGreat { number, most }, &[column]));
+            }
+            self.block.spot.n = Some(number);
+        }
+        if empty_rejected && cursor.peek() == 0 {
+            return Err(Refused::of(&BlockEmpty {}, &[]));
         }
         Ok(Some(cursor))
     }
@@ -97,7 +121,7 @@ impl Reader<'_, '_> {
         if self.memory.control.lexis.percent.named() {
             if opening {
                 self.memory.percent = true;
-                return Ok(());
+                return if self.memory.control.text.opening.attributes() { header(line) } else { Ok(()) };
             }
         } else if alone {
             if opening {
@@ -208,5 +232,26 @@ impl Reader<'_, '_> {
             }
         }
         Ok(())
+    }
+}
+
+/// Refuses the first line of a Fagor program with which the control would not run it: `%name,attributes,`, the name of at most
+/// [`LONGEST_NAME`] characters, the attributes of M, X, H, O and dashes, X among them.
+fn header(line: &[u8]) -> Result<()> {
+    let text = String::from_utf8_lossy(line.trim_ascii());
+    let parts = text.strip_prefix('%').and_then(|text| text.split_once(','));
+    let fits = parts
+        .map(|(name, attributes)| (name, attributes.strip_suffix(',').unwrap_or(attributes).trim()))
+        .filter(|(name, attributes)| {
+            name.chars().count() <= LONGEST_NAME
+                && !attributes.is_empty()
+                && attributes.bytes().all(|letter| b"MXHO-".contains(&letter.to_ascii_uppercase()))
+        });
+    match fits {
+        None => Err(Refused::of(&HeaderInvalid { most: LONGEST_NAME }, &[])),
+        Some((_, attributes)) if !attributes.to_ascii_uppercase().contains('X') => {
+            Err(Refused::of(&HeaderNotExecutable { attributes: attributes.to_owned() }, &[]))
+        }
+        Some(_) => Ok(()),
     }
 }

@@ -9,11 +9,12 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
-    CodeNotSupported, CoordinateTooGreat, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat, LetterNotSupported,
-    LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany, Macros, Negative, NumberParted,
-    TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, WordTooGreat, WordTwice,
+    CodeNotSupported, CoordinateTooGreat, DecimalsTooMany, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat,
+    LetterNotSupported, LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany, Macros,
+    Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, WordTooGreat, WordTwice,
 };
 use crate::limits::COUNT;
+use crate::machine::length_unit::LengthUnit;
 use crate::number::grid::LIMIT;
 use crate::text::t;
 
@@ -180,7 +181,7 @@ impl Reader<'_, '_> {
         if cursor.macro_word() {
             return Err(macros(number_column));
         }
-        let Decimal { value, point } = self.value(cursor)?;
+        let Decimal { value, point, .. } = self.value(cursor)?;
         let edge = EdgeWord {
             name: if round { ",R" } else { ",C" },
             round,
@@ -229,6 +230,9 @@ impl Reader<'_, '_> {
         {
             return Err(negative(name(letter), value, number_column));
         }
+        if number.decimals > 4 && DIMENSIONS.has(index) {
+            self.see_decimals(letter, number.decimals, column);
+        }
         if self.memory.control.lexis.point.by_setting() {
             self.see_point(index, &number, column)?;
         }
@@ -236,6 +240,16 @@ impl Reader<'_, '_> {
             Some(column) if index == E => exponent(column),
             _ => twice(name(letter), first, column),
         })
+    }
+
+    /// Remarks a dimension with more decimals than the control's manual gives it.
+    fn see_decimals(&mut self, letter: u8, decimals: usize, column: usize) {
+        let inch = self.block.g(Group::Units).map_or(self.state.modal.unit == LengthUnit::Inch, |unit| unit == G::Inch);
+        let most = self.memory.control.lexis.decimals.most(inch, b"ijkr".contains(&letter));
+        if let Some(most) = most.filter(|&most| decimals > most) {
+            let spot = self.block.spot;
+            self.memory.remarks.row(&DecimalsTooMany { letter: name(letter), decimals, most }, spot, Some(column));
+        }
     }
 
     #[cold]

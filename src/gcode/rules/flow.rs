@@ -344,4 +344,25 @@ rules! {
         why "El control no conoce estos caracteres y se para en la primera línea.",
             "The control does not know these characters and stops at the first line.";
         example Example::program("linuxcnc", "﻿G21 G90|G0 X1|M2", "1");
+    "G0349" BlockEmpty Stop {}
+        es "bloque sin palabras"
+        en "block without words"
+        remedy "borre la línea, o escriba «;» en ella", "delete the line, or write ';' in it";
+        why "Ante una línea vacía, o con solo el número de bloque, el control da el error 0001.",
+            "At an empty line, or one with a block number alone, the control gives error 0001.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|N20|G1 X10|M30", "2");
+    "G0350" BlockNumberTooGreat Stop { number: u32, most: u32 }
+        es "el número de bloque N{number} es mayor que {most}"
+        en "block number N{number} is above {most}"
+        remedy "numere de nuevo el programa", "renumber the program";
+        why "El control da el error 0002 ante un número mayor.",
+            "The control gives error 0002 at a larger number.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|N100000000 G1 X10|M30", "2:1");
+    "G0351" SwitchUnknown Stop { switch: u32, most: u32 }
+        es "salto de bloque /{switch}: el control tiene los interruptores /1 a /{most}"
+        en "block delete /{switch}: the control has the switches /1 to /{most}"
+        remedy "use uno de ellos", "use one of them";
+        why "No se sabe si el control saltaría el bloque.",
+            "It is not clear whether the control would skip the block.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|/4 G1 X10|M30", "2:1");
 }

@@ -197,4 +197,18 @@ rules! {
         why "rodete lista los primeros: los demás suelen tener la misma causa.",
             "rodete lists the first ones: the others usually have the same cause.";
         example Example::Repeated { control: "linuxcnc", word: "G77|", times: 60 };
+    "G0028" HeaderInvalid Stop { most: usize }
+        es "la primera línea no es %nombre,atributos, con un nombre de hasta {most} caracteres"
+        en "the first line is not %name,attributes, with a name of up to {most} characters"
+        remedy "escriba por ejemplo %0001-BRIDA,MX--,", "write for example %0001-FLANGE,MX--,";
+        why "Con otra cabecera el control da al programa solo el atributo M: no lo ejecuta.",
+            "With another header the control gives the program the attribute M alone: it does not run it.";
+        example Example::program("fagor-8055", "%0001 FLANGE MX|G71 G90 G94 F100|G1 X10|M30", "1");
+    "G0029" HeaderNotExecutable Stop { attributes: String }
+        es "los atributos {attributes} de la cabecera no llevan X"
+        en "the attributes {attributes} of the header are without X"
+        remedy "añada X: MX--", "add X: MX--";
+        why "Sin el atributo X el programa no es ejecutable: el control da el error 0172.",
+            "Without the attribute X the program is not executable: the control gives error 0172.";
+        example Example::program("fagor-8055", "%FLANGE,M,|G71 G90 G94 F100|G1 X10|M30", "1");
 }

@@ -169,4 +169,11 @@ rules! {
         why "Con el otro ajuste, las cotas serían mil veces mayores o menores.",
             "With the control's other setting the dimensions would be a thousand times larger or smaller.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98|G0 X40 Z2.|M30", at: "2:4", given: &[("--decimal-point", "calculator")] };
+    "G0124" DecimalsTooMany Caution { letter: char, decimals: usize, most: usize }
+        es "{letter} tiene {decimals} decimales: el control admite {most}"
+        en "{letter} has {decimals} decimals: the control takes {most}"
+        remedy "redondee la cota", "round the dimension";
+        why "El manual no dice si el control da una alarma o corta los decimales que sobran.",
+            "The manual does not say whether the control raises an alarm or drops the other decimals.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|G1 X10.1234567|M30", "2:4");
 }

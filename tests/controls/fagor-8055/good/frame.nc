@@ -1,0 +1,8 @@
+%AAAAAAAAAAAAAAAAAAAA,MX
+;a comment alone
+N10 G71 G90 G94 F100
+  ; and another
+N99999999 G1 X10.1234
+/3 X11
+/ X12
+M30
