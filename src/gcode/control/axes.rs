@@ -109,6 +109,17 @@ pub enum NegativeRadius {
     Refused,
 }
 
+impl NegativeRadius {
+    /// True where R makes no arc of half a circle or more.
+    #[must_use]
+    pub const fn refused(self) -> bool {
+        match self {
+            Self::LongArc => false,
+            Self::Refused => true,
+        }
+    }
+}
+
 /// The words of an arc.
 #[derive(Clone, Copy, Debug)]
 pub struct ArcWords {

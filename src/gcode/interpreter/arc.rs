@@ -9,7 +9,7 @@ use std::f64::consts::{SQRT_2, TAU};
 
 use crate::finding::Size;
 use crate::gcode::code::G;
-use crate::gcode::control::{Across, NegativeRadius};
+use crate::gcode::control::Across;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::refused::{Refused, Result};
@@ -17,8 +17,8 @@ use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Arc, MotionKind, Plane};
 use crate::gcode::rules::geometry::{
     AbsoluteCentreHalf, ArcOfNoRadius, ArcTwoForms, ArcWithoutCentre, CentreWordForeign, CentreWordOfOtherPlane,
-    EndOffCircle, HelixPitch, HelixPitchNotPositive, RadiusNegative, RadiusOfFullCircle, RadiusTooSmall,
-    RadiusWithoutEnd, TurnsNotWhole,
+    EndOffCircle, HelixPitch, HelixPitchNotPositive, RadiusNegative, RadiusOfFullCircle, RadiusOfHalfCircle,
+    RadiusTooSmall, RadiusWithoutEnd, TurnsNotWhole,
 };
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
@@ -124,11 +124,8 @@ impl Reader<'_, '_> {
         let end = [to.get(a), to.get(b)];
         let centre = match self.block.get(letter::R) {
             Some(R) => {
-                match self.memory.control.arcs.negative {
-                    NegativeRadius::Refused if R < 0.0 => {
-                        return Err(Refused::of(&RadiusNegative { radius: R }, &[self.block.column(letter::R)]));
-                    }
-                    NegativeRadius::Refused | NegativeRadius::LongArc => {}
+                if R < 0.0 && self.memory.control.arcs.negative.refused() {
+                    return Err(Refused::of(&RadiusNegative { radius: R }, &[self.block.column(letter::R)]));
                 }
                 let named = [a, b].into_iter().any(|axis| self.block.has(AXES[axis as usize]));
                 // U and W of a lathe stand for X and Z.
@@ -187,7 +184,11 @@ impl Reader<'_, '_> {
         if half - radius > LEAST || radius == 0.0 {
             return Err(Refused::of(&RadiusTooSmall { radius: size(radius, unit), half: size(half, unit) }, &[column]));
         }
-        let offset = if half / radius > 1.0 - TINY { 0.0 } else { (radius * radius - half * half).sqrt() };
+        let half_circle = half / radius > 1.0 - TINY;
+        if half_circle && self.memory.control.arcs.negative.refused() {
+            return Err(Refused::of(&RadiusOfHalfCircle { radius: unit.from_mm(R) }, &[column]));
+        }
+        let offset = if half_circle { 0.0 } else { (radius * radius - half * half).sqrt() };
         let side = if clockwise == (R > 0.0) { -offset } else { offset };
         let scale = side / (2.0 * half);
         Ok([f64::midpoint(start[0], end[0]) - chord[1] * scale, f64::midpoint(start[1], end[1]) + chord[0] * scale])

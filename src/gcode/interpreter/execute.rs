@@ -14,9 +14,9 @@ use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::rules::modes::{
-    AxesClaimedTwice, AxesWithCancel, AxesWithoutMotion, CycleWithoutAxes, FeedMissing, InverseTimeWithoutF,
-    InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutMotion, NoFeed, SetPositionWithoutAxes, SpindleStill,
-    ThreadStartAngle, WordWithoutUse,
+    AxesClaimedTwice, AxesWithCancel, AxesWithoutMotion, CycleWithoutAxes, DwellBesideAxes, FeedMissing,
+    InverseTimeWithoutF, InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutMotion, NoFeed,
+    SetPositionWithoutAxes, SpindleStill, ThreadStartAngle, WordWithoutUse,
 };
 use crate::machine::axis::{Axis, Pose};
 
@@ -183,6 +183,12 @@ impl Reader<'_, '_> {
             0
         };
         let axes = axes & !dwell;
+        if axes != 0
+            && self.memory.control.lexis.dwell.iter().any(|word| 1 << word.index() & AXIS_WORDS != 0)
+            && at_once == Some(G::Dwell)
+        {
+            return Err(Refused::of(&DwellBesideAxes {}, &[block.g_column(Group::NonModal)]));
+        }
         let shifts = self.shifts_system();
         let takes_axes = takes_axes || shifts;
         let motion = match explicit {

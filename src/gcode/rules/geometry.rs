@@ -401,4 +401,11 @@ rules! {
         why "En otros controles un R negativo es el arco largo; este se para con una alarma.",
             "On other controls a negative R is the long arc; this one stops with an alarm.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X40. Z0.|G2 X60. Z-10. R-10.|M30", "3:15");
+    "G0457" RadiusOfHalfCircle Stop { radius: f64 }
+        es "R{radius} llega al final con medio círculo: con R este control no hace arcos de 180° o más"
+        en "R{radius} reaches the end by half a circle: with R this control makes no arcs of 180° or more"
+        remedy "dé el centro con I y K", "give the centre with I and K";
+        why "Junto a medio círculo, un redondeo decide si el arco existe y dónde está su centro.",
+            "Near half a circle, rounding decides whether the arc exists and where its centre is.";
+        example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X20. Z0.|G3 X20. Z-10. R5.|M30", "3:15");
 }

@@ -175,4 +175,11 @@ rules! {
         why "La herramienta se movería a otra altura.",
             "The tool would move at another height.";
         example Example::Program { control: "linuxcnc", program: "G21 G90 F100|T1 M6|G43|M70|G43 H2|M72|G0 Z5|M2", at: "6", given: &[("--tools", "T1 P1 Z50 D10|T2 P2 Z80 D10")] };
+    "G0525" DwellBesideAxes Stop {}
+        es "G4 con cotas en el mismo bloque"
+        en "G4 with dimensions in the same block"
+        remedy "escriba el movimiento en otro bloque", "put the motion into another block";
+        why "G4 toma una palabra de eje como tiempo: no se sabe qué hace el control con las demás.",
+            "G4 takes an axis word as its time: it is not clear what the control does with the others.";
+        example Example::program("fanuc-lathe-a", "G21 G98|G0 X52. Z2.|G4 X1. Z-20.|M30", "3:1");
 }
