@@ -48,11 +48,11 @@ impl<'a> Book<'a> {
         let text = xml::text(&sheet.part, bytes)?;
         let survey = survey(&sheet.name, &sheet.part, &text, self.gated.strings, columns)?;
         drop(text);
-        let rows = if survey.unsound || !survey.filled {
+        let (rows, blanks) = if survey.unsound || !survey.filled {
             Default::default()
         } else {
             sheet_cells::stream(&mut self.xlsx, &sheet.name, &sheet.part, columns)?
         };
-        Ok(SheetCells { columns: Columns::WRITTEN, name: sheet.name.clone(), rows, survey })
+        Ok(SheetCells { columns: Columns::WRITTEN, name: sheet.name.clone(), rows, blanks, survey })
     }
 }

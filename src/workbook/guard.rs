@@ -76,16 +76,15 @@ impl Copy {
         match sheet.cell(position).map(|cell| &cell.content) {
             Some(Content::Number(value) | Content::Date(_, Some(value))) => Self::Number(*value),
             Some(Content::Text(text, _)) => Self::Text(text.clone()),
+            None => sheet.blanks.get(&position).map_or(Self::Empty, |blank| Self::Text(blank.clone())),
             _ => Self::Empty,
         }
     }
 
-    /// True where both hold the same; numbers to the last bit.
+    /// True where both hold the same, as the banner's formula compares them; numbers to the last bit.
     fn same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Number(one), Self::Number(other)) => one.to_bits() == other.to_bits(),
-            // Blanks around a text are none of its value.
-            (Self::Text(one), Self::Text(other)) => one.trim() == other.trim(),
             _ => self == other,
         }
     }
@@ -235,7 +234,8 @@ pub struct Stale {
 }
 
 /// Compares the values of a form with the copies on the sheet [`SHEET`] of the same workbook. `None` where they are the same,
-/// or where the sheet is not rodete's. The same is what is written as it was, and what means the same as the copy.
+/// or where the sheet is not rodete's. The same is what is written as it was: the banner compares cells, not meanings, and a blank
+/// more in `part` stands in the programs' comments, too.
 #[must_use]
 pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, written: &Written) -> Option<Stale> {
     if sheet.text((0, 0)) != Some(MARK) {
@@ -246,10 +246,12 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, wr
     let rows: BTreeMap<&str, u32> = sheet.rows.keys().filter_map(|&row| Some((sheet.text((row, 0))?, row))).collect();
     let parameters = form.sheets.iter().flat_map(|one| one.sections).flat_map(|section| section.parameters);
     let differs = |parameter: &Parameter| {
-        let now = Copy::of(parameter, values.values.get(parameter.key), language);
         // An input whose row the form did not have was empty.
         let copy = rows.get(parameter.name).map_or(Copy::Empty, |&row| held((row, 1)));
-        !now.same(&copy) && written.inputs.get(parameter.key).is_none_or(|written| !written.same(&copy))
+        match written.inputs.get(parameter.key) {
+            Some(cell) => !cell.same(&copy),
+            None => !Copy::of(parameter, values.values.get(parameter.key), language).same(&copy),
+        }
     };
     let inputs: Vec<Key> = parameters.filter(|parameter| differs(parameter)).map(|parameter| parameter.key()).collect();
     let last = sheet.rows.keys().next_back().map_or(0, |row| row + 1);
@@ -273,9 +275,10 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, wr
         let Some(parameter) = parameter.filter(|one| one.read) else { continue };
         let now = |at: usize| of.and_then(|rows| rows.rows.get(at)).and_then(|row| row.values.get(parameter.key));
         let filled = of.map_or(0, |rows| u32::try_from(rows.rows.len()).unwrap_or(u32::MAX));
-        let same = (0..last.max(filled))
-            .zip(0..)
-            .all(|(row, at)| Copy::of(parameter, now(at), language).same(&held((row, column))));
+        let same = || {
+            let mut rows = (0..last.max(filled)).zip(0..);
+            rows.all(|(row, at)| Copy::of(parameter, now(at), language).same(&held((row, column))))
+        };
         let changed = |one: &Column| -> Vec<Position> {
             let count = u32::try_from(one.copies.len()).unwrap_or(u32::MAX);
             let copies = one.copies.iter().chain(std::iter::repeat(&Copy::Empty));
@@ -284,7 +287,7 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, wr
         };
         let mut columns = written.columns.iter().filter(|one| one.key == *key && one.sheet == *name);
         let cells = columns.next().map(changed);
-        if same || cells.as_ref().is_some_and(Vec::is_empty) {
+        if cells.as_ref().map_or_else(same, Vec::is_empty) {
             continue;
         }
         let at = lists.iter().position(|(one, _)| one == name).unwrap_or_else(|| {

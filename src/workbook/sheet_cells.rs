@@ -44,6 +44,9 @@ pub struct Cell {
 /// The rows of a sheet: as many cells each as columns are read.
 pub type Rows = BTreeMap<u32, Vec<Option<Cell>>>;
 
+/// Texts of blanks alone, by their cells.
+pub type Blanks = BTreeMap<Position, String>;
+
 /// Where the columns of a form stand on a sheet, counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Columns {
@@ -69,6 +72,8 @@ pub struct SheetCells {
     pub name: String,
     /// The rows that hold something in the columns that are read, by their index from 0.
     pub rows: Rows,
+    /// The texts of blanks alone: empty as a value, but not as a formula sees a cell.
+    pub blanks: Blanks,
     /// What the walk over its part saw.
     pub survey: Survey,
 }
@@ -122,12 +127,17 @@ impl SheetCells {
 ///
 /// # Errors
 /// [`Exit::Unreadable`] where calamine does not read the sheet; [`Exit::Limit`] for more than [`limits::ROWS`] rows.
-pub fn stream(xlsx: &mut Xlsx<Cursor<Cow<'_, [u8]>>>, sheet: &str, part: &str, columns: u32) -> Result<Rows, Refusal> {
+pub fn stream(
+    xlsx: &mut Xlsx<Cursor<Cow<'_, [u8]>>>,
+    sheet: &str,
+    part: &str,
+    columns: u32,
+) -> Result<(Rows, Blanks), Refusal> {
     let fault = |error: &calamine::XlsxError| {
         damaged(part, &SheetUnread { sheet: excerpt(sheet, 80), reason: printable(&error.to_string()) })
     };
     let width = usize::try_from(columns).unwrap_or_default();
-    let mut rows = Rows::new();
+    let (mut rows, mut blanks) = (Rows::new(), Blanks::new());
     let mut reader = xlsx.worksheet_cells_reader(sheet).map_err(|error| fault(&error))?;
     let percentages: Vec<bool> = reader
         .styles()
@@ -135,9 +145,20 @@ pub fn stream(xlsx: &mut Xlsx<Cursor<Cow<'_, [u8]>>>, sheet: &str, part: &str, c
         .map(|style| style.number_format.as_ref().is_some_and(|format| is_percentage(&format.format_code)))
         .collect();
     while let Some((cell, style)) = reader.next_cell_with_style_id().map_err(|error| fault(&error))? {
-        let (row, column) = cell.get_position();
+        let at @ (row, column) = cell.get_position();
         let Some(column) = usize::try_from(column).ok().filter(|column| *column < width) else { continue };
-        let Some(content) = content(cell.get_value()) else { continue };
+        let value = cell.get_value();
+        let Some(content) = content(value) else {
+            let text = match value {
+                DataRef::String(text) => text.as_str(),
+                DataRef::SharedString(text) => text,
+                _ => "",
+            };
+            if !text.is_empty() && blanks.len() < limits::ROWS {
+                blanks.insert(at, text.to_owned());
+            }
+            continue;
+        };
         let percent = percentages.get(style).copied().unwrap_or_default();
         let kept = rows.entry(row).or_insert_with(|| vec![None; width]);
         if let Some(slot) = kept.get_mut(column) {
@@ -149,7 +170,7 @@ pub fn stream(xlsx: &mut Xlsx<Cursor<Cow<'_, [u8]>>>, sheet: &str, part: &str, c
             return Err(row.refused(Exit::Limit, Place::Sheet(sheet.to_owned())));
         }
     }
-    Ok(rows)
+    Ok((rows, blanks))
 }
 
 /// What is kept of a value; `None` for an empty one.

@@ -93,6 +93,19 @@ fn as_typed() -> Vec<u8> {
     dated(&book, 46349)
 }
 
+/// What is typed otherwise without another meaning: symbol and text. The banner compares the cells, and so does `check`.
+const SPELLINGS: [(&str, &str); 4] =
+    [("splitters", "'yes"), ("style", "'FULL "), ("part", "'My part"), ("distance", "'g91")];
+
+#[test]
+fn another_spelling_is_a_change_as_the_banner_says() {
+    let (built, _) = built(&as_typed());
+    for (symbol, text) in SPELLINGS {
+        let told = changed(&input(&built, symbol, text)).unwrap_or_default();
+        assert!(told.contains(&format!("were made: {symbol};")), "{symbol} = {text}: {told}");
+    }
+}
+
 /// A book with a day as a spreadsheet holds it: a number in a cell formatted as a date.
 fn dated(book: &[u8], day: u32) -> Vec<u8> {
     let parts = Parts::of(book);

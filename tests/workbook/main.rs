@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod drawing;
+mod guard;
 mod ironcalc;
 mod lathe_workbook;
 mod libreoffice;
