@@ -242,6 +242,14 @@ pub enum Index {
         /// Rows beside them, the first not counted.
         more: usize,
     },
+    /// Nothing is counted: the first column is the table's own. There is at most one row for each of the intervals that an input
+    /// holds; the columns say where they end.
+    Within {
+        /// The defined name of the input's cell.
+        name: &'static str,
+        /// How many intervals it holds.
+        intervals: usize,
+    },
     /// Nothing is counted: the first column is the table's own.
     None,
 }

@@ -337,8 +337,23 @@ fn flag(input: &str, row: RowNum) -> String {
 pub fn banner(
     sheet: &mut Worksheet,
     row: RowNum,
-    [first, last]: [ColNum; 2],
+    columns: [ColNum; 2],
     told: &str,
+    language: Language,
+    formats: [&Format; 2],
+) -> Result<(), WriteError> {
+    banner_of_rows(sheet, row, columns, (told, None), language, formats)
+}
+
+/// A banner over rows that may become more than are printed: the formula that is true then, and the last row that is printed, from 0.
+///
+/// # Errors
+/// For a cell outside the sheet.
+pub fn banner_of_rows(
+    sheet: &mut Worksheet,
+    row: RowNum,
+    [first, last]: [ColNum; 2],
+    (told, grown): (&str, Option<(&str, RowNum)>),
     language: Language,
     [format, stale]: [&Format; 2],
 ) -> Result<(), WriteError> {
@@ -346,7 +361,13 @@ pub fn banner(
     let verified = VERIFIED.get(language);
     let told = if told.is_empty() { verified.to_owned() } else { format!("{told} · {verified}") };
     let [before, after] = WARNING.each_ref().map(|text| literal(text.get(language)));
-    let formula = format!("=IF({STALE}=0,{},{before}&{STALE}&{after})", literal(&told));
+    let mut warning = format!("{before}&{STALE}&{after}");
+    if let Some((grown, printed)) = grown {
+        let [before, row, after] = GROWN.each_ref().map(|text| text.get(language));
+        let [before, after] = [literal(before), literal(&format!("{row}{}{after}", printed + 1))];
+        warning = format!("IF({grown},{before}&{STALE}&{after},{warning})");
+    }
+    let formula = format!("=IF({STALE}=0,{},{warning})", literal(&told));
     sheet.write_formula_with_format(row, first, Formula::new(formula).set_result(told), format)?;
     sheet.add_conditional_format(row, first, row, last, &when_stale(stale.clone()))?;
     Ok(())
@@ -360,6 +381,13 @@ static WARNING: [Text; 2] = [
     t("; vuelva a generar", "; build again"),
 ];
 
+/// The same where there are more rows than are printed, no longer than that.
+static GROWN: [Text; 3] = [
+    t("NO VERIFICADO: datos cambiados: ", "NOT VERIFIED: inputs changed: "),
+    t("; la impresión acaba en la fila ", "; the print ends at row "),
+    t("; vuelva a generar", "; build again"),
+];
+
 /// The most characters that a banner shows as a warning.
 #[must_use]
 pub fn warning(language: Language) -> usize {
@@ -367,7 +395,7 @@ pub fn warning(language: Language) -> usize {
     WARNING.iter().map(|text| text.get(language).chars().count()).sum::<usize>() + COUNT
 }
 
-/// Strikes out what was made from the inputs, in red, as soon as one differs.
+/// Strikes out what was made from the inputs and does not follow them, as soon as one differs.
 ///
 /// # Errors
 /// For a cell outside the sheet.
@@ -375,9 +403,9 @@ pub fn strike(
     sheet: &mut Worksheet,
     [first, last]: [RowNum; 2],
     columns: [ColNum; 2],
-    styles: &Styles,
+    struck: &Format,
 ) -> Result<(), WriteError> {
-    sheet.add_conditional_format(first, columns[0], last, columns[1], &when_stale(styles.struck.clone()))?;
+    sheet.add_conditional_format(first, columns[0], last, columns[1], &when_stale(struck.clone()))?;
     Ok(())
 }
 

@@ -114,10 +114,10 @@ impl<'a> LiveTables<'a> {
     /// How many rows of a table are prepared: those that are filled, and where they follow an input, more.
     #[must_use]
     pub fn rows(&self, table: &Table) -> usize {
+        let prepared = |count: usize| PREPARED.max(2 * count).clamp(count, LIVE_INTERVALS);
         match (table.index, intervals(table)) {
-            (Index::Intervals { times, more, .. }, Some(count)) if self.on() => {
-                times * PREPARED.max(2 * count).clamp(count, LIVE_INTERVALS) + more + 1
-            }
+            (Index::Intervals { times, more, .. }, Some(count)) if self.on() => times * prepared(count) + more + 1,
+            (Index::Within { intervals, .. }, _) if self.on() => prepared(intervals),
             _ => table.rows(),
         }
     }
@@ -175,10 +175,15 @@ impl<'a> LiveTables<'a> {
 
     /// The formula that is true where an input is a count of intervals for which a table has rows.
     fn reached(&self, table: &Table) -> String {
-        let (Index::Intervals { name, times, more }, Some(counts)) = (table.index, counts(table.index)) else {
-            return "TRUE".to_owned();
+        let Some(counts) = counts(table.index) else { return "TRUE".to_owned() };
+        let rows = self.rows(table);
+        let (name, most) = match table.index {
+            Index::Intervals { name, times, more } => {
+                (name, rows.saturating_sub(more + 1).checked_div(times).unwrap_or_default())
+            }
+            Index::Within { name, .. } => (name, rows),
+            Index::Point | Index::None => return counts,
         };
-        let most = self.rows(table).saturating_sub(more + 1).checked_div(times).unwrap_or_default();
         format!("IF({counts},N({name})<={most},FALSE)")
     }
 
@@ -187,6 +192,20 @@ impl<'a> LiveTables<'a> {
     pub fn end(&self, table: &Table, told: &str) -> Option<String> {
         let (counts, reached) = (counts(table.index)?, self.reached(table));
         self.on().then(|| format!("=IF({counts},IF({reached},\"\",\"{told}\"),\"\")"))
+    }
+
+    /// True, as a formula, where an input asks for more rows than there were when the sheet was written; `None` where the rows
+    /// follow none.
+    #[must_use]
+    pub fn grown(&self, table: &Table) -> Option<String> {
+        let (counts, rows) = (counts(table.index).filter(|_| self.on())?, table.rows());
+        Some(match last(table.index) {
+            Some(last) => format!("IF({counts},{last}>{},FALSE)", rows.saturating_sub(1)),
+            None => {
+                let (first, end) = (FIRST + 1, usize::try_from(FIRST).ok()? + self.rows(table));
+                format!("COUNT($A${first}:$A${end})>{rows}")
+            }
+        })
     }
 
     /// A formula outside the tables: it may refer to whole columns and their ends. Where the rows of those are not there, it is
@@ -269,7 +288,8 @@ impl<'a> LiveTables<'a> {
 fn intervals(table: &Table) -> Option<usize> {
     match table.index {
         Index::Intervals { times, more, .. } => table.rows().checked_sub(more + 1)?.checked_div(times),
-        _ => None,
+        Index::Within { intervals, .. } => Some(intervals),
+        Index::Point | Index::None => None,
     }
 }
 
@@ -290,7 +310,7 @@ fn looks_up(table: &Table) -> bool {
 
 /// The formula that is true where the input that rows follow is a count: neither empty, nor a text, nor 0, nor a fraction.
 fn counts(index: Index) -> Option<String> {
-    let Index::Intervals { name, .. } = index else { return None };
+    let (Index::Intervals { name, .. } | Index::Within { name, .. }) = index else { return None };
     Some(format!("AND(N({name})>=1,N({name})=INT(N({name})))"))
 }
 

@@ -170,7 +170,7 @@ impl<'a> ProgramSheet<'a> {
         }
         if let Some(last) = self.strands.last() {
             let last = ColNum::try_from(last.column + 1).map_err(|_| WriteError::TooLarge("INCR"))?;
-            guard::strike(sheet, [0, self.rows.saturating_sub(1)], [0, last], styles)?;
+            guard::strike(sheet, [0, self.rows.saturating_sub(1)], [0, last], &styles.struck)?;
         }
         sheet.set_vertical_page_breaks(&breaks)?;
         page.set_up_columns(sheet, language);

@@ -64,8 +64,10 @@ pub struct Styles {
     pub stale: Format,
     /// What a limit turns to while it holds.
     pub holds: Format,
-    /// What values turn to when inputs were changed: red, and struck out for those who print in black.
+    /// What programs turn to when inputs were changed: red, and struck out for those who print in black.
     pub struck: Format,
+    /// What values beside live cells turn to when inputs were changed.
+    pub left: Format,
 }
 
 impl Default for Styles {
@@ -113,6 +115,7 @@ impl Default for Styles {
             stale: Format::new().set_bold().set_font_color(Color::White).set_background_color(STOP),
             holds: Format::new().set_font_color(Color::RGB(0x1E_5B22)).set_background_color(grade_fill(Grade::Note)),
             struck: Format::new().set_font_strikethrough().set_font_color(STOP),
+            left: Format::new().set_font_strikethrough().set_font_color(FAINT),
         }
     }
 }

@@ -200,7 +200,12 @@ impl Summary<'_> {
                 let formula = live::number(&formula, quantity.value, || quantity.symbol.to_owned())?;
                 sheet.write_formula_with_format(row, 2, formula, &format)?;
             }
-            None => drop(sheet.write_number_with_format(row, 2, quantity.value, &format)?),
+            None => {
+                sheet.write_number_with_format(row, 2, quantity.value, &format)?;
+                if self.live.on() {
+                    guard::strike(sheet, [row; 2], [2; 2], &styles.left)?;
+                }
+            }
         }
         write_text(sheet, row, 3, quantity.unit.label(), &styles.unit)?;
         write_text(sheet, row, 4, source, &styles.faint)?;

@@ -83,16 +83,12 @@ impl<'a> TableSheet<'a> {
     /// # Errors
     /// For a value that is not finite, and for a table larger than a sheet.
     pub fn write(&self, sheet: &mut Worksheet, styles: &Styles, live: &LiveTables<'_>) -> Result<(), WriteError> {
-        let (offset, source) = (self.offset(), live.source(self.table));
+        let (offset, source, last) = (self.offset(), live.source(self.table), self.last_row()?);
         write_text(sheet, 0, 0, self.table.title.get(self.language), &styles.title)?;
-        guard::banner(
-            sheet,
-            1,
-            [0, self.printed(source.get(self.language))?],
-            source.get(self.language),
-            self.language,
-            [&styles.source, &styles.stale],
-        )?;
+        let (source, grown) = (source.get(self.language), live.grown(self.table));
+        let columns = [0, self.printed(source)?];
+        let told = (source, grown.as_deref().map(|grown| (grown, last)));
+        guard::banner_of_rows(sheet, 1, columns, told, self.language, [&styles.source, &styles.stale])?;
         if offset > 0 {
             write_text(sheet, SYMBOLS, 0, "i", &styles.number_header)?;
             write_text(sheet, UNITS, 0, "", &styles.number_unit)?;
@@ -105,6 +101,34 @@ impl<'a> TableSheet<'a> {
             self.write_frame(sheet, styles)?;
         } else {
             self.write_rows(sheet, styles, live)?;
+        }
+        if live.on() { self.strike_values(sheet, styles) } else { Ok(()) }
+    }
+
+    /// Strikes out the values when an input was changed: among cells that follow, those of before would pass for new ones.
+    fn strike_values(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+        for (at, column) in self.table.columns.iter().enumerate() {
+            // Where no points are counted, words name the rows.
+            if matches!(column.values, Cells::Texts(_)) && !self.table.index.counted() {
+                continue;
+            }
+            let to = column_number(at)? + self.offset();
+            let follows = |row: usize| {
+                let formula = column.live.as_ref().and_then(|live| live.get(row));
+                formula.is_some_and(|formula| !formula.is_empty())
+            };
+            let mut from = None;
+            for (row, at) in (FIRST..=self.last_row()? + 1).zip(0..) {
+                let value = at < self.table.rows() && !follows(at);
+                match from {
+                    None if value => from = Some(row),
+                    Some(first) if !value => {
+                        guard::strike(sheet, [first, row - 1], [to, to], &styles.left)?;
+                        from = None;
+                    }
+                    _ => {}
+                }
+            }
         }
         Ok(())
     }

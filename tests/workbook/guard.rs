@@ -1,6 +1,7 @@
 //! The guard of results and `check`: both compare cells as they are written.
 
 use crate::common;
+use crate::common::workbook::Parts;
 use crate::libreoffice::libreoffice;
 use crate::live::{cell_of, number, range, recalculated, with_on};
 
@@ -73,4 +74,71 @@ fn check_names_another_spelling_where_the_banner_is_red() {
         let count = number(range(&mut book, SHEET).get_value((0, 2)));
         assert_eq!(count, Some(1.0), "{at}");
     }
+}
+
+/// The part of a sheet.
+fn part_of(parts: &Parts, sheet: &str) -> String {
+    let listed = parts.text("xl/workbook.xml");
+    let before = listed.split(&format!("<sheet name=\"{sheet}\"")).next().expect("a list of sheets");
+    parts.text(&format!("xl/worksheets/sheet{}.xml", before.matches("<sheet name=").count() + 1))
+}
+
+/// Row and column of an address, from 0.
+fn place(address: &str) -> (u32, u32) {
+    let split = address.find(|one: char| one.is_ascii_digit()).expect("a row");
+    let (letters, row) = address.split_at(split);
+    let column = letters.bytes().fold(0, |sum, letter| 26 * sum + u32::from(letter - b'A') + 1);
+    (row.parse::<u32>().expect("a row") - 1, column - 1)
+}
+
+/// The ranges that a format is set on while inputs differ, without that of the line above.
+fn struck(sheet: &str) -> Vec<[(u32, u32); 2]> {
+    let formats = sheet.split("<conditionalFormatting sqref=\"").skip(1);
+    formats
+        .filter(|one| one.split("</conditionalFormatting>").next().is_some_and(|rule| rule.contains("stale_inputs")))
+        .map(|one| {
+            let range = one.split('"').next().expect("a range");
+            let (first, last) = range.split_once(':').unwrap_or((range, range));
+            [place(first), place(last)]
+        })
+        .filter(|[(row, _), _]| *row > 1)
+        .collect()
+}
+
+#[test]
+fn values_are_struck_out_and_formulas_are_not_as_soon_as_an_input_differs() {
+    let mut count = [0; 2];
+    for (kind, case, sheets) in [
+        ("impeller", "full", &["Annex 6", "Blank", "Splitter", "SUMMARY"][..]),
+        ("impeller", "tfg-2021", &["Lines blade"]),
+        ("pipe-hole", "set-in", &["Pose", "Height", "Curve", "SUMMARY"]),
+        ("pipe-insert", "square", &["Arcs", "Template", "SUMMARY"]),
+    ] {
+        let parts = Parts::of(&results_of(kind, case));
+        for name in sheets {
+            let sheet = part_of(&parts, name);
+            let ranges = struck(&sheet);
+            for cell in sheet.split("<c r=\"").skip(1) {
+                let (address, cell) = cell.split_once('"').expect("an address");
+                let cell = cell.split("</c>").next().expect("its end");
+                let at @ (row, column) = place(address);
+                let number = cell.contains("<v>") && !cell.contains("t=\"s\"");
+                // Below the headings; of the summary the column of values.
+                let value = if *name == "SUMMARY" { column == 2 } else { row > 3 && (column > 0 || *name == "Arcs") };
+                if !(number && value) {
+                    continue;
+                }
+                let hit = ranges
+                    .iter()
+                    .any(|[first, last]| (first.0..=last.0).contains(&at.0) && (first.1..=last.1).contains(&at.1));
+                let formula = cell.contains("<f>");
+                assert_eq!(hit, !formula, "{kind} {case}, {name}!{address}");
+                count[usize::from(formula)] += 1;
+            }
+        }
+    }
+    assert!(count[0] > 300 && count[1] > 1_000, "{count:?}");
+    // Words that come of the inputs, too.
+    let parts = Parts::of(&results_of("pipe-hole", "set-in"));
+    assert!(struck(&part_of(&parts, "Height")).iter().any(|[first, _]| first.1 == 6), "the rule of the height");
 }

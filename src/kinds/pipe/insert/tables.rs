@@ -132,8 +132,6 @@ pub fn seat(design: &Design) -> Table {
 }
 
 /// The arcs through triples of the template's points, the printed columns of table 2 beside the right ones.
-///
-/// Which points are joined by one arc stays as it was computed; what the arcs are follows the inputs.
 #[must_use]
 pub fn arcs(design: &Design) -> Table {
     let triples = triples(&template_points(design), design.arc_tolerance);
@@ -143,21 +141,12 @@ pub fn arcs(design: &Design) -> Table {
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     let j = triples.iter().map(|triple| triple.j as f64).collect::<Vec<_>>();
     let centre = |axis: usize| move |triple: &Triple| triple.circle.map_or(0.0, |circle| circle.centre[axis]);
-    // A move to the next point is straight whatever the inputs are.
-    let froms = std::iter::once(0).chain(triples.iter().map(|triple| triple.j));
-    let steps: Vec<usize> = triples.iter().zip(froms).map(|(triple, from)| triple.j - from).collect();
-    let each = |formula: &str| -> Vec<String> {
-        let of = |step: &usize| if *step == 2 { formula.to_owned() } else { String::new() };
-        steps.iter().map(of).collect()
-    };
-    let arc = |formula: &str| each(&format!("IF([j]>divisions_N,\"\",IF([code]=\"G01\",0,{formula}))"));
-    let at = |axis: &str| format!("IF([j]>divisions_N,\"\",INDEX([template.{axis} all],[j]+1))");
-    let Circle { radius, left, to_centre } = circle();
-    let code = format!(
-        "IF([j]>divisions_N,\"\",IF(AND({half}<=0,{radius}),IF({left},\"G03\",\"G02\"),\"G01\"))",
-        half = half()
-    );
-    let [h, k] = to_centre;
+    let there = |formula: &str| format!("IF([j]=\"\",\"\",{formula})");
+    let arc = |formula: &str| there(&format!("IF([code]=\"G01\",0,{formula})"));
+    let at = |axis: &str| there(&format!("INDEX([template.{axis} all],[j]+1)"));
+    let Threes { arc: is_arc, left, to_centre: [h, k], .. } = Threes::from("[j]-2");
+    // A move to the next point is straight.
+    let code = format!("IF([j]-N([j above])=1,\"G01\",IF({is_arc},IF({left},\"G03\",\"G02\"),\"G01\"))");
     Table {
         key: "arcs",
         name: t("Arcos", "Arcs"),
@@ -166,88 +155,93 @@ pub fn arcs(design: &Design) -> Table {
             "Ecuaciones 10 a 19 y tabla 2. La tabla impresa da la mitad de D y E, y con ella la ecuación 18; el sentido no cambia",
             "Equations 10 to 19 and table 2. The printed table has half of D and E, and equation 18 with it; the sense stays the same",
         ),
-        index: Index::None,
+        index: Index::Within { name: "divisions_N", intervals: usize::try_from(design.N).unwrap_or(usize::MAX) },
         print: Print::Short,
         columns: vec![
-            Column::numbers("j", Unit::Count, Law::None, j),
+            Column::numbers("j", Unit::Count, Law::None, j).by(ends()),
             numbers("x", MM, Law::None, &|triple| triple.to.x).by(at("x")),
             numbers("y", MM, Law::None, &|triple| triple.to.y).by(at("y")),
-            numbers("D", MM, Law::Told("x² + y² + Dx + Ey + F = 0"), &|triple| triple.D_E()[0]).by_each(arc("-2*[h]")),
-            numbers("E", MM, Law::None, &|triple| triple.D_E()[1]).by_each(arc("-2*[k]")),
-            numbers("F", Unit::One, Law::Told("mm²"), &|triple| triple.F()).by_each(arc("[h]^2+[k]^2-[R]^2")),
-            numbers("h", MM, Law::Told("h = −D/2"), &centre(0)).by_each(arc(&h)),
-            numbers("k", MM, Law::Told("k = −E/2"), &centre(1)).by_each(arc(&k)),
+            numbers("D", MM, Law::Told("x² + y² + Dx + Ey + F = 0"), &|triple| triple.D_E()[0]).by(arc("-2*[h]")),
+            numbers("E", MM, Law::None, &|triple| triple.D_E()[1]).by(arc("-2*[k]")),
+            numbers("F", Unit::One, Law::Told("mm²"), &|triple| triple.F()).by(arc("[h]^2+[k]^2-[R]^2")),
+            numbers("h", MM, Law::Told("h = −D/2"), &centre(0)).by(arc(&h)),
+            numbers("k", MM, Law::Told("k = −E/2"), &centre(1)).by(arc(&k)),
             numbers("R", MM, Law::Told("R = √(h² + k² − F)"), &|triple| {
                 triple.circle.map_or(0.0, |circle| circle.radius)
             })
-            .by_each(arc("SQRT(([x]-[h])^2+([y]-[k])^2)")),
+            .by(arc("SQRT(([x]-[h])^2+([y]-[k])^2)")),
             numbers("y″", Unit::One, Law::Told("y″ = −2(1 + y′²)/(2y + E)"), &|triple| {
                 triple.second_derivative()
             })
-            .by_each(arc("-2*((2*[y]+[E])^2+(2*[x]+[D])^2)/(2*[y]+[E])^3")),
+            .by(arc("-2*((2*[y]+[E])^2+(2*[x]+[D])^2)/(2*[y]+[E])^3")),
             Column::texts(
                 t("código", "code"),
                 Law::None,
                 triples.iter().map(|triple| t(triple.code(), triple.code())).collect(),
             )
-            .by_each(each(&code)),
+            .by(there(&code)),
             numbers("D/2", MM, Law::None, &|triple| triple.D_E()[0] / 2.0)
                 .named(t("D impresa", "D as printed"))
-                .by_each(arc("[D]/2")),
+                .by(arc("[D]/2")),
             numbers("E/2", MM, Law::None, &|triple| triple.D_E()[1] / 2.0)
                 .named(t("E impresa", "E as printed"))
-                .by_each(arc("[E]/2")),
+                .by(arc("[E]/2")),
             numbers("eq", Unit::One, Law::None, &|triple| triple.equation_18_as_printed())
                 .named(t("ec. 18 impresa", "eq. 18 as printed"))
-                .by_each(arc("(-2*(2*[y]+[E]/2)^2-(-2*[x]-[D]/2)^2)/(2*[y]+[E]/2)^3")),
+                .by(arc("(-2*(2*[y]+[E]/2)^2-(-2*[x]-[D]/2)^2)/(2*[y]+[E]/2)^3")),
         ],
     }
 }
 
-/// A point of the template in a formula, so many points before that of the row, from 0.
-fn point(axis: &str, before: usize) -> String {
-    format!("INDEX([template.{axis} all],[j]+1-{before})")
+/// Where each move ends, in a formula, as [`triples`] says: at the next point but one, and where no arc goes through the three
+/// points and the middle one is beyond the tolerance, at the next.
+fn ends() -> String {
+    // Above the first row stands the unit, which counts as 0.
+    let from = "N([j above])";
+    let Threes { arc, bow, .. } = Threes::from(from);
+    let next = format!("IF({from}+1=divisions_N,1,IF({arc},2,IF({bow}>arc_tolerance,1,2)))");
+    let next = format!("{from}+IF(MOD({from},2)=1,1,{next})");
+    format!("IF(AND(ROWS([j first]:[j])>1,[j above]=\"\"),\"\",IF({from}>=divisions_N,\"\",{next}))")
 }
 
-/// The circle through the three points of a row in a formula, as [`through`](crate::geometry::circle::through) has it.
-struct Circle {
-    /// True where there is one that a control takes by its radius.
-    radius: String,
-    /// True where the points turn left.
+/// Three points of the template one after another, in formulas.
+struct Threes {
+    /// True where there is an arc through them that a control takes by its radius, as [`arc_through`] has it.
+    ///
+    /// [`arc_through`]: crate::kinds::pipe::insert::arcs::arc_through
+    arc: String,
+    /// True where they turn left.
     left: String,
-    /// The centre.
+    /// The centre of their circle.
     to_centre: [String; 2],
+    /// How far a straight move past the middle one leaves it, as [`bow`](crate::kinds::pipe::insert::arcs::bow) has it.
+    bow: String,
 }
 
-/// The step from the first point of a row to another, in a formula.
-fn step(axis: &str, before: usize) -> String {
-    format!("({}-{})", point(axis, before), point(axis, 2))
-}
-
-fn circle() -> Circle {
-    let [d, f] = [1, 0].map(|before| ["x", "y"].map(|axis| step(axis, before)));
-    let square = |[x, y]: &[String; 2]| format!("({x}^2+{y}^2)");
-    let (d2, f2) = (square(&d), square(&f));
-    let turn = format!("({}*{}-{}*{})", d[0], f[1], d[1], f[0]);
-    let third = square(&["x", "y"].map(|axis| format!("({}-{})", point(axis, 0), point(axis, 1))));
-    let most = f64::from(LIMIT) / 1000.0;
-    Circle {
-        radius: format!("SQRT({d2}*{f2}*{third})<{most}*2*ABS({turn})"),
-        left: format!("{turn}>0"),
-        to_centre: [
-            format!("{}+({}*{d2}-{}*{f2})/(2*{turn})", point("x", 2), f[1], d[1]),
-            format!("{}+({}*{f2}-{}*{d2})/(2*{turn})", point("y", 2), d[0], f[0]),
-        ],
+impl Threes {
+    /// From the point of an index, a formula, on.
+    fn from(index: &str) -> Self {
+        let point = |axis: &str, after: usize| format!("INDEX([template.{axis} all],{index}+{})", after + 1);
+        let step =
+            |from: usize, to: usize| ["x", "y"].map(|axis| format!("({}-{})", point(axis, to), point(axis, from)));
+        let (d, f, last) = (step(0, 1), step(0, 2), step(1, 2));
+        let square = |[x, y]: &[String; 2]| format!("({x}^2+{y}^2)");
+        let product = |[x, y]: &[String; 2], [other_x, other_y]: &[String; 2]| format!("({x}*{other_x}+{y}*{other_y})");
+        let (d2, f2, last2) = (square(&d), square(&f), square(&last));
+        let turn = format!("({}*{}-{}*{})", d[0], f[1], d[1], f[0]);
+        let most = f64::from(LIMIT) / 1000.0;
+        let along = product(&d, &f);
+        Self {
+            // Within half a circle: the middle point sees both others under a right angle or more.
+            arc: format!("AND({}>=0,SQRT({d2}*{f2}*{last2})<{most}*2*ABS({turn}))", product(&d, &last)),
+            left: format!("{turn}>0"),
+            to_centre: [
+                format!("{}+({}*{d2}-{}*{f2})/(2*{turn})", point("x", 0), f[1], d[1]),
+                format!("{}+({}*{f2}-{}*{d2})/(2*{turn})", point("y", 0), d[0], f[0]),
+            ],
+            bow: format!("IF({along}<=0,SQRT({d2}),IF({along}>={f2},SQRT({last2}),ABS({turn})/SQRT({f2})))"),
+        }
     }
-}
-
-/// Where it is not positive in a formula, the three points are within half a circle.
-fn half() -> String {
-    let product = |axis: &str| {
-        let middle = point(axis, 1);
-        format!("({}-{middle})*({}-{middle})", point(axis, 2), point(axis, 0))
-    };
-    format!("({}+{})", product("x"), product("y"))
 }
 
 /// The torch's way on the output grid.
