@@ -103,17 +103,11 @@ pub struct Placed<T> {
 /// Where the centre of the cutter may be aside of a piece.
 #[derive(Clone, Copy, Debug)]
 enum Offset {
-    Line {
-        through: Point,
-        along: Point,
-    },
-    /// `inside` says on which side of the programmed arc the cutter is; `turning` is 1 counter-clockwise, −1 clockwise.
-    Circle {
-        centre: Point,
-        radius: f64,
-        inside: bool,
-        turning: f64,
-    },
+    /// `at` is the programmed end.
+    Line { at: Point, through: Point, along: Point },
+    /// `inside` says on which side of the programmed arc the cutter is; `turning` is 1 counter-clockwise, −1 clockwise; `ends` is
+    /// the programmed radius at the end over that at the start.
+    Circle { centre: Point, radius: f64, inside: bool, turning: f64, ends: f64 },
 }
 
 /// The pieces that are held back, the first with a way in the plane.
@@ -230,14 +224,17 @@ impl<T: Clone> Stage<T> {
 
     fn offset(&self, element: &Element, end: &End) -> Offset {
         match element.path {
-            Path::Arc { centre, .. } => self.circle(centre, distance(self.beside(end), centre), end),
-            _ => Offset::Line { through: self.beside(end), along: end.along },
+            Path::Arc { centre, .. } => {
+                let ends = distance(end.at, centre) / distance(element.from, centre);
+                self.circle(centre, distance(self.beside(end), centre), end, ends)
+            }
+            _ => Offset::Line { at: end.at, through: self.beside(end), along: end.along },
         }
     }
 
-    fn circle(&self, centre: Point, radius: f64, end: &End) -> Offset {
+    fn circle(&self, centre: Point, radius: f64, end: &End, ends: f64) -> Offset {
         let inside = self.side * end.curvature > 0.0;
-        Offset::Circle { centre, radius, inside, turning: 1.0_f64.copysign(end.curvature) }
+        Offset::Circle { centre, radius, inside, turning: 1.0_f64.copysign(end.curvature), ends }
     }
 
     fn enter(&mut self, step: Step<T>, _: &mut Vec<Placed<T>>) -> Result<(), Misfit> {
@@ -264,7 +261,7 @@ impl<T: Clone> Stage<T> {
             let turns = (sweep.abs() / TAU).ceil().max(1.0) - 1.0;
             let swept = angle(centre, from, way.to, sweep);
             way.path = Path::Arc { centre, sweep: (swept + turns * TAU).copysign(sweep) };
-            offset = self.circle(centre, apart, &end);
+            offset = self.circle(centre, apart, &end, 1.0);
         }
         let held = Held { start: from, way, entry: true, first: step.tag, stills: Vec::new() };
         self.following = Some(Following { end, offset, held });
@@ -316,17 +313,21 @@ fn angle(centre: Point, from: Point, to: Point, direction: f64) -> f64 {
 /// The crossing of two offsets at an inner corner, the first piece's before the next one's: LinuxCNC's, by side and turn.
 fn meet(one: &Offset, other: &Offset) -> Option<Point> {
     let found = match (*one, *other) {
-        (Offset::Line { through, along }, Offset::Line { through: point, along: other }) => {
+        (Offset::Line { through, along, .. }, Offset::Line { through: point, along: other, .. }) => {
             let across = along[0] * other[1] - along[1] * other[0];
             let apart = plus(point, through, -1.0);
             let way = (apart[0] * other[1] - apart[1] * other[0]) / across;
             plus(through, along, way)
         }
-        (Offset::Line { through, along }, Offset::Circle { centre, radius, inside, .. }) => {
-            on_line(through, along, centre, if inside { radius } else { -radius })
+        // The distance of the corner from the centre is that of the end, as LinuxCNC has it.
+        (Offset::Line { at, through, along }, Offset::Circle { centre, radius, inside, ends, .. }) => {
+            let left = [-along[1], along[0]];
+            let high = dot(plus(through, at, -1.0), left) + dot(plus(at, centre, -1.0), left) * ends;
+            aside(centre, along, high, if inside { radius } else { -radius })
         }
-        (Offset::Circle { centre, radius, inside, .. }, Offset::Line { through, along }) => {
-            on_line(through, along, centre, if inside { -radius } else { radius })
+        (Offset::Circle { centre, radius, inside, .. }, Offset::Line { through, along, .. }) => {
+            let high = dot(plus(through, centre, -1.0), [-along[1], along[0]]);
+            aside(centre, along, high, if inside { -radius } else { radius })
         }
         (
             Offset::Circle { centre, radius, inside, .. },
@@ -342,9 +343,9 @@ fn meet(one: &Offset, other: &Offset) -> Option<Point> {
     found.iter().all(|share| share.is_finite()).then_some(found)
 }
 
-/// Where a line crosses a circle: the crossing further on for a positive radius, the one further back for a negative.
-fn on_line(through: Point, along: Point, centre: Point, radius: f64) -> Point {
-    let foot = plus(through, along, dot(plus(centre, through, -1.0), along));
-    let high = distance(foot, centre);
-    plus(foot, along, (radius * radius - high * high).sqrt().copysign(radius))
+/// Where a line crosses a circle, its height to the left of the centre known: the crossing further on for a positive radius, the
+/// one further back for a negative.
+fn aside(centre: Point, along: Point, high: f64, radius: f64) -> Point {
+    let half = (radius * radius - high * high).sqrt().copysign(radius);
+    plus(plus(centre, [-along[1], along[0]], high), along, half)
 }

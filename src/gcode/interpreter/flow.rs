@@ -498,7 +498,7 @@ impl Reader<'_, '_> {
 #[cfg(test)]
 mod tests {
     use crate::gcode::control::LINUXCNC;
-    use crate::gcode::interpreter::{Files, Interpreter, Setting};
+    use crate::gcode::interpreter::{Files, Interpreter, Refused, Setting};
     use crate::text::Text;
 
     /// A folder with `deep.ngc`, which calls itself, and with a subprogram before it that it calls.
@@ -521,12 +521,9 @@ mod tests {
             let program = format!("G21 G90\no<deep> call [{argument}]\nM2\n");
             let mut setting = Setting::new(&LINUXCNC);
             setting.files = Box::new(Deep);
-            let read: Result<Vec<f64>, _> =
-                Interpreter::over(program.as_bytes(), setting).map(|item| Ok(item?.to.0[0])).collect();
-            assert_eq!(
-                read.map_err(|fault: Box<crate::gcode::interpreter::Refused>| fault.what.en.into_owned()),
-                expected.map_err(str::to_owned)
-            );
+            let read: Result<Vec<f64>, Box<Refused>> =
+                Interpreter::over(program.as_bytes(), setting).map(|item| item.map(|motion| motion.to.0[0])).collect();
+            assert_eq!(read.map_err(|fault| fault.what.en.into_owned()), expected.map_err(str::to_owned));
         }
     }
 }
