@@ -27,7 +27,7 @@ use crate::number::jet::{Jet, bow};
 /// Pieces that one lead-in may be looked at in.
 const LOOKS: u32 = 20_000;
 /// How deep the angle is halved within which the curve leaves the beginning as it bends there.
-const DEEPEST: i32 = 24;
+const DEEPEST: usize = 24;
 /// Without a kerf, how near the torch may come to the curve: the grid of the program, mm.
 const LEAST: f64 = 1e-3;
 /// The lead-in that is told, in parts of a millimetre.
@@ -99,7 +99,7 @@ impl Outline {
                 return None;
             }
         }
-        (0..DEEPEST).map(|deep| TAU / 64.0 * 0.5_f64.powi(deep)).find(|delta| {
+        std::iter::successors(Some(TAU / 64.0), |delta| Some(delta / 2.0)).take(DEEPEST).find(|delta| {
             let [low, high] = if side == Side::Before { [TAU - delta, TAU] } else { [0.0, *delta] };
             let [depth, _] = self.seat.depth_jets(Jet::parameter(low, high), f64::midpoint(low, high));
             let runs = (Jet { value: depth.first, ..Jet::of(0.0) } * along.y).value.low + along.x * self.radius;
