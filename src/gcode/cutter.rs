@@ -8,7 +8,7 @@
 //!   arc whose programmed end is touched tangentially by the arc that is made: its centre lies on the normal there, as
 //!   far from the start as from the end.
 //! - Inner corners: the piece held back and the next one meet where their offsets cross. Of the two crossings beside an arc
-//!   [`meet`] takes LinuxCNC's, which near a reversal may be the one far from the corner.
+//!   rodete takes LinuxCNC's, which near a reversal may be the one far from the corner.
 //! - Outer corners: an arc about the corner at the next piece's feed, behind what follows the last piece without way; before
 //!   a rapid motion a straight rapid one.
 //! - Corners that turn by no more than [`NEARLY`] are none: the next piece goes on from where the last one ends.
