@@ -1,8 +1,8 @@
 //! Charts beside tables: scatter charts of columns against columns.
 
 use rust_xlsxwriter::{
-    Chart, ChartAxisLabelPosition, ChartFont, ChartFormat, ChartLayout, ChartLegendPosition, ChartLine, ChartMarker,
-    ChartMarkerType, ChartSolidFill, ChartType, ColNum, Color, RowNum,
+    Chart, ChartAxisLabelPosition, ChartFont, ChartFormat, ChartLayout, ChartLegendPosition, ChartLine,
+    ChartLineDashType, ChartMarker, ChartMarkerType, ChartSolidFill, ChartType, ColNum, Color, RowNum,
 };
 
 use super::curves::{Curves, Range};
@@ -100,7 +100,7 @@ pub fn draw<'a>(
     let mut drawn = Chart::new(ChartType::ScatterStraight);
     let mut extents = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     let mut count = 0;
-    for (series, ink) in chart.series.iter().zip(INKS.iter().cycle()) {
+    for ((at, series), ink) in chart.series.iter().enumerate().zip(INKS.iter().cycle()) {
         let (Some(x), Some(y)) = (Axis::find(tables, series.x), Axis::find(tables, series.y)) else {
             continue;
         };
@@ -110,7 +110,8 @@ pub fn draw<'a>(
         }
         count += 1;
         let (few, x, y) = (x.table.rows() < POINTS, x.range(curves, language)?, y.range(curves, language)?);
-        let (marker, mut line) = stroke(few, Color::RGB(*ink));
+        // Colour alone is lost in a print in black.
+        let (marker, mut line) = stroke(few, Color::RGB(*ink), at % 2 == 1);
         drawn
             .add_series()
             .set_name(words(series.name.get(language)))
@@ -152,7 +153,7 @@ pub fn draw<'a>(
 }
 
 /// How a curve is drawn: one of few points as points, any other as a line.
-fn stroke(few: bool, ink: Color) -> (ChartMarker, ChartFormat) {
+fn stroke(few: bool, ink: Color, dashed: bool) -> (ChartMarker, ChartFormat) {
     let mut marker = ChartMarker::new();
     let mut line = ChartFormat::new();
     if few {
@@ -163,7 +164,12 @@ fn stroke(few: bool, ink: Color) -> (ChartMarker, ChartFormat) {
         line.set_no_line();
     } else {
         marker.set_none();
-        line.set_line(ChartLine::new().set_color(ink).set_width(1.75));
+        let mut stroke = ChartLine::new();
+        stroke.set_color(ink).set_width(1.75);
+        if dashed {
+            stroke.set_dash_type(ChartLineDashType::Dash);
+        }
+        line.set_line(&stroke);
     }
     (marker, line)
 }

@@ -495,6 +495,16 @@ fn every_chart_finds_all_its_curves() {
     assert_eq!(charts.len(), outcome.charts.len());
     let curves: usize = charts.iter().map(|xml| xml.matches("<c:ser>").count()).sum();
     assert_eq!(curves, outcome.charts.iter().map(|chart| chart.series.len()).sum::<usize>());
+    // In black, too, a second curve is told from the first.
+    let mut dashed = 0;
+    for chart in &charts {
+        for (at, curve) in chart.split("<c:ser>").skip(1).enumerate() {
+            let line = curve.contains("<a:prstDash");
+            assert!(!line || at % 2 == 1, "curve {at}");
+            dashed += usize::from(line);
+        }
+    }
+    assert!(dashed > 1, "{dashed}");
     // All on one sheet, each of a size of its own that no width of a column changes, and printed two to a page.
     let drawings: Vec<&String> =
         xml.values().filter(|xml| xml.contains("<xdr:wsDr") && xml.contains("<xdr:graphicFrame")).collect();

@@ -39,7 +39,7 @@ pub fn charts(splitters: bool, clear: bool) -> Vec<Chart> {
         },
         Chart {
             table: "annex-6",
-            title: t("Trayectorias de la herramienta, X y Z de máquina", "Tool paths, machine X and Z"),
+            title: t("Trayectorias, X y Z de máquina", "Tool paths, machine X and Z"),
             axes: [t("x (mm)", "x (mm)"), t("z (mm)", "z (mm)")],
             equal: true,
             series: vec![

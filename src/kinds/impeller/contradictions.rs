@@ -1,6 +1,6 @@
 //! What is valid alone but not together: the checks of one parameter of the impeller against another.
 
-use crate::finding::{Bare, Finding, Raise, Size};
+use crate::finding::{Bare, Finding, Raise, Size, Typed};
 use crate::gcode::control::Rotary as Counting;
 use crate::gcode::machine_codes::{refused_codes, refused_retract};
 use crate::gcode::word::Distance;
@@ -45,7 +45,9 @@ impl Design {
         let tool = Size::mm(self.d_t);
         // Relative tolerance: below it the blade's angle α is 90° within the printed digits and the hub vanishes.
         if r >= R * (1.0 - 1e-6) {
-            let told = TorusCloses { r: Size::mm(r), R: Size::mm(R) };
+            // They may differ beyond the digits of a length.
+            let [typed, of] = [r, R].map(|value| Typed { value, unit: "mm" });
+            let told = TorusCloses { r: typed, R: of };
             findings.push(told.at(at([form::R.key(), form::MERIDIAN_R.key()])).with(mm(r), mm(R)));
             return;
         }

@@ -1,15 +1,15 @@
 //! Contradictions of an impeller, and what a person should know of its plan.
 
 use crate::finding::rule::{book, rules};
-use crate::finding::{Bare, Example, Size};
+use crate::finding::{Bare, Example, Size, Typed};
 use crate::text::{Text, t};
 
 rules! {
     /// The rows of an impeller.
     RULES;
-    "P1001" TorusCloses Stop { r: Size, R: Size }
-        es "el radio del meridiano r es {r} y debe ser menor que R = {R}: si no, el toro se cierra"
-        en "meridian radius r is {r}; it must be less than R = {R}, or the torus closes"
+    "P1001" TorusCloses Stop { r: Typed, R: Typed }
+        es "el radio del meridiano r es {r} y debe ser menor que R = {R} en más de una millonésima: si no, el toro se cierra"
+        en "meridian radius r is {r}; it must be less than R = {R} by more than a millionth, or the torus closes"
         remedy "elija un meridiano menor o un toro mayor", "choose a smaller meridian or a larger torus";
         why "Un toro cerrado no tiene círculos de Villarceau.", "A closed torus has no Villarceau circles.";
         example book!("impeller", "r" = "25", "R" = "25");
