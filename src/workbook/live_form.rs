@@ -102,7 +102,7 @@ impl LivePart<'_> {
         );
         static BROKEN: Text =
             t("Límites que no se cumplen: vea las celdas rojas: ", "Limits that do not hold, see the red cells: ");
-        static MISSING: Text = t("Faltan números o no son números: ", "Numbers that are missing or are no numbers: ");
+        static MISSING: Text = t("Faltan datos o no son números: ", "Inputs that are missing or are no numbers: ");
         let language = self.language;
         let mut hold = format!("\"{}\"", HOLD.get(language));
         if let Some((when, words)) = &self.form.undecided {
@@ -187,7 +187,18 @@ impl LivePart<'_> {
         for wrong in &form.unsound {
             culprit(sheet, inputs, wrong.input, &format!("IF(live_given,{},FALSE)", wrong.when), styles)?;
         }
-        // What the other formulas ask stands below them.
+        names.extend((1..).zip(self.answers()).map(|(row, (name, _))| (name.to_owned(), live_ranges::answer(row))));
+        static NOTHING: Text = t("Nada que dibujar: vea las celdas rojas", "Nothing to draw: see the red cells");
+        let told = format!("IF({},\"\",\"{}\")", form.view.drawn, NOTHING.get(language));
+        sheet.write_formula_with_format(row + 1, self.column, uncomputed(&told), &styles.source)?;
+        let chart = self.chart();
+        sheet.insert_chart(row + 2, self.column, &chart)?;
+        Ok(names)
+    }
+
+    /// What the other formulas ask, by defined names, with the formulas that answer.
+    fn answers(&self) -> [(&'static str, String); 5] {
+        let form = self.form;
         let wrong: Vec<String> =
             form.rows.iter().filter_map(LiveRow::broken).map(|broken| format!("IF({broken},1,0)")).collect();
         // Not AND: it would compute with what is no number.
@@ -196,24 +207,13 @@ impl LivePart<'_> {
             [] => "live_given".to_owned(),
             all => format!("IF(live_given,NOT(OR({})),FALSE)", all.join(",")),
         };
-        for (name, formula) in [
+        [
             ("live_given", live_ranges::given(form.inputs.len())),
             ("live_ok", sound),
             ("live_wrong", wrong.join("+")),
             ("live_outside", live_ranges::outside()),
             ("live_missing", live_ranges::missing()),
-        ] {
-            row += 1;
-            write_text(sheet, row, self.column, name, &styles.faint)?;
-            sheet.write_formula_with_format(row, self.column + 1, uncomputed(&formula), &styles.faint)?;
-            names.push((name.to_owned(), place(row)));
-        }
-        static NOTHING: Text = t("Nada que dibujar: vea las celdas rojas", "Nothing to draw: see the red cells");
-        let told = format!("IF({},\"\",\"{}\")", form.view.drawn, NOTHING.get(language));
-        sheet.write_formula_with_format(row + 1, self.column, uncomputed(&told), &styles.source)?;
-        let chart = self.chart();
-        sheet.insert_chart(row + 2, self.column, &chart)?;
-        Ok(names)
+        ]
     }
 
     /// The view: both axes of one scale, without marks.
@@ -263,7 +263,7 @@ impl LivePart<'_> {
     /// # Errors
     /// For more cells than a sheet has.
     pub fn write_hidden(&self, workbook: &mut Workbook, form: &Form) -> Result<(), WriteError> {
-        live_ranges::write(workbook, form, self.form, self.language)?;
+        live_ranges::write(workbook, form, self.form, self.answers().map(|(_, answer)| answer), self.language)?;
         let sheet = workbook.add_worksheet().set_name(SHEET)?;
         sheet.set_hidden(true);
         for (column, formulas) in (0..).zip(&self.form.view.columns) {

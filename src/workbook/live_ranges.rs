@@ -1,31 +1,45 @@
-//! Whether every number of a form is within its allowed range, as formulas: a red cell at each, and a hidden sheet with one row
-//! for each, from which the live form tells what is wrong.
+//! Whether every input of a form is there and allowed, as formulas: a red cell at each, and a hidden sheet with one row for each,
+//! from which the live form tells what is wrong.
+//!
+//! Of a number this is its range, of a choice its list, of a text its length, of machine codes their signs. What a formula does
+//! not see of a block (the order of its words, the size of their numbers) is left to `rodete check`.
 
-use rust_xlsxwriter::Workbook;
+use rust_xlsxwriter::{ColNum, ConditionalFormatFormula, Workbook, utility::column_number_to_name};
 
 use super::cell::uncomputed;
 use super::error::WriteError;
 use super::list_sheet;
-use super::validation::{beyond, range};
+use super::style::Styles;
+use super::validation::{CODES, beyond, range};
+use super::value::DATE;
+use super::words::fold;
 use crate::kind::live_form::LiveForm;
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{FieldKind, Form, Parameter};
+use crate::parameter::{Choice, FieldKind, Form, Parameter};
 use crate::text::{Language, Text, t};
 
 /// The hidden sheet: what is asked for, its state, and the words for it where it is not right. The inputs that must be there
 /// before anything is computed stand first.
 pub const SHEET: &str = "Ranges";
-/// A number that is not within its range; what is missing, or is no number where one belongs.
+/// The column of what the live form asks of all inputs together, from 0.
+const ANSWERS: ColNum = 4;
+/// What is not allowed; what is missing, or is no number where one belongs.
 const OUTSIDE: u8 = 1;
 const NO_NUMBER: u8 = 2;
 
-/// How many numbers are outside their ranges, as a formula.
+/// The cell of an answer on a row, from 1, as a defined name refers to it.
+#[must_use]
+pub fn answer(row: usize) -> String {
+    format!("={SHEET}!${}${row}", column_number_to_name(ANSWERS))
+}
+
+/// How many inputs are not allowed, as a formula.
 #[must_use]
 pub fn outside() -> String {
     format!("COUNTIF({SHEET}!$B:$B,{OUTSIDE})")
 }
 
-/// How many numbers are missing or are none, as a formula.
+/// How many inputs are missing or are no numbers, as a formula.
 #[must_use]
 pub fn missing() -> String {
     format!("COUNTIF({SHEET}!$B:$B,{NO_NUMBER})")
@@ -37,7 +51,7 @@ pub fn given(count: usize) -> String {
     format!("SUM({SHEET}!$B$1:$B${count})=0")
 }
 
-/// The words for the first number outside its range, as a formula that holds where there is one.
+/// The words for the first input that is not allowed, as a formula that holds where there is one.
 #[must_use]
 pub fn first_outside() -> String {
     format!("INDEX({SHEET}!$C:$C,MATCH({OUTSIDE},{SHEET}!$B:$B,0))")
@@ -49,7 +63,67 @@ pub fn first_missing() -> String {
     format!("INDEX({SHEET}!$A:$A,MATCH({NO_NUMBER},{SHEET}!$B:$B,0))")
 }
 
-/// A number that is asked for.
+/// The words for a choice, in both languages and by its key, as they are typed.
+fn spellings(choices: &[Choice]) -> Vec<String> {
+    let all = choices.iter().flat_map(|choice| [&choice.label.es, &choice.label.en, choice.key]);
+    let mut words: Vec<String> = all.flat_map(|word| [word.to_lowercase(), fold(word)]).collect();
+    words.sort();
+    words.dedup();
+    words
+}
+
+/// The formula that is true where a text is not allowed; none for a parameter that is a number, or has one text alone.
+fn unknown(kind: &FieldKind, cell: &str) -> Option<String> {
+    match kind {
+        FieldKind::Choice(choices) => {
+            // Blanks between words count, and TRIM takes them away.
+            let is = |word: &String| {
+                if word.contains(' ') { format!("{cell}=\"{word}\"") } else { format!("TRIM({cell})=\"{word}\"") }
+            };
+            Some(format!("NOT(OR({}))", spellings(choices).iter().map(is).collect::<Vec<_>>().join(",")))
+        }
+        FieldKind::Line { max } => Some(format!("LEN({cell})>{max}")),
+        FieldKind::Date => Some(format!("LEN({cell})>{DATE}")),
+        FieldKind::Codes => Some(misspelt(cell, ["GM", ""])),
+        FieldKind::Block => Some(misspelt(cell, ["GM", "XYZ"])),
+        FieldKind::Real { .. } | FieldKind::Whole { .. } | FieldKind::Schema => None,
+    }
+}
+
+/// True as a formula where a text is not words of a letter and a number: what may follow each character is asked. After a code the
+/// number is whole, alone with other codes of four digits at most; after an axis it may have a sign and decimals.
+fn misspelt(cell: &str, [codes, axes]: [&str; 2]) -> String {
+    const DIGITS: usize = 4;
+    let most = CODES as usize;
+    let sign = |after: usize| {
+        format!("MID(\" \"&UPPER({cell})&REPT(\" \",{}),ROW($1:${})+{after},1)", most + DIGITS + 4, most + 2)
+    };
+    let is = |after: usize, signs: &str| format!("ISNUMBER(FIND({},\"{signs}\"))", sign(after));
+    let digit = |after| is(after, "0123456789");
+    let mut pairs = vec![(is(0, " "), is(1, &format!(" {codes}{axes}"))), (is(0, codes), digit(1))];
+    if axes.is_empty() {
+        pairs.push((digit(0), is(1, "0123456789 ")));
+    } else {
+        pairs.extend([(is(0, axes), is(1, "0123456789-")), (is(0, "-."), digit(1)), (digit(0), is(1, "0123456789. "))]);
+    }
+    let fits = pairs.iter().map(|(here, next)| format!("-{here}*{next}")).collect::<String>();
+    let long = (0..=DIGITS).map(digit).collect::<Vec<_>>().join("*");
+    let long = if axes.is_empty() { format!(",SUMPRODUCT({long})>0") } else { String::new() };
+    format!("OR(LEN({cell})>{most},SUMPRODUCT(1{fits})>0{long})")
+}
+
+/// Red for a cell, or the first of some, with what is not allowed there; none for a parameter that has one text alone.
+#[must_use]
+pub fn red(parameter: &Parameter, cell: &str, styles: &Styles) -> Option<ConditionalFormatFormula> {
+    let wrong = match (beyond(&parameter.kind, cell), unknown(&parameter.kind, cell)) {
+        (Some(beyond), _) => format!("IF(ISNUMBER({cell}),{beyond},LEN(TRIM({cell}))>0)"),
+        (None, unknown) => format!("IF(LEN(TRIM({cell}))>0,{},FALSE)", unknown?),
+    };
+    let rule = format!("=IF(ISERROR({cell}),TRUE,{wrong})");
+    Some(ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(styles.stale.clone()))
+}
+
+/// An input that is asked for.
 struct Asked {
     symbol: String,
     state: String,
@@ -57,28 +131,39 @@ struct Asked {
 }
 
 impl Asked {
-    /// The number in a cell with a defined name.
+    /// What stands in a cell with a defined name.
     fn cell(parameter: &Parameter, wanted: bool, language: Language) -> Option<Self> {
-        let name = parameter.name;
-        let (beyond, empty) = (beyond(&parameter.kind, name)?, if wanted { NO_NUMBER } else { 0 });
+        let (name, empty) = (parameter.name, if wanted { NO_NUMBER } else { 0 });
+        let state = match (beyond(&parameter.kind, name), unknown(&parameter.kind, name)) {
+            (Some(beyond), _) => {
+                format!("IF(ISNUMBER({name}),IF({beyond},{OUTSIDE},0),IF(LEN(TRIM({name}))>0,{NO_NUMBER},{empty}))")
+            }
+            (None, unknown) => format!("IF(LEN(TRIM({name}))=0,{empty},IF({},{OUTSIDE},0))", unknown?),
+        };
         Some(Self {
             symbol: parameter.symbol().to_owned(),
-            state: format!(
-                "IF(ISERROR({name}),{NO_NUMBER},IF(ISNUMBER({name}),IF({beyond},{OUTSIDE},0),IF(LEN(TRIM({name}))>0,{NO_NUMBER},{empty})))"
-            ),
+            state: format!("IF(ISERROR({name}),{NO_NUMBER},{state})"),
             words: words(parameter.symbol(), parameter, language),
         })
     }
 
-    /// The numbers in a column of a list.
+    /// What stands in a column of a list.
     fn column(list: &List, sheet: &str, parameter: &Parameter, language: Language) -> Option<Self> {
+        let cells = || list_sheet::cells(list, &format!("{}.{}", list.key, parameter.symbol()), language);
+        let symbol = format!("{sheet}, {}", parameter.symbol());
         let (min, max) = match &parameter.kind {
             FieldKind::Real { min, max } => (*min, *max),
             FieldKind::Whole { min, max } => (f64::from(*min), f64::from(*max)),
+            FieldKind::Choice(choices) => {
+                let cells = cells()?;
+                let known =
+                    spellings(choices).iter().map(|word| format!("-COUNTIF({cells},\"{word}\")")).collect::<String>();
+                let words = words(&symbol, parameter, language);
+                return Some(Self { symbol, state: format!("IF(COUNTA({cells}){known}<>0,{OUTSIDE},0)"), words });
+            }
             _ => return None,
         };
-        let cells = list_sheet::cells(list, &format!("{}.{}", list.key, parameter.symbol()), language)?;
-        let symbol = format!("{sheet}, {}", parameter.symbol());
+        let cells = cells()?;
         // The bound goes into the condition as a number: as a text it would have the decimal sign of one language.
         let beyond = format!("COUNTIF({cells},\"<\"&{min})+COUNTIF({cells},\">\"&{max})");
         let broken = match &parameter.kind {
@@ -93,15 +178,21 @@ impl Asked {
     }
 }
 
-/// What is said of a number outside its range.
+/// What is said of an input that is not allowed.
 fn words(symbol: &str, parameter: &Parameter, language: Language) -> String {
     static OUT: Text = t("fuera del intervalo admitido", "outside the allowed range");
+    static LISTED: Text = t("no es de la lista", "not one of the list");
+    match parameter.kind {
+        FieldKind::Real { .. } | FieldKind::Whole { .. } => {}
+        FieldKind::Choice(_) => return format!("{symbol}: {}", LISTED.get(language)),
+        _ => return format!("{symbol}: {}", range(parameter).get(language)),
+    }
     let (range, unit) = (range(parameter), parameter.unit.label());
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
     format!("{symbol}: {} ({}{unit})", OUT.get(language), range.get(language))
 }
 
-/// What is asked for: what the live form needs, then every other number of the form and of its lists.
+/// What is asked for: what the live form needs, then every other input of the form, and numbers and choices of its lists.
 fn asked(form: &Form, live: &LiveForm, language: Language) -> Vec<Asked> {
     let wanted = |name: &str| {
         let own = form.parameters().find(|(_, parameter)| parameter.name == name);
@@ -127,17 +218,26 @@ fn asked(form: &Form, live: &LiveForm, language: Language) -> Vec<Asked> {
     live.inputs.iter().map(|name| wanted(name)).chain(others).chain(listed).collect()
 }
 
-/// Writes the hidden sheet.
+/// Writes the hidden sheet, with what the live form asks all of it.
 ///
 /// # Errors
 /// For more inputs than a sheet has rows.
-pub fn write(workbook: &mut Workbook, form: &Form, live: &LiveForm, language: Language) -> Result<(), WriteError> {
+pub fn write<const N: usize>(
+    workbook: &mut Workbook,
+    form: &Form,
+    live: &LiveForm,
+    answers: [String; N],
+    language: Language,
+) -> Result<(), WriteError> {
     let sheet = workbook.add_worksheet().set_name(SHEET)?;
     sheet.set_hidden(true);
     for (row, one) in (0..).zip(asked(form, live, language)) {
         sheet.write_string(row, 0, &one.symbol)?;
         sheet.write_formula(row, 1, uncomputed(&one.state))?;
         sheet.write_string(row, 2, &one.words)?;
+    }
+    for (row, answer) in (0..).zip(answers) {
+        sheet.write_formula(row, ANSWERS, uncomputed(&answer))?;
     }
     Ok(())
 }

@@ -13,7 +13,7 @@ const TITLE: usize = 32;
 const MESSAGE: usize = 255;
 
 /// The most characters of a line of machine codes.
-const CODES: u32 = 200;
+pub(super) const CODES: u32 = 200;
 
 /// The allowed range in words, as `5 to 1000`; empty for the schema.
 #[must_use]

@@ -61,7 +61,11 @@ fn rows() -> Vec<LiveRow> {
     let told = t("regla publicada; con clear, rodete check", "published rule; for clear, rodete check");
     let published = |wrong: &str| format!("AND(method<>\"clear\",{wrong})");
     vec![
-        row("L", "live_L", t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H"),
+        row("L", "live_L", t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H").wrong(
+            "live_L<=MAX(torus_R,meridian_r)",
+            t("debe ser mayor que R", "must be larger than R"),
+            "height_H",
+        ),
         row("k", "live_k", t("√(R² − r²)", "√(R² − r²)"), "SQRT((torus_R-meridian_r)*(torus_R+meridian_r))"),
         row(
             "α = β",
@@ -93,6 +97,11 @@ fn rows() -> Vec<LiveRow> {
         .wrong(
             format!("AND({CLEAR},cut_partly<>\"yes\",cut_partly<>\"sí\",live_gap<tool_diameter_d_t)"),
             t("más estrecha que la herramienta", "narrower than the tool"),
+            "tool_diameter_d_t",
+        )
+        .wrong(
+            format!("AND({CLEAR},live_gap*blades_N+thickness_e*(blades_N-1)<tool_diameter_d_t)"),
+            t("ni un álabe cabe en el cubo con la herramienta", "not one blade fits on the hub with the tool"),
             "tool_diameter_d_t",
         )
         .undecided(CLEAR, t("por el paralelo; la real es menor", "along the parallel; the true gap is smaller")),
@@ -142,6 +151,152 @@ fn rows() -> Vec<LiveRow> {
             "live_Z_r",
             t("Altura de retirada", "Retract height"),
             "ROUNDUP((SQRT(live_L^2+torus_R^2)-live_L+safety_d_s)*1000,0)/1000",
+        ),
+    ]
+    .into_iter()
+    .chain(machine())
+    .chain(program())
+    .chain(clear())
+    .chain(blank())
+    .collect()
+}
+
+/// The axes' travels.
+fn machine() -> Vec<LiveRow> {
+    let travel = |symbol, name, meaning, [low, high]: [&'static str; 2]| {
+        LiveRow::length(symbol, name, meaning, format!("IF(COUNT({low},{high})=2,{high}-{low},\"\")")).wrong(
+            format!("AND(COUNT({low},{high})=2,{low}>={high})"),
+            t("el mínimo no es menor que el máximo", "the minimum is not below the maximum"),
+            low,
+        )
+    };
+    vec![
+        travel("ΔB", "live_travel_B", t("Recorrido en B", "Travel in B"), ["B_min", "B_max"]).unit(Unit::Degree),
+        travel("ΔX", "live_travel_X", t("Recorrido en X", "Travel in X"), ["X_min", "X_max"]),
+        travel("ΔY", "live_travel_Y", t("Recorrido en Y", "Travel in Y"), ["Y_min", "Y_max"]),
+        travel("ΔZ", "live_travel_Z", t("Recorrido en Z", "Travel in Z"), ["Z_min", "Z_max"]),
+    ]
+}
+
+/// What the style of the programs asks for.
+fn program() -> Vec<LiveRow> {
+    let given = |symbol, name, meaning, input: &'static str| {
+        LiveRow::length(symbol, name, meaning, format!("IF(ISNUMBER({input}),{input},\"\")")).always().wrong(
+            format!("AND(style=\"full\",NOT(ISNUMBER({input})))"),
+            t("style = full lo necesita", "style = full needs it"),
+            input,
+        )
+    };
+    vec![
+        given("F", "live_F", t("Avance", "Feed"), "feed_F").unit(Unit::MillimetrePerMinute).wrong(
+            "AND(COUNT(feed_F,feed_limit_F_max)=2,feed_F>feed_limit_F_max)",
+            t("pasa de F_max", "above F_max"),
+            "feed_F",
+        ),
+        given("S", "live_S", t("Giro del husillo", "Spindle speed"), "speed_S").unit(Unit::RevolutionPerMinute),
+        LiveRow::length("style", "live_style", t("Estilo de los programas", "Style of the programs"), "style&\"\"")
+            .always()
+            .unit(Unit::None)
+            .wrong(
+                format!("AND({CLEAR},style=\"annex\")"),
+                t("clear necesita style = full", "clear needs style = full"),
+                "style",
+            )
+            .wrong(
+                "AND(style=\"annex\",dialect=\"linuxcnc\")",
+                t("annex no lleva avance, y LinuxCNC lo necesita", "annex has no feed, and LinuxCNC needs one"),
+                "style",
+            )
+            // Left empty, the axes count as those of the control do.
+            .wrong(
+                "AND(style=\"full\",distance=\"G90\",OR(rotary_axes=\"rollover\",AND(LEN(rotary_axes)=0,LEFT(dialect,10)=\"fagor-8055\")))",
+                t("G90 con ejes rollover: B y C darían la vuelta", "G90 with rollover axes: B and C would turn the long way"),
+                "distance",
+            ),
+    ]
+}
+
+/// The tools of the clear cut.
+fn clear() -> Vec<LiveRow> {
+    let finishing = |wrong: &str| format!("AND({CLEAR},ISNUMBER(finish_diameter_d_f),{wrong})");
+    vec![
+        LiveRow::length(
+            "d_f",
+            "live_finishing",
+            t("Fresa de acabado", "Finishing tool"),
+            "IF(ISNUMBER(finish_diameter_d_f),finish_diameter_d_f,\"\")",
+        )
+        .wrong(
+            finishing("finish_diameter_d_f>tool_diameter_d_t"),
+            t("mayor que la de desbaste", "larger than that for roughing"),
+            "finish_diameter_d_f",
+        )
+        .wrong(finishing("NOT(ISNUMBER(finish_tool_T_f))"), t("falta T_f", "T_f is missing"), "finish_tool_T_f")
+        .wrong(finishing("NOT(ISNUMBER(finish_offset_D_f))"), t("falta D_f", "D_f is missing"), "finish_offset_D_f")
+        .wrong(
+            finishing("finish_tool_T_f=tool_T"),
+            t("T_f es también la de desbaste", "T_f is the roughing tool's, too"),
+            "finish_tool_T_f",
+        )
+        .wrong(
+            finishing("N(finish_corner_radius_r_cf)>finish_diameter_d_f/2"),
+            t("r_cf es mayor que el radio de la fresa", "r_cf is larger than the tool's radius"),
+            "finish_corner_radius_r_cf",
+        ),
+        LiveRow::length(
+            "s_w",
+            "live_allowance",
+            t("Demasía para el acabado", "Allowance for finishing"),
+            "IF(ISNUMBER(allowance_s_w),allowance_s_w,\"\")",
+        )
+        .wrong(
+            format!("AND({CLEAR},ISNUMBER(allowance_s_w),allowance_s_w>=depth_a_p)"),
+            t("debe ser menor que a_p", "must be less than a_p"),
+            "allowance_s_w",
+        )
+        .wrong(
+            format!("AND({CLEAR},ISNUMBER(corner_radius_r_c),corner_radius_r_c>tool_diameter_d_t/2)"),
+            t("r_c es mayor que el radio de la fresa", "r_c is larger than the tool's radius"),
+            "corner_radius_r_c",
+        ),
+    ]
+}
+
+/// The blank against the torus.
+fn blank() -> Vec<LiveRow> {
+    vec![
+        LiveRow::length(
+            "L_b − r",
+            "live_stock",
+            t("Lo que sobra de largo al bruto", "Length of the stock beyond the torus"),
+            "IF(ISNUMBER(blank_length_L_b),blank_length_L_b-meridian_r,\"\")",
+        )
+        .wrong(
+            "AND(ISNUMBER(blank_length_L_b),blank_length_L_b<=meridian_r)",
+            t("L_b ha de ser mayor que r", "L_b must be larger than r"),
+            "blank_length_L_b",
+        ),
+        LiveRow::length(
+            "X_e − 2R",
+            "live_end",
+            t("Del bruto a la posición final, en diámetro", "From the stock to the end position, as a diameter"),
+            "IF(ISNUMBER(blank_end_X_e),blank_end_X_e-2*torus_R,\"\")",
+        )
+        .wrong(
+            "AND(ISNUMBER(blank_end_X_e),blank_end_X_e<=2*torus_R)",
+            t("la posición final está dentro del bruto", "the end position is inside the stock"),
+            "blank_end_X_e",
+        ),
+        LiveRow::length(
+            "C",
+            "live_step",
+            t("Paso del torneado, en radios", "Step of the turning, on the radius"),
+            "IF(ISNUMBER(blank_step_C),blank_step_C,\"\")",
+        )
+        .wrong(
+            "AND(ISNUMBER(blank_step_C),blank_step_C>meridian_r)",
+            t("no puede pasar de r", "must not exceed r"),
+            "blank_step_C",
         ),
     ]
 }

@@ -35,6 +35,15 @@ fn rows() -> Vec<LiveRow> {
             least,
         )
     };
+    let body = |symbol, name, meaning, ends: [&'static str; 2]| {
+        ends.into_iter().fold(travel(symbol, name, meaning, ends), |row, end| {
+            row.wrong(
+                format!("AND(COUNT(body_BX_min,body_BX_max,body_BZ_min,body_BZ_max)>0,NOT(ISNUMBER({end})))"),
+                t("falta: el cuerpo lleva sus cuatro medidas", "missing: the body needs all four sizes"),
+                end,
+            )
+        })
+    };
     vec![
         LiveRow::length("L3", "live_stick_out", t("Voladizo: L − L4", "Stick-out: L − L4"), "stock_L-held_L4").wrong(
             "held_L4>=stock_L",
@@ -83,6 +92,18 @@ fn rows() -> Vec<LiveRow> {
             ["travel_X_min", "travel_X_max"],
         ),
         travel("ΔZ", "live_travel_Z", t("Recorrido en Z", "Travel in Z"), ["travel_Z_min", "travel_Z_max"]),
+        body(
+            "ΔBX",
+            "live_body_X",
+            t("Cuerpo de la torreta en X, en diámetro", "Turret's body in X, as a diameter"),
+            ["body_BX_min", "body_BX_max"],
+        ),
+        body(
+            "ΔBZ",
+            "live_body_Z",
+            t("Cuerpo de la torreta en Z", "Turret's body in Z"),
+            ["body_BZ_min", "body_BZ_max"],
+        ),
         LiveRow::length(
             "R_X",
             "live_reference_X",

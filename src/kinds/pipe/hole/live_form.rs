@@ -139,6 +139,23 @@ fn rows() -> Vec<LiveRow> {
             t("la entrada pasa del eje del agujero", "the lead-in reaches past the hole's axis"),
             "lead_in",
         ),
+        LiveRow::length(
+            "hold",
+            "live_hold",
+            t("Bloqueo de la altura: sí / no", "Height held: on / off"),
+            "IF(LEN(TRIM(hold_on&hold_off))=0,\"\",hold_on&\" / \"&hold_off)",
+        )
+        .unit(Unit::None)
+        .wrong(
+            "AND(LEN(TRIM(hold_on))=0,LEN(TRIM(hold_off))>0)",
+            t("falta: con hold_off va hold_on", "missing: hold_off needs hold_on"),
+            "hold_on",
+        )
+        .wrong(
+            "AND(LEN(TRIM(hold_on))>0,LEN(TRIM(hold_off))=0)",
+            t("falta: con hold_on va hold_off", "missing: hold_on needs hold_off"),
+            "hold_off",
+        ),
     ]);
     rows
 }

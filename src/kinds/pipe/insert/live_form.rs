@@ -110,7 +110,17 @@ fn rows() -> Vec<LiveRow> {
                 "AND(style=\"annex\",OR(mode=\"rotary\",mode=\"giratorio\"))",
                 t("annex es en chapa plana", "annex is on flat sheet"),
                 "style",
+            )
+            .wrong(
+                "AND(style=\"annex\",dialect=\"linuxcnc\")",
+                t("annex no lleva avance, y LinuxCNC lo necesita", "annex has no feed, and LinuxCNC needs one"),
+                "style",
             ),
+        LiveRow::length("kerf", "live_kerf", t("Ancho de corte", "Kerf"), "IF(ISNUMBER(kerf),kerf,\"\")").wrong(
+            "AND(style=\"full\",OR(mode=\"rotary\",mode=\"giratorio\"),ISNUMBER(kerf),kerf>live_branch_D/2-live_branch_t)",
+            t("mayor que el radio interior del injerto", "larger than the inside radius of the branch"),
+            "kerf",
+        ),
     ]);
     rows
 }
