@@ -6,7 +6,9 @@ use std::sync::LazyLock;
 
 use super::live_form::LiveForm;
 use super::measure::{Limits, Measure, Suggested};
-use super::{Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Wants, not_finite, staging};
+use super::{
+    Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Wants, not_finite, staging,
+};
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Refusal, Rule};
 use crate::gcode::control::Control;

@@ -4,18 +4,15 @@
 //! Of a number this is its range, of a choice its list, of a text its length, of machine codes their signs. What a formula does
 //! not see of a block (the order of its words, the size of their numbers) is left to `rodete check`.
 
-use rust_xlsxwriter::{ColNum, ConditionalFormatFormula, Workbook, utility::column_number_to_name};
+use rust_xlsxwriter::{ColNum, Workbook, utility::column_number_to_name};
 
 use super::cell::uncomputed;
 use super::error::WriteError;
 use super::list_sheet;
-use super::style::Styles;
-use super::validation::{CODES, beyond, range};
-use super::value::DATE;
-use super::words::fold;
+use super::validation::{beyond, range, spellings, unknown};
 use crate::kind::live_form::LiveForm;
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Choice, FieldKind, Form, Parameter};
+use crate::parameter::{FieldKind, Form, Parameter};
 use crate::text::{Language, Text, t};
 
 /// The hidden sheet: what is asked for, its state, and the words for it where it is not right. The inputs that must be there
@@ -61,66 +58,6 @@ pub fn first_outside() -> String {
 #[must_use]
 pub fn first_missing() -> String {
     format!("INDEX({SHEET}!$A:$A,MATCH({NO_NUMBER},{SHEET}!$B:$B,0))")
-}
-
-/// The words for a choice, in both languages and by its key, as they are typed.
-fn spellings(choices: &[Choice]) -> Vec<String> {
-    let all = choices.iter().flat_map(|choice| [&choice.label.es, &choice.label.en, choice.key]);
-    let mut words: Vec<String> = all.flat_map(|word| [word.to_lowercase(), fold(word)]).collect();
-    words.sort();
-    words.dedup();
-    words
-}
-
-/// The formula that is true where a text is not allowed; none for a parameter that is a number, or has one text alone.
-fn unknown(kind: &FieldKind, cell: &str) -> Option<String> {
-    match kind {
-        FieldKind::Choice(choices) => {
-            // Blanks between words count, and TRIM takes them away.
-            let is = |word: &String| {
-                if word.contains(' ') { format!("{cell}=\"{word}\"") } else { format!("TRIM({cell})=\"{word}\"") }
-            };
-            Some(format!("NOT(OR({}))", spellings(choices).iter().map(is).collect::<Vec<_>>().join(",")))
-        }
-        FieldKind::Line { max } => Some(format!("LEN({cell})>{max}")),
-        FieldKind::Date => Some(format!("LEN({cell})>{DATE}")),
-        FieldKind::Codes => Some(misspelt(cell, ["GM", ""])),
-        FieldKind::Block => Some(misspelt(cell, ["GM", "XYZ"])),
-        FieldKind::Real { .. } | FieldKind::Whole { .. } | FieldKind::Schema => None,
-    }
-}
-
-/// True as a formula where a text is not words of a letter and a number: what may follow each character is asked. After a code the
-/// number is whole, alone with other codes of four digits at most; after an axis it may have a sign and decimals.
-fn misspelt(cell: &str, [codes, axes]: [&str; 2]) -> String {
-    const DIGITS: usize = 4;
-    let most = CODES as usize;
-    let sign = |after: usize| {
-        format!("MID(\" \"&UPPER({cell})&REPT(\" \",{}),ROW($1:${})+{after},1)", most + DIGITS + 4, most + 2)
-    };
-    let is = |after: usize, signs: &str| format!("ISNUMBER(FIND({},\"{signs}\"))", sign(after));
-    let digit = |after| is(after, "0123456789");
-    let mut pairs = vec![(is(0, " "), is(1, &format!(" {codes}{axes}"))), (is(0, codes), digit(1))];
-    if axes.is_empty() {
-        pairs.push((digit(0), is(1, "0123456789 ")));
-    } else {
-        pairs.extend([(is(0, axes), is(1, "0123456789-")), (is(0, "-."), digit(1)), (digit(0), is(1, "0123456789. "))]);
-    }
-    let fits = pairs.iter().map(|(here, next)| format!("-{here}*{next}")).collect::<String>();
-    let long = (0..=DIGITS).map(digit).collect::<Vec<_>>().join("*");
-    let long = if axes.is_empty() { format!(",SUMPRODUCT({long})>0") } else { String::new() };
-    format!("OR(LEN({cell})>{most},SUMPRODUCT(1{fits})>0{long})")
-}
-
-/// Red for a cell, or the first of some, with what is not allowed there; none for a parameter that has one text alone.
-#[must_use]
-pub fn red(parameter: &Parameter, cell: &str, styles: &Styles) -> Option<ConditionalFormatFormula> {
-    let wrong = match (beyond(&parameter.kind, cell), unknown(&parameter.kind, cell)) {
-        (Some(beyond), _) => format!("IF(ISNUMBER({cell}),{beyond},LEN(TRIM({cell}))>0)"),
-        (None, unknown) => format!("IF(LEN(TRIM({cell}))>0,{},FALSE)", unknown?),
-    };
-    let rule = format!("=IF(ISERROR({cell}),TRUE,{wrong})");
-    Some(ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(styles.stale.clone()))
 }
 
 /// An input that is asked for.
