@@ -450,9 +450,12 @@ mod tests {
 
     #[test]
     fn lines_are_counted_as_the_interpreter_counts_them_and_a_byte_order_mark_is_none_of_them() {
-        let program = program("\u{feff}G21 G90\rG0 X1\r\n\r\r\nG0 X2\nM2", Chain::Milling, [0.0; 3]);
-        assert_eq!(program.blocks, ["G21 G90", "G0 X1", "", "", "G0 X2", "M2"]);
-        assert_eq!(program.line, [2, 5]);
+        let text = "G21 G90\rG0 X1\r\n\r\r\nG0 X2\nM2";
+        let shown = program(text, Chain::Milling, [0.0; 3]);
+        assert_eq!(shown.blocks, ["G21 G90", "G0 X1", "", "", "G0 X2", "M2"]);
+        assert_eq!(shown.line, [2, 5]);
+        let marked = Program::new(Text::same("p"), &LINUXCNC, Chain::Milling, &format!("\u{feff}{text}"));
+        assert_eq!(marked.blocks, shown.blocks);
     }
 
     #[test]

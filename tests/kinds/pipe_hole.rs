@@ -272,7 +272,7 @@ fn the_root_lies_on_both_pipes_and_under_the_torch() {
         for one in tables::stations(&design) {
             assert!((hypot(one.root.y, one.root.z) - R).abs() < 1e-9);
             let across = one.root.x * sin - one.root.z * cos;
-            assert!((hypot(one.root.y - design.e, across) - r).abs() < 1e-9, "{r}");
+            assert!((hypot(one.root.y + design.e, across) - r).abs() < 1e-9, "{r}");
             assert!((hypot(one.face.y, one.face.z) - design.R_o()).abs() < 1e-9);
             let through = root(&one, design.kerf / 2.0);
             let pose = machine_axes(&one, design.kerf / 2.0, None).pose();

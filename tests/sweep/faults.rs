@@ -1,6 +1,7 @@
 //! A chunk is there whole or not at all, wherever the writing of it ends.
 
 use std::io::{ErrorKind, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -52,8 +53,10 @@ fn a_bit_that_turned_over_is_never_read_as_another_row() {
     for at in 0..8 * bytes.len() {
         let mut spoilt = bytes.clone();
         spoilt[at / 8] ^= 1 << (at % 8);
-        let read = file::read(spoilt, &table, "plan", &|_| true);
-        assert!(read.is_err() || read.unwrap() == table, "bit {} of byte {}", at % 8, at / 8);
+        // The library may trip over it, which the folder of chunks takes for damage.
+        let read = catch_unwind(AssertUnwindSafe(|| file::read(spoilt, &table, "plan", &|_| true)));
+        let read = read.ok().and_then(Result::ok);
+        assert!(read.is_none_or(|read| read == table), "bit {} of byte {}", at % 8, at / 8);
     }
 }
 

@@ -126,11 +126,17 @@ impl<'a> Rows<'a> {
     /// The rows of a chunk that is there; some columns alone where only these are `wanted`. `Err` says that something else is there.
     pub(super) fn read(&self, number: u64, wanted: &dyn Fn(&str) -> bool) -> Result<Option<Table>, ()> {
         let Ok(bytes) = fs::read(self.path(&self.name(number))) else { return Ok(None) };
-        let rows = file::read(bytes, &self.table, &self.study.told, wanted).map_err(drop)?;
+        let rows = self.rows_of(bytes, wanted).ok_or(())?;
         let range = self.study.plan.chunk(number, self.chunks);
         let whole = u64::try_from(rows.rows()).is_ok_and(|count| count == range.end - range.start);
         let begins = rows.columns.first().and_then(|ids| ids.cells.number(0)).map(super::whole);
         if whole && (range.is_empty() || begins == Some(range.start)) { Ok(Some(rows)) } else { Err(()) }
+    }
+
+    /// The rows of a file; none of one that is torn, damaged or of another plan. What the library for these files trips over in a
+    /// damaged one is damage, too.
+    fn rows_of(&self, bytes: Vec<u8>, wanted: &dyn Fn(&str) -> bool) -> Option<Table> {
+        fault::guarded(|| file::read(bytes, &self.table, &self.study.told, wanted)).ok()?.ok()
     }
 
     /// The chunks that are not there, or of which not all of these columns can be read.
@@ -154,7 +160,7 @@ impl<'a> Rows<'a> {
     /// The rows of a chunk that an interrupted run has saved; none where there are none.
     pub(super) fn saved(&self, number: u64) -> Table {
         let rows = fs::read(self.path(&self.part(number))).ok();
-        let rows = rows.and_then(|bytes| file::read(bytes, &self.table, &self.study.told, &|_| true).ok());
+        let rows = rows.and_then(|bytes| self.rows_of(bytes, &|_| true));
         let range = self.study.plan.chunk(number, self.chunks);
         let fits = |rows: &Table| {
             let ids = rows.columns.first().map(|ids| &ids.cells);

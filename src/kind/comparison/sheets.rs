@@ -29,7 +29,7 @@ pub struct Line {
 }
 
 /// Decimals of the figures shown.
-const DECIMALS: usize = 4;
+const DECIMALS: usize = 6;
 
 impl Line {
     /// The cells as texts. Figures that differ do not look the same.

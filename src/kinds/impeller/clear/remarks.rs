@@ -286,7 +286,9 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     let rest = plan.passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. }));
     let cut = |one: &Dropped| rest && one.tool == Which::Rough;
     for by in [By::Blade, By::Ends] {
-        let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by && !cut(one)).collect();
+        // What a pass over the rest does not come to, the floor passes of the same tool cut, or tell.
+        let later = |one: &Dropped| by == By::Ends && matches!(one.cutting, Cutting::Rest { .. });
+        let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by && !cut(one) && !later(one)).collect();
         let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])));
         if let Some(longest) = longest {
             let [from, to] = longest.v.map(|v| share(v, 0));
