@@ -98,7 +98,7 @@ fn rows() -> Vec<LiveRow> {
         LiveRow::length(
             "σ_0",
             "live_sigma_0",
-            t("Ángulo desde el que manda la punta", "Angle below which the tip sets the height"),
+            t("Ángulo por debajo del cual manda la punta", "Angle below which the tip sets the height"),
             "DEGREES(ASIN(MIN(1,least_gap_g0/SQRT(height_d0^2+nozzle_r_g^2)))+ATAN(nozzle_r_g/height_d0))",
         )
         .unit(Unit::Degree)
