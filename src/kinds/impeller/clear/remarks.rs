@@ -285,10 +285,12 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     // What a splitter stands in the way of is cut by the passes round it, what the roughing tool leaves beside it by the other.
     let rest = plan.passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. }));
     let cut = |one: &Dropped| rest && one.tool == Which::Rough;
-    for by in [By::Blade, By::Ends] {
+    // Where nothing but ridges is left of the floor, the lanes beside have cut what one did not come to.
+    let whole = told.finish_from == 0.0 && told.floor.most <= asked.cut.scallop + asked.tolerance;
+    for by in if whole { &[By::Blade][..] } else { &[By::Blade, By::Ends] } {
         // What a pass over the rest does not come to, the floor passes of the same tool cut, or tell.
-        let later = |one: &Dropped| by == By::Ends && matches!(one.cutting, Cutting::Rest { .. });
-        let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by && !cut(one) && !later(one)).collect();
+        let later = |one: &Dropped| *by == By::Ends && matches!(one.cutting, Cutting::Rest { .. });
+        let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == *by && !cut(one) && !later(one)).collect();
         let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])));
         if let Some(longest) = longest {
             let [from, to] = longest.v.map(|v| share(v, 0));
