@@ -130,6 +130,45 @@ fn half_section(drawn: &Drawn) -> Figure {
     }
 }
 
+/// How far around part and cuts rapids are drawn, of the longer side of both.
+const ABOUT: f64 = 0.1;
+
+/// The pieces of a polyline inside a window of two ranges, by the parameters at which each of its lines enters and leaves
+/// (Liang and Barsky, 1984).
+fn within(window: [[f64; 2]; 2], points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+    let mut pieces: Vec<Vec<[f64; 2]>> = Vec::new();
+    for pair in points.windows(2) {
+        let &[from, to] = pair else { continue };
+        let [mut enters, mut leaves] = [0.0_f64, 1.0_f64];
+        for (axis, [least, most]) in window.into_iter().enumerate() {
+            let (at, along) = (from[axis], to[axis] - from[axis]);
+            if along == 0.0 {
+                if at < least || at > most {
+                    leaves = -1.0;
+                }
+                continue;
+            }
+            let [near, far] = [(least - at) / along, (most - at) / along];
+            enters = enters.max(near.min(far));
+            leaves = leaves.min(near.max(far));
+        }
+        if leaves < enters {
+            continue;
+        }
+        let point = |share: f64| match share {
+            0.0 => from,
+            1.0 => to,
+            _ => [0, 1].map(|axis| share.mul_add(to[axis] - from[axis], from[axis])),
+        };
+        let [first, last] = [point(enters), point(leaves)];
+        match pieces.last_mut().filter(|piece| piece.last() == Some(&first)) {
+            Some(piece) => piece.push(last),
+            None => pieces.push(vec![first, last]),
+        }
+    }
+    pieces
+}
+
 /// The path of the tools over the part.
 fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
     let mut strokes: Vec<Stroke> = drawn
@@ -142,9 +181,26 @@ fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
             paths.iter().take(DRAWN_MOTIONS).map(|points| Stroke::line(ink, points.clone())).collect();
         shown
     };
-    strokes.extend(some(&drawn.rapid, Ink::Safe));
+    // Rapids to where tools are changed would make the cuts too small to read.
+    let cut = [drawn.part.as_slice(), &drawn.feed].concat();
+    let window = extent(&cut).map(|limits| {
+        let beyond = ABOUT * limits.iter().map(|[least, most]| most - least).fold(0.0, f64::max);
+        limits.map(|[least, most]| [least - beyond, most + beyond])
+    });
+    let (mut near, mut cut_off) = (Vec::new(), false);
+    for rapid in &drawn.rapid {
+        let inside = window.map_or_else(|| vec![rapid.clone()], |window| within(window, rapid));
+        cut_off |= inside.as_slice() != std::slice::from_ref(rapid);
+        near.extend(inside);
+    }
+    strokes.extend(some(&near, Ink::Safe));
     strokes.extend(some(&drawn.feed, Ink::Obverse));
     strokes.extend(axis(&drawn.part));
+    let rapid = if cut_off {
+        t("en rápido, cerca de la pieza", "in rapid, near the part")
+    } else {
+        t("en rápido", "in rapid")
+    };
     let all = drawn.feed.len() <= DRAWN_MOTIONS && drawn.rapid.len() <= DRAWN_MOTIONS;
     let what = if all {
         t("Recorrido de las herramientas", "Path of the tools")
@@ -158,7 +214,7 @@ fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
         axes: None,
         strokes,
         labels: Vec::new(),
-        legend: vec![(Ink::Obverse, t("en avance", "at feed")), (Ink::Safe, t("en rápido", "in rapid"))],
+        legend: vec![(Ink::Obverse, t("en avance", "at feed")), (Ink::Safe, rapid)],
     }
 }
 
@@ -173,6 +229,17 @@ mod tests {
         assert!(half_section(&drawn).strokes.is_empty());
         let stock = vec![vec![[-9.0, 0.0], [0.0, 0.0], [0.0, 5.0], [-9.0, 5.0]]];
         assert!(half_section(&Drawn { chuck, stock, ..Drawn::default() }).strokes.len() >= 3);
+    }
+
+    #[test]
+    fn rapids_are_drawn_as_far_as_the_window_reaches() {
+        let window = [[0.0, 10.0], [0.0, 5.0]];
+        let inside = [[1.0, 1.0], [9.0, 1.0], [9.0, 4.0]];
+        assert_eq!(within(window, &inside), [inside.to_vec()]);
+        let away_and_back = [[1.0, 1.0], [21.0, 1.0], [21.0, 3.0], [1.0, 3.0]];
+        assert_eq!(within(window, &away_and_back), [[[1.0, 1.0], [10.0, 1.0]], [[10.0, 3.0], [1.0, 3.0]]]);
+        assert!(within(window, &[[-1.0, 1.0], [-1.0, 4.0]]).is_empty());
+        assert!(within(window, &[[-3.0, 4.0], [3.0, 10.0]]).is_empty(), "it passes the corner outside");
     }
 
     #[test]

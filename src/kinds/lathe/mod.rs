@@ -8,6 +8,7 @@ pub mod catalogue;
 pub mod drawn;
 pub mod figures;
 mod findings;
+mod follow;
 mod form_sketch;
 mod live_form;
 mod measures;
@@ -23,43 +24,32 @@ pub(crate) mod tables;
 pub mod text;
 pub mod tool_sheet;
 
-use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use crate::figure::Figure;
 use crate::finding::{Bare, Exit, Finding, Grade, Place, Raise, Refusal, Rule, Said, Size};
 use crate::gcode::interpreter::{Setting, Standstill};
-use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
-use crate::gcode::rules::lexis::MoreRefusals;
-use crate::gcode::word::NumberFormat;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Limits, Measure, Suggested};
-use crate::kind::{Chapters, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants};
+use crate::kind::{Chapters, Drawing, End, Kind, Outcome, Provenance, Shown, Solid, Wants};
 use crate::kinds::lathe::drawn::Drawn;
-use crate::kinds::lathe::findings::{
-    Faults, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from,
-};
+use crate::kinds::lathe::follow::{Begins, Followed, follow, late};
 use crate::kinds::lathe::parameters::{self as form, FORM, PROGRAM_KEY, SECOND_KEY};
 use crate::kinds::lathe::profile::{compared, wanted};
-use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NoMotion, NothingInTheJaws};
+use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NothingInTheJaws};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::sketch::Held;
 use crate::kinds::lathe::tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
-use crate::limits::FOLLOWED_MOTIONS;
-use crate::machine::axis::Position;
 use crate::number::shown;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form, at};
-use crate::proof::account::Account;
-use crate::removal::turning::alarm::{Alarm, Cause};
+use crate::removal::turning::alarm::Alarm;
 use crate::removal::turning::deviation::Profile;
-use crate::removal::turning::in_force::InForceWatch;
-use crate::removal::turning::second_removal::AGREE;
 use crate::removal::turning::simulation::{Setup, Simulation};
 use crate::removal::turning::step::Step;
-use crate::text::{Language, Text, t};
+use crate::text::{Language, t};
 
 /// How far the facets of the solid may be from the round part, mm.
 const TOLERANCE: f64 = 0.01;
@@ -79,40 +69,6 @@ pub enum Seen<'a> {
     Late(usize, &'a Alarm, Option<&'a str>),
     /// What the interpreter found in the program that has ended, by line; its alarms were seen with their motions.
     End(&'a [Finding], &'a Simulation),
-}
-
-/// A program followed to its end.
-struct Followed<'a> {
-    program: Program,
-    source: &'a text::SheetProgram,
-    /// The names of its subprograms' files, by their numbers from 1.
-    files: Vec<String>,
-    simulation: Simulation,
-    rows: Rows,
-    alarms: Vec<Raised>,
-    findings: Vec<Finding>,
-    /// A budget ended before the program did.
-    endless: bool,
-    /// A block of it was refused, or one of a program before it.
-    lost: bool,
-    /// A turning cycle was refused, and nothing after it was made.
-    uncut: bool,
-    /// How far a library of polygons is from the contours, mm.
-    repeated: f64,
-    drawn: Drawn,
-    account: Account,
-}
-
-impl Followed<'_> {
-    /// The program with what it came to.
-    fn proved(self) -> Proved {
-        let all = self.simulation.totals().all;
-        Proved {
-            program: self.program,
-            account: self.account,
-            duration: Some(Duration { seconds: all.seconds, timeless: all.timeless }),
-        }
-    }
 }
 
 /// An alarm and where its block stands.
@@ -295,198 +251,6 @@ fn held(setup: &Setup) -> Finding {
     let grade = if grip.length < HELD { Grade::Stop } else { Grade::Caution };
     let told = HardlyHeld { X, left, right }.at(place).graded(grade);
     told.with(length.said(Language::En), format!("≥ {} mm", shown(least, 3)))
-}
-
-/// The program as it stands on its sheet; its subprograms are not known before it has been read.
-fn listed(key: &'static str, title: Text, source: &text::SheetProgram, given: &Given) -> Program {
-    Program {
-        key,
-        title,
-        control: given.control,
-        format: NumberFormat::Fixed,
-        block_step: None,
-        start: Position::default(),
-        parts: source.whole(std::iter::empty()),
-    }
-}
-
-/// What a program begins with.
-struct Begins {
-    simulation: Simulation,
-    /// The program before it went wrong, or nothing holds the part.
-    lost: bool,
-    /// The part that it needs was not made, or nothing holds it.
-    uncut: bool,
-    /// How the part is held.
-    held: Option<Finding>,
-}
-
-impl Begins {
-    const fn new(simulation: Simulation) -> Self {
-        Self { simulation, lost: false, uncut: false, held: None }
-    }
-}
-
-/// Follows one program over a set-up, of which it is said whether the program before it went wrong.
-///
-/// The motions behind a block that was refused are not those that the program means: they are followed for what the
-/// interpreter has to say about the blocks, and their alarms, which would follow from that block, are not raised.
-///
-/// Behind a cycle that was refused, and with `uncut` from the start, the program is read and not made, for the part that it
-/// needs was not.
-fn follow<'a>(
-    key: &'static str,
-    title: Text,
-    source: &'a text::SheetProgram,
-    given: &Given,
-    Begins { mut simulation, lost, uncut, held }: Begins,
-    watch: &mut dyn FnMut(Seen<'_>),
-) -> Followed<'a> {
-    let program = listed(key, title, source, given);
-    simulation.repeat();
-    watch(Seen::Begin(&program, source, &simulation));
-    let stock = simulation.contours();
-    let mut one = Followed {
-        program,
-        source,
-        files: Vec::new(),
-        simulation,
-        rows: Rows::default(),
-        alarms: Vec::new(),
-        findings: Vec::new(),
-        endless: false,
-        lost,
-        uncut,
-        repeated: 0.0,
-        drawn: Drawn { stock, ..Drawn::default() },
-        account: Account::default(),
-    };
-    let mut interpreter = source.read(given.setting());
-    let mut in_force = InForceWatch::new(given.own.clone());
-    let mut faults = Faults::default();
-    let mut without_zero = BTreeSet::new();
-    // Where following stopped to be judged, and whether anything was still followed.
-    let (mut last, mut unjudged) = (lost.then_some(Place::File), false);
-    let mut before = interpreter.position().1;
-    // The turret's place, and the block that has changed it without a motion.
-    let (mut place, mut turned) = (interpreter.in_force().tool, None);
-    interpreter.keep_stood();
-    watch(Seen::Stood(&interpreter.stands(), &one.simulation, None));
-    loop {
-        let item = interpreter.next();
-        for stood in interpreter.stood().into_iter().filter(|_| !one.uncut) {
-            if stood.control.tool != place {
-                (place, turned) = (stood.control.tool, Some((stood.control.file, stood.line)));
-            }
-            watch(Seen::Stood(&stood, &one.simulation, interpreter.file(stood.control.file)));
-        }
-        let Some(item) = item else { break };
-        match item {
-            Ok(motion) if one.rows.len() == FOLLOWED_MOTIONS => {
-                one.endless = true;
-                faults.told.insert(0, too_many(interpreter.file(interpreter.in_force().file), motion.line));
-                break;
-            }
-            Ok(_) if one.uncut => unjudged = true,
-            Ok(motion) => {
-                let control = *interpreter.in_force();
-                let file = interpreter.file(control.file);
-                one.account.take(&motion, &before);
-                before = motion.machine;
-                if let Some(fault) = given.without_zero(&motion, &control)
-                    && without_zero.insert(control.system)
-                {
-                    let fault = fault.placed(at_line(file, motion.line));
-                    last.get_or_insert_with(|| fault.place.clone());
-                    faults.told.push(fault);
-                }
-                let mut step = one.simulation.take(&motion, &control);
-                if one.simulation.is_spent() {
-                    one.endless = true;
-                    faults.told.insert(0, too_much_work(file, &motion, one.rows.len()));
-                    break;
-                }
-                in_force.judge(&mut step);
-                place = control.tool;
-                // A change of tool is reported at its block.
-                if let Some((file, line)) = turned.take() {
-                    let changes = step.alarms.iter_mut().filter(|one| matches!(one.cause, Cause::ToolChange(_)));
-                    changes.for_each(|one| (one.file, one.line, one.n) = (file, line, None));
-                }
-                if last.is_some() {
-                    step.alarms.clear();
-                    unjudged = true;
-                }
-                let other_offset = in_force.other_offset(&control);
-                for alarm in &step.alarms {
-                    let place = source.place(interpreter.file(alarm.file), alarm.line, Vec::new());
-                    one.alarms.push(Raised { alarm: *alarm, place, other_offset });
-                }
-                let paths = if motion.kind == MotionKind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
-                if step.way.len() > 1 {
-                    paths.push(step.way.clone());
-                }
-                one.rows.push(&step, source.text(file).unwrap_or(&source.main));
-                watch(Seen::Step(&step, &one.simulation, file));
-            }
-            Err(fault) => {
-                one.endless |= fault.exit == Exit::Limit;
-                one.uncut |= fault.uncut;
-                let in_cells = source.refused_together(&fault);
-                let fault = Finding::from(*fault);
-                last.get_or_insert_with(|| fault.place.clone());
-                faults.refused(fault, in_cells);
-            }
-        }
-    }
-    if faults.more > 0 {
-        faults.told.push(MoreRefusals { count: faults.more }.at(Place::File));
-    }
-    one.files = (1..).map_while(|number| interpreter.file(number)).map(str::to_owned).collect();
-    one.program.parts = source.whole(one.files.iter().map(String::as_str));
-    faults.told.extend(interpreter.remarks());
-    faults.told.extend(assumed(given, &source.main.text));
-    if one.account.program.is_none() && last.is_none() && !one.endless && !one.uncut {
-        faults.told.push(NoMotion {}.at(Place::File));
-    }
-    if let Some(place) = last {
-        one.lost = true;
-        if unjudged {
-            faults.told.push(unjudged_from(place));
-        }
-    }
-    faults.told.extend(held);
-    one.repeated = one.simulation.repeated().unwrap_or_default();
-    faults.told.extend((one.repeated > AGREE).then(|| not_repeated(one.repeated)));
-    watch(Seen::End(&faults.told, &one.simulation));
-    one.findings = faults.placed(source);
-    one.drawn.part = one.simulation.product();
-    one
-}
-
-/// Tells the alarms that can be reported only when all programs have ended, and makes all alarms findings.
-///
-/// What a refused block left undone, or what lies behind the end of a budget, may have been what takes a mark away: of such a
-/// program's marks, and of those on the part that it began with, none is reported.
-fn late(followed: &mut [Followed], watch: &mut dyn FnMut(Seen<'_>)) {
-    let whole = |one: &Followed| !one.lost && !one.endless;
-    for number in 0..followed.len() {
-        let Some((one, behind)) = followed[number..].split_first_mut() else { continue };
-        let lasting = match behind.first() {
-            _ if !whole(one) => Vec::new(),
-            None => one.simulation.lasting(),
-            Some(next) => one.simulation.lasting_in(whole(next).then_some(&next.simulation)),
-        };
-        for alarm in lasting {
-            let file = alarm.file.checked_sub(1).and_then(|at| one.files.get(at)).map(String::as_str);
-            one.rows.late(&alarm);
-            watch(Seen::Late(number, &alarm, file));
-            let place = one.source.place(file, alarm.line, Vec::new());
-            one.alarms.push(Raised { alarm, place, other_offset: None });
-        }
-        one.alarms.sort_by_key(|raised| raised.alarm.motion);
-        one.findings.extend(alarms(&one.alarms));
-    }
 }
 
 fn outcome(

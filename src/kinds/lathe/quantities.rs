@@ -1,6 +1,6 @@
 //! What turning programs come to, as derived values.
 
-use super::Followed;
+use super::follow::Followed;
 use crate::finding::Grade;
 use crate::geometry::revolution::volume;
 use crate::kinds::lathe::setup::Given;

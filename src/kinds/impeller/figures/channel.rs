@@ -38,18 +38,17 @@ fn walls(design: &Design, blade: &Blade, plan: &Plan) -> Vec<Stroke> {
     let torus = design.torus;
     let pitch = TAU / f64::from(design.N);
     let bodies = Bodies::new(design, blade, None, Some(plan), OUTLINES);
-    // From the hub of the next blade to the rim of this one.
-    let (from, to) = (FRAC_PI_2 - pitch - BEYOND, blade.circle.u(RIM) + BEYOND);
-    let round = |radius: f64| {
-        steps(from, to.min(from + TAU), 120).map(move |angle| {
+    // Each circle from the next blade to this one: no farther, so that the channel fills the figure.
+    let round = |(radius, at): (f64, f64)| {
+        let (from, to) = (at - pitch - BEYOND, at + BEYOND);
+        let points = steps(from, to.min(from + TAU), 120).map(move |angle| {
             let (sin, cos) = sin_cos(angle);
             [radius * cos, radius * sin]
-        })
+        });
+        line(Ink::Thin, points.collect())
     };
-    let mut strokes: Vec<Stroke> = [torus.R, torus.R - torus.r - design.a_p]
-        .into_iter()
-        .map(|radius| line(Ink::Thin, round(radius).collect()))
-        .collect();
+    let circles = [(torus.R, blade.circle.u(RIM)), (torus.R - torus.r - design.a_p, FRAC_PI_2)];
+    let mut strokes: Vec<Stroke> = circles.into_iter().map(round).collect();
     let mut stand = |ink: Ink, body: &Body, turn: f64| {
         let flat = |level: usize| -> Vec<[f64; 2]> {
             body.outlines[level].iter().map(|point| about_axis(point, turn)).map(|at| [at.x, at.y]).collect()

@@ -1,0 +1,326 @@
+//! One turning program followed from its first block to its last.
+
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+
+use super::drawn::Drawn;
+use super::findings::{Faults, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
+use super::rules::NoMotion;
+use super::setup::Given;
+use super::tables::Rows;
+use super::text::SheetProgram;
+use super::{Raised, Seen};
+use crate::finding::{Exit, Finding, Place, Raise};
+use crate::gcode::in_force::InForce;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Refused;
+use crate::gcode::motion::{Motion, MotionKind};
+use crate::gcode::program::Program;
+use crate::gcode::rules::lexis::MoreRefusals;
+use crate::gcode::word::NumberFormat;
+use crate::kind::{Duration, Proved};
+use crate::limits::FOLLOWED_MOTIONS;
+use crate::machine::axis::{Pose, Position};
+use crate::proof::account::Account;
+use crate::removal::turning::alarm::Cause;
+use crate::removal::turning::in_force::InForceWatch;
+use crate::removal::turning::second_removal::AGREE;
+use crate::removal::turning::simulation::Simulation;
+use crate::removal::turning::step::Step;
+use crate::text::Text;
+
+/// A program followed to its end.
+pub(super) struct Followed<'a> {
+    pub(super) program: Program,
+    pub(super) source: &'a SheetProgram,
+    /// The names of its subprograms' files, by their numbers from 1.
+    pub(super) files: Vec<String>,
+    pub(super) simulation: Simulation,
+    pub(super) rows: Rows,
+    pub(super) alarms: Vec<Raised>,
+    pub(super) findings: Vec<Finding>,
+    /// A budget ended before the program did.
+    pub(super) endless: bool,
+    /// A block of it was refused, or one of a program before it.
+    pub(super) lost: bool,
+    /// A turning cycle was refused, and nothing after it was made.
+    pub(super) uncut: bool,
+    /// How far a library of polygons is from the contours, mm.
+    pub(super) repeated: f64,
+    pub(super) drawn: Drawn,
+    pub(super) account: Account,
+}
+
+impl Followed<'_> {
+    /// The program with what it came to.
+    pub(super) fn proved(self) -> Proved {
+        let all = self.simulation.totals().all;
+        Proved {
+            program: self.program,
+            account: self.account,
+            duration: Some(Duration { seconds: all.seconds, timeless: all.timeless }),
+        }
+    }
+}
+
+/// The program as it stands on its sheet; its subprograms are not known before it has been read.
+fn listed(key: &'static str, title: Text, source: &SheetProgram, given: &Given) -> Program {
+    Program {
+        key,
+        title,
+        control: given.control,
+        format: NumberFormat::Fixed,
+        block_step: None,
+        start: Position::default(),
+        parts: source.whole(std::iter::empty()),
+    }
+}
+
+/// What a program begins with.
+pub(super) struct Begins {
+    pub(super) simulation: Simulation,
+    /// The program before it went wrong, or nothing holds the part.
+    pub(super) lost: bool,
+    /// The part that it needs was not made, or nothing holds it.
+    pub(super) uncut: bool,
+    /// How the part is held.
+    pub(super) held: Option<Finding>,
+}
+
+impl Begins {
+    pub(super) const fn new(simulation: Simulation) -> Self {
+        Self { simulation, lost: false, uncut: false, held: None }
+    }
+}
+
+/// What goes on while a program is followed.
+struct Following<'f, 'a> {
+    one: Followed<'a>,
+    given: &'f Given,
+    in_force: InForceWatch,
+    faults: Faults,
+    /// The work offsets that are not known and have been told.
+    without_zero: BTreeSet<u8>,
+    /// Where following stopped to be judged.
+    last: Option<Place>,
+    /// Whether anything was still followed there.
+    unjudged: bool,
+    before: Pose,
+    /// The turret's place.
+    place: u32,
+    /// The file and line of the block that has changed it without a motion.
+    turned: Option<(usize, usize)>,
+}
+
+/// Follows one program over a set-up, of which it is said whether the program before it went wrong.
+///
+/// The motions behind a block that was refused are not those that the program means: they are followed for what the
+/// interpreter has to say about the blocks, and their alarms, which would follow from that block, are not raised.
+///
+/// Behind a cycle that was refused, and with `uncut` from the start, the program is read and not made, for the part that it
+/// needs was not.
+pub(super) fn follow<'a>(
+    key: &'static str,
+    title: Text,
+    source: &'a SheetProgram,
+    given: &Given,
+    Begins { mut simulation, lost, uncut, held }: Begins,
+    watch: &mut dyn FnMut(Seen<'_>),
+) -> Followed<'a> {
+    let program = listed(key, title, source, given);
+    simulation.repeat();
+    watch(Seen::Begin(&program, source, &simulation));
+    let stock = simulation.contours();
+    let one = Followed {
+        program,
+        source,
+        files: Vec::new(),
+        simulation,
+        rows: Rows::default(),
+        alarms: Vec::new(),
+        findings: Vec::new(),
+        endless: false,
+        lost,
+        uncut,
+        repeated: 0.0,
+        drawn: Drawn { stock, ..Drawn::default() },
+        account: Account::default(),
+    };
+    let mut interpreter = source.read(given.setting());
+    let mut following = Following {
+        one,
+        given,
+        in_force: InForceWatch::new(given.own.clone()),
+        faults: Faults::default(),
+        without_zero: BTreeSet::new(),
+        last: lost.then_some(Place::File),
+        unjudged: false,
+        before: interpreter.position().1,
+        place: interpreter.in_force().tool,
+        turned: None,
+    };
+    interpreter.keep_stood();
+    watch(Seen::Stood(&interpreter.stands(), &following.one.simulation, None));
+    loop {
+        let item = interpreter.next();
+        following.stood(&mut interpreter, watch);
+        match item {
+            Some(Ok(motion)) => {
+                if following.motion(&motion, &interpreter, watch).is_break() {
+                    break;
+                }
+            }
+            Some(Err(fault)) => following.refused(*fault),
+            None => break,
+        }
+    }
+    following.ended(&interpreter, held, watch)
+}
+
+impl<'a> Following<'_, 'a> {
+    /// What blocks without a motion have put in force.
+    fn stood(&mut self, interpreter: &mut Interpreter<'_>, watch: &mut dyn FnMut(Seen<'_>)) {
+        for stood in interpreter.stood().into_iter().filter(|_| !self.one.uncut) {
+            if stood.control.tool != self.place {
+                (self.place, self.turned) = (stood.control.tool, Some((stood.control.file, stood.line)));
+            }
+            watch(Seen::Stood(&stood, &self.one.simulation, interpreter.file(stood.control.file)));
+        }
+    }
+
+    /// Makes a motion; breaks off where a budget ends.
+    fn motion(
+        &mut self,
+        motion: &Motion,
+        interpreter: &Interpreter<'_>,
+        watch: &mut dyn FnMut(Seen<'_>),
+    ) -> ControlFlow<()> {
+        let control = *interpreter.in_force();
+        let file = interpreter.file(control.file);
+        if self.one.rows.len() == FOLLOWED_MOTIONS {
+            return self.break_off(too_many(file, motion.line));
+        }
+        if self.one.uncut {
+            self.unjudged = true;
+            return ControlFlow::Continue(());
+        }
+        self.one.account.take(motion, &self.before);
+        self.before = motion.machine;
+        if let Some(fault) = self.given.without_zero(motion, &control)
+            && self.without_zero.insert(control.system)
+        {
+            let fault = fault.placed(at_line(file, motion.line));
+            self.last.get_or_insert_with(|| fault.place.clone());
+            self.faults.told.push(fault);
+        }
+        let mut step = self.one.simulation.take(motion, &control);
+        if self.one.simulation.is_spent() {
+            return self.break_off(too_much_work(file, motion, self.one.rows.len()));
+        }
+        self.judge(&mut step, &control, interpreter);
+        let drawn = &mut self.one.drawn;
+        let paths = if motion.kind == MotionKind::Rapid { &mut drawn.rapid } else { &mut drawn.feed };
+        if step.way.len() > 1 {
+            paths.push(step.way.clone());
+        }
+        let source = self.one.source;
+        self.one.rows.push(&step, source.text(file).unwrap_or(&source.main));
+        watch(Seen::Step(&step, &self.one.simulation, file));
+        ControlFlow::Continue(())
+    }
+
+    /// The alarms of a motion, each at its block; none behind a block that was refused.
+    fn judge(&mut self, step: &mut Step, control: &InForce, interpreter: &Interpreter<'_>) {
+        self.in_force.judge(step);
+        self.place = control.tool;
+        // A change of tool is reported at its block.
+        if let Some((file, line)) = self.turned.take() {
+            let changes = step.alarms.iter_mut().filter(|one| matches!(one.cause, Cause::ToolChange(_)));
+            changes.for_each(|one| (one.file, one.line, one.n) = (file, line, None));
+        }
+        if self.last.is_some() {
+            step.alarms.clear();
+            self.unjudged = true;
+        }
+        let other_offset = self.in_force.other_offset(control);
+        for alarm in &step.alarms {
+            let place = self.one.source.place(interpreter.file(alarm.file), alarm.line, Vec::new());
+            self.one.alarms.push(Raised { alarm: *alarm, place, other_offset });
+        }
+    }
+
+    fn break_off(&mut self, limit: Finding) -> ControlFlow<()> {
+        self.one.endless = true;
+        self.faults.told.insert(0, limit);
+        ControlFlow::Break(())
+    }
+
+    /// A block that the control does not take.
+    fn refused(&mut self, fault: Refused) {
+        self.one.endless |= fault.exit == Exit::Limit;
+        self.one.uncut |= fault.uncut;
+        let in_cells = self.one.source.refused_together(&fault);
+        let fault = Finding::from(fault);
+        self.last.get_or_insert_with(|| fault.place.clone());
+        self.faults.refused(fault, in_cells);
+    }
+
+    /// What can be told only when the program has ended.
+    fn ended(
+        self,
+        interpreter: &Interpreter<'_>,
+        held: Option<Finding>,
+        watch: &mut dyn FnMut(Seen<'_>),
+    ) -> Followed<'a> {
+        let Following { mut one, given, mut faults, last, unjudged, .. } = self;
+        let source = one.source;
+        if faults.more > 0 {
+            faults.told.push(MoreRefusals { count: faults.more }.at(Place::File));
+        }
+        one.files = (1..).map_while(|number| interpreter.file(number)).map(str::to_owned).collect();
+        one.program.parts = source.whole(one.files.iter().map(String::as_str));
+        faults.told.extend(interpreter.remarks());
+        faults.told.extend(assumed(given, &source.main.text));
+        if one.account.program.is_none() && last.is_none() && !one.endless && !one.uncut {
+            faults.told.push(NoMotion {}.at(Place::File));
+        }
+        if let Some(place) = last {
+            one.lost = true;
+            if unjudged {
+                faults.told.push(unjudged_from(place));
+            }
+        }
+        faults.told.extend(held);
+        one.repeated = one.simulation.repeated().unwrap_or_default();
+        faults.told.extend((one.repeated > AGREE).then(|| not_repeated(one.repeated)));
+        watch(Seen::End(&faults.told, &one.simulation));
+        one.findings = faults.placed(source);
+        one.drawn.part = one.simulation.product();
+        one
+    }
+}
+
+/// Tells the alarms that can be reported only when all programs have ended, and makes all alarms findings.
+///
+/// What a refused block left undone, or what lies behind the end of a budget, may have been what takes a mark away: of such a
+/// program's marks, and of those on the part that it began with, none is reported.
+pub(super) fn late(followed: &mut [Followed], watch: &mut dyn FnMut(Seen<'_>)) {
+    let whole = |one: &Followed| !one.lost && !one.endless;
+    for number in 0..followed.len() {
+        let Some((one, behind)) = followed[number..].split_first_mut() else { continue };
+        let lasting = match behind.first() {
+            _ if !whole(one) => Vec::new(),
+            None => one.simulation.lasting(),
+            Some(next) => one.simulation.lasting_in(whole(next).then_some(&next.simulation)),
+        };
+        for alarm in lasting {
+            let file = alarm.file.checked_sub(1).and_then(|at| one.files.get(at)).map(String::as_str);
+            one.rows.late(&alarm);
+            watch(Seen::Late(number, &alarm, file));
+            let place = one.source.place(file, alarm.line, Vec::new());
+            one.alarms.push(Raised { alarm, place, other_offset: None });
+        }
+        one.alarms.sort_by_key(|raised| raised.alarm.motion);
+        one.findings.extend(alarms(&one.alarms));
+    }
+}
