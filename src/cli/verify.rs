@@ -38,6 +38,8 @@ struct Read {
     account: Account,
     net: [f64; 9],
     lines: usize,
+    /// A block was rejected: what follows it is not what the control does.
+    rejected: bool,
     /// What was read beside it.
     consulted: Vec<Consulted>,
 }
@@ -99,6 +101,7 @@ fn read(path: &Path, arguments: &Verify, shared: &Shared<'_>, terminal: &mut Ter
         account: Account::default(),
         net: [0.0; 9],
         lines: 0,
+        rejected: false,
         consulted: Vec::new(),
     };
     if let Err(refusal) = follow(path, arguments, shared, &mut read, terminal) {
@@ -133,12 +136,14 @@ fn follow(
     let mut interpreter = Interpreter::new(bytes, setting);
     let start = interpreter.position().1;
     let (faults, total) = read_through(&mut interpreter, start, arguments.canon, read, terminal);
+    read.rejected = total > 0;
     read.net = interpreter.position().1.differences(&start);
     read.lines = interpreter.lines();
     if dialect.turns() {
         as_diameters(read);
     }
-    let mut remarks: Vec<Finding> = drift(&interpreter, &start).into_iter().collect();
+    // Behind a rejected block nobody knows where the program ends.
+    let mut remarks: Vec<Finding> = drift(&interpreter, &start).filter(|_| total == 0).into_iter().collect();
     remarks.extend(interpreter.remarks());
     remarks.extend(settled);
     remarks.extend(made_from);
@@ -170,9 +175,10 @@ fn read_through(
         match item {
             Ok(motion) => {
                 read.account.take(&motion, &before);
-                before = motion.machine;
+                let from = std::mem::replace(&mut before, motion.machine);
                 if canonical {
-                    canon.push_str(&line(&motion, interpreter.file(interpreter.in_force().file)).to_string());
+                    let file = interpreter.file(interpreter.in_force().file);
+                    canon.push_str(&line(&motion, &from, file).to_string());
                     canon.push('\n');
                     if canon.len() > CHUNK {
                         terminal.out(&canon);
@@ -216,8 +222,9 @@ fn pose(pose: &Pose, told: impl Fn(Axis) -> bool) -> Value {
     Value::Object(named.map(|axis| (axis.letter().to_string(), json!(pose.get(axis) + 0.0))).collect())
 }
 
-/// A canonical motion as JSON: mm, degrees, seconds; with the file of its block where that is a subprogram's own.
-fn line(motion: &Motion, file: Option<&str>) -> Value {
+/// A canonical motion as JSON: mm, degrees, seconds, with the axes that stand or arrive anywhere but at 0 or come from
+/// there; with the file of its block where that is a subprogram's own. F of rotary axes alone is in degrees.
+fn line(motion: &Motion, from: &Pose, file: Option<&str>) -> Value {
     let mut object = Map::new();
     if let Some(file) = file {
         object.insert("file".into(), json!(file));
@@ -233,7 +240,8 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
     };
     object.insert("motion".into(), json!(name));
     for (name, at) in [("to", &motion.to), ("machine", &motion.machine)] {
-        object.insert(name.into(), pose(at, |axis| always(axis, false) || at.get(axis) != 0.0));
+        object
+            .insert(name.into(), pose(at, |axis| always(axis, false) || at.get(axis) != 0.0 || from.get(axis) != 0.0));
     }
     if let MotionKind::Arc(arc, _) = motion.kind {
         let [first, second, _] = arc.plane.axes();
@@ -248,8 +256,13 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
     }
     if let MotionKind::Feed(feed) | MotionKind::Arc(_, feed) = motion.kind {
         object.insert("feed".into(), json!(feed.value));
+        let moves = |axis: &Axis| motion.machine.get(*axis) != from.get(*axis);
+        let turns =
+            Axis::ALL.iter().any(moves) && Axis::ALL.iter().filter(|axis| moves(axis)).all(|axis| axis.rotary());
         let mode = match feed.mode {
+            FeedMode::PerMinute if turns => "deg/min",
             FeedMode::PerMinute => "mm/min",
+            FeedMode::PerRevolution if turns => "deg/rev",
             FeedMode::PerRevolution => "mm/rev",
             FeedMode::InverseTime => "1/min",
             FeedMode::Seconds => "s",
@@ -342,7 +355,13 @@ fn summary(read: &Read, dialect: &Control, name: &str, language: Language) -> St
         account.motions,
         word("movimientos", "motions")
     );
-    if let (Some(program), Some(machine)) = (&account.program, &account.machine) {
+    if read.rejected {
+        let why = word(
+            "sin extremos, recorrido ni tiempo: el control no ejecuta lo que sigue a un bloque rechazado",
+            "no extents, path or time: the control does not run what follows a rejected block",
+        );
+        text.push_str(&format!("  {why}\n"));
+    } else if let (Some(program), Some(machine)) = (&account.program, &account.machine) {
         for axis in Axis::ALL {
             let (program, machine) = (program.of(axis), machine.of(axis));
             if read.told(axis) {

@@ -65,7 +65,8 @@ fn grave(document: &Value, notes: bool) -> Vec<(String, u64, String)> {
 fn what_is_right_raises_no_alarm() {
     for dialect in TURNING.map(|control| control.name) {
         for program in programs(&format!("controls/{dialect}/clean")) {
-            let (document, exit) = simulate(&program, dialect, &[]);
+            let given: &[&str] = if dialect == "fanuc-lathe-a" { &["--hole-r", "absolute"] } else { &[] };
+            let (document, exit) = simulate(&program, dialect, given);
             assert_eq!((grave(&document, false), exit), (Vec::new(), 0), "{}", program.display());
             assert_eq!(document["totals"]["alarms"], 0, "{}", program.display());
             assert!(document["totals"]["removed_volume_mm3"].as_f64().unwrap() > 100.0, "{}", program.display());

@@ -63,8 +63,8 @@ pub static FAGOR_8070: Control = Control {
     name: "fagor-8070",
     sources: &[
         t(
-            "Fagor Automation, CNC 8070, manual de programación: lista de funciones G; G93, el tiempo de mecanizado en segundos",
-            "Fagor Automation, CNC 8070, programming manual: list of G functions; G93, machining time in seconds",
+            "Fagor Automation, CNC 8070, manual de programación: lista de funciones G; G93, el tiempo de mecanizado en segundos; p. 204, comentarios entre paréntesis en los ejemplos",
+            "Fagor Automation, CNC 8070, programming manual: list of G functions; G93, machining time in seconds; p. 204, comments in parentheses in the examples",
         ),
         NO_HELIX,
     ],
@@ -72,8 +72,9 @@ pub static FAGOR_8070: Control = Control {
     feed: FeedRule { law: FeedLaw::Seconds, ..FAGOR_8055_BASE.feed },
     written: Some(&WRITING_8070),
     codes: &CODES_8070,
-    // Of block numbers, empty lines, switches and decimals no page was at hand.
+    // Of block numbers, empty lines, switches and decimals no page was at hand. Comments in parentheses: p. 204.
     lexis: Lexis {
+        comments: Comments::Either,
         dwell: &[DwellWord { letter: 'K', unit: 1.0 }],
         delete: BlockDelete::Numbered,
         empty: EmptyBlock::Passed,

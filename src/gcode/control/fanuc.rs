@@ -68,7 +68,7 @@ pub static FANUC_LATHE_A: Control = Control {
     },
     codes: &CODES,
     machine_code,
-    start: Start { motion: G::Rapid, feed: FeedMode::PerRevolution, plane: Plane::ZX, retract: Retract::Initial },
+    start: Start { motion: G::Rapid, feed: FeedMode::PerRevolution, plane: Plane::ZX, retract: Retract::R },
     order: Order::Fanuc,
     axes: AxisWords { x: AcrossWord::Diameter, increments: Increments::ByLetters },
     arcs: ArcWords { letters: Letters::of("IKR"), across: Across::Foreign, negative: NegativeRadius::Refused },

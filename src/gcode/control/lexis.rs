@@ -24,6 +24,15 @@ impl Language {
         }
     }
 
+    /// True where a block has words alone: `$` and `#` begin a statement of the control's high-level language.
+    #[must_use]
+    pub const fn has_words_alone(self) -> bool {
+        match self {
+            Self::Words => true,
+            Self::OWords | Self::Macros => false,
+        }
+    }
+
     /// True where words of a macro language are refused by name.
     #[must_use]
     pub const fn refuses_macros(self) -> bool {
@@ -39,6 +48,8 @@ impl Language {
 pub enum Comments {
     /// `(...)` anywhere, `;` to the end of the line. Some comments are orders to the control.
     ParenthesesAndSemicolon,
+    /// The same, and none is obeyed.
+    Either,
     /// `;` to the end of the line; a parenthesis opens a statement of the control's high-level language.
     Semicolon,
     /// `(...)` anywhere; `;` ends the block, and what stands behind it is a comment unless it reads as another block.
@@ -50,7 +61,7 @@ impl Comments {
     #[must_use]
     pub const fn in_parentheses(self) -> bool {
         match self {
-            Self::ParenthesesAndSemicolon | Self::Parentheses => true,
+            Self::ParenthesesAndSemicolon | Self::Either | Self::Parentheses => true,
             Self::Semicolon => false,
         }
     }
@@ -60,7 +71,7 @@ impl Comments {
     pub const fn obeyed(self) -> bool {
         match self {
             Self::ParenthesesAndSemicolon => true,
-            Self::Semicolon | Self::Parentheses => false,
+            Self::Either | Self::Semicolon | Self::Parentheses => false,
         }
     }
 }

@@ -266,6 +266,7 @@ told! {
         Self::Macros => "un lenguaje de macros (IF, WHILE, GOTO, #), que rodete rechaza", "a macro language (IF, WHILE, GOTO, #), which rodete rejects";
     }
     Comments {
+        Self::Either => "(texto), y ; hasta el fin de la línea", "(text), and ; to the end of the line";
         Self::ParenthesesAndSemicolon => "(texto), y ; hasta el fin de la línea; algunos son órdenes al control", "(text), and ; to the end of the line; some are orders to the control";
         Self::Semicolon => "; hasta el fin de la línea; un paréntesis abre una sentencia de alto nivel", "; to the end of the line; a parenthesis opens a high-level statement";
         Self::Parentheses => "(texto); ; termina el bloque, y lo que sigue es comentario salvo que se lea como otro bloque", "(text); ; ends the block, and the text after it is a comment unless it reads as another block";

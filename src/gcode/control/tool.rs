@@ -39,6 +39,15 @@ pub enum ToolBlocks {
 }
 
 impl ToolBlocks {
+    /// True where no page says whether D by itself brings the length of the control's table into force.
+    #[must_use]
+    pub const fn may_bring_length(self) -> bool {
+        match self {
+            Self::OffsetAndChange => true,
+            Self::Change | Self::OffsetThenChange | Self::Turret => false,
+        }
+    }
+
     /// The blocks that bring a tool and its offset D to work.
     #[must_use]
     pub fn blocks(self, T: u32, D: u32) -> Vec<Vec<Word>> {

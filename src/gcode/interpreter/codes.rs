@@ -2,7 +2,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M, TurningCycle};
-use crate::gcode::control::{FeedChange, SpeedLimit};
+use crate::gcode::control::{DwellWord, FeedChange, SpeedLimit};
 use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
@@ -11,6 +11,7 @@ use crate::gcode::motion::{FeedMode, MotionKind};
 use crate::gcode::rules::modes::{
     DwellNegative, DwellTwice, DwellWithoutTime, NoSpeedLimit, SurfaceSpeedMissing, UnitsChange,
 };
+use crate::gcode::rules::words::DwellNotWhole;
 use crate::gcode::turning::pace::Pace;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
@@ -148,13 +149,8 @@ impl Reader<'_, '_> {
 
     /// The letter of a dwell's time, and the time in seconds.
     pub(super) fn dwell_time(&self) -> Result<(usize, f64)> {
-        let found = self
-            .memory
-            .control
-            .lexis
-            .dwell
-            .iter()
-            .find_map(|dwell| Some((dwell.index(), dwell.seconds(self.block.get(dwell.index())?))));
+        let found =
+            self.memory.control.lexis.dwell.iter().find_map(|dwell| Some((*dwell, self.block.get(dwell.index())?)));
         let column = self.block.g_column(Group::NonModal);
         let times = self.memory.control.lexis.dwell.iter().filter(|dwell| self.block.has(dwell.index())).count();
         if times > 1 {
@@ -162,10 +158,14 @@ impl Reader<'_, '_> {
         }
         match found {
             None => Err(Refused::of(&DwellWithoutTime {}, &[column])),
-            Some((letter, seconds)) if seconds < 0.0 => {
-                Err(Refused::of(&DwellNegative {}, &[self.block.column(letter)]))
+            Some((dwell, number)) if number < 0.0 => {
+                Err(Refused::of(&DwellNegative {}, &[self.block.column(dwell.index())]))
             }
-            Some(found) => Ok(found),
+            Some((dwell @ DwellWord { letter, unit }, value)) if unit < 1.0 && value.fract() != 0.0 => {
+                let at = self.block.column(dwell.index());
+                Err(Refused::of(&DwellNotWhole { letter, value, unit }, &[at]))
+            }
+            Some((dwell, number)) => Ok((dwell.index(), dwell.seconds(number))),
         }
     }
 

@@ -313,14 +313,14 @@ pub(super) fn comments(line: &[u8], form: Comments) -> Result<Vec<(usize, &[u8])
                 Comments::Parentheses if reads_as_words(&line[start + 1..]) => {
                     return Err(Refused::of(&BlockAfterEnd {}, &[start]));
                 }
-                Comments::ParenthesesAndSemicolon | Comments::Semicolon | Comments::Parentheses => {
+                Comments::ParenthesesAndSemicolon | Comments::Either | Comments::Semicolon | Comments::Parentheses => {
                     found.push((start, &line[start + 1..]));
                     break;
                 }
             },
             b'(' => match form {
                 Comments::Semicolon => return Err(Refused::of(&HighLevel {}, &[start])),
-                Comments::ParenthesesAndSemicolon | Comments::Parentheses => {
+                Comments::ParenthesesAndSemicolon | Comments::Either | Comments::Parentheses => {
                     let Some(length) = memchr::memchr2(b'(', b')', &line[start + 1..]) else {
                         return Err(Refused::of(&CommentOpen {}, &[start]));
                     };

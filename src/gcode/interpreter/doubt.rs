@@ -178,6 +178,11 @@ impl Reader<'_, '_> {
         self.memory.doubts.state &= !known;
     }
 
+    /// True where a part of what is in force is in doubt: a remark that hangs on it would follow from the refused block.
+    pub(super) fn in_doubt(&self, state: State) -> bool {
+        self.memory.doubts.state & state != 0
+    }
+
     /// What a parameter that is not defined hangs on.
     pub(super) fn doubt_of(&self, name: &str) -> State {
         if self.memory.doubts.parameters.contains(name) { PARAMETERS } else { 0 }

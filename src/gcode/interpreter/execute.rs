@@ -15,8 +15,8 @@ use crate::gcode::letters::Letters;
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::rules::modes::{
     AxesClaimedTwice, AxesWithCancel, AxesWithoutMotion, CycleWithoutAxes, DwellBesideAxes, FeedMissing,
-    InverseTimeWithoutF, InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutMotion, NoFeed,
-    SetPositionWithoutAxes, SpindleStill, ThreadStartAngle, WordWithoutUse,
+    FeedPerTurnWithoutSpeed, InverseTimeWithoutF, InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutMotion,
+    NoFeed, SetPositionWithoutAxes, SpindleStill, ThreadStartAngle, WordWithoutUse,
 };
 use crate::machine::axis::{Axis, Pose};
 
@@ -404,11 +404,15 @@ impl Reader<'_, '_> {
                 if self.memory.control.feed.missing.refused() || self.block.has(letter::F) {
                     return Err(Refused::of(&FeedMissing {}, &[]).hanging_on(doubt::FEED));
                 }
-                let spot = self.block.spot;
-                self.memory.remarks.row(&NoFeed {}, spot, None);
+                if !self.in_doubt(doubt::FEED | doubt::MOTION) {
+                    self.memory.remarks.row(&NoFeed {}, self.block.spot, None);
+                }
             }
             FeedMode::PerRevolution if self.state.modal.speed <= 0.0 && self.memory.control.feed.missing.refused() => {
                 return Err(Refused::of(&SpindleStill {}, &[]).hanging_on(doubt::SPEED));
+            }
+            FeedMode::PerRevolution if self.state.modal.speed <= 0.0 && !self.in_doubt(doubt::SPEED) => {
+                self.memory.remarks.row(&FeedPerTurnWithoutSpeed {}, self.block.spot, None);
             }
             _ => {}
         }

@@ -135,17 +135,7 @@ impl Reader<'_, '_> {
         let index = self.structure()?.on_line(line);
         let mark = self.mark(index)?;
         match kind {
-            Word::Sub => {
-                let end = self.mark(mark.next)?;
-                self.nothing_more(cursor)?;
-                // Within a call the control would run it as it stands.
-                if !self.memory.flow.frames.is_empty() {
-                    return Err(Refused::of(&NotCalled { label: shown(&name) }, &[]));
-                }
-                self.memory.flow.met.extend(index.map(|index| (self.block.spot.text, index)));
-                self.go_to(end.after);
-                Ok(())
-            }
+            Word::Sub => self.pass_subprogram(cursor, (index, &mark), &name),
             Word::EndSub => self.give_back(cursor, &name),
             Word::Return => {
                 // It ends the subprogram that it stands in, whatever label it names.
@@ -153,36 +143,14 @@ impl Reader<'_, '_> {
                 let around = self.mark(around)?.label;
                 self.give_back(cursor, &around)
             }
-            Word::If | Word::ElseIf => {
-                if kind == Word::ElseIf && !clause {
-                    return self.leave_clauses(index);
-                }
-                let truth = self.condition(cursor)?;
-                if truth { Ok(()) } else { self.next_clause(&mark) }
-            }
+            Word::If => self.clause(cursor, &mark),
+            Word::ElseIf if clause => self.clause(cursor, &mark),
+            Word::ElseIf => self.leave_clauses(index),
             Word::Else => {
                 self.nothing_more(cursor)?;
                 if clause { Ok(()) } else { self.leave_clauses(index) }
             }
-            Word::EndIf | Word::Do => self.nothing_more(cursor),
-            Word::While => {
-                let truth = self.condition(cursor)?;
-                match (mark.opens, truth) {
-                    // The WHILE that closes a DO.
-                    (Some(opens), true) => {
-                        self.round_again()?;
-                        let start = self.mark(Some(opens))?;
-                        self.go_to(start.after);
-                        Ok(())
-                    }
-                    (Some(_), false) | (None, true) => Ok(()),
-                    (None, false) => {
-                        let end = self.mark(mark.next)?;
-                        self.go_to(end.after);
-                        Ok(())
-                    }
-                }
-            }
+            Word::While => self.while_true(cursor, &mark),
             Word::EndWhile => {
                 self.nothing_more(cursor)?;
                 self.round_again()?;
@@ -191,22 +159,7 @@ impl Reader<'_, '_> {
                 Ok(())
             }
             Word::Repeat => self.repeat(cursor, &mark, index),
-            Word::EndRepeat => {
-                self.nothing_more(cursor)?;
-                let opens = mark.opens;
-                match self.memory.flow.loops().last_mut() {
-                    Some((open, left)) if Some(*open) == opens && *left > 1 => {
-                        *left -= 1;
-                        let start = self.mark(opens)?;
-                        self.go_to(start.after);
-                        Ok(())
-                    }
-                    _ => {
-                        self.memory.flow.loops().pop();
-                        Ok(())
-                    }
-                }
-            }
+            Word::EndRepeat => self.end_repeat(cursor, mark.opens),
             Word::Break | Word::Continue => {
                 self.nothing_more(cursor)?;
                 self.leave_round(&mark, kind == Word::Break)
@@ -216,8 +169,67 @@ impl Reader<'_, '_> {
                 self.nothing_more(cursor)?;
                 self.structure()?.run_into(index)
             }
-            Word::Call => self.nothing_more(cursor),
+            Word::EndIf | Word::Do | Word::Call => self.nothing_more(cursor),
         }
+    }
+
+    /// Passes over a subprogram, which the control has now met.
+    fn pass_subprogram(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        (index, mark): (Option<usize>, &OWord),
+        name: &str,
+    ) -> Result<()> {
+        let end = self.mark(mark.next)?;
+        self.nothing_more(cursor)?;
+        // Within a call the control would run it as it stands.
+        if !self.memory.flow.frames.is_empty() {
+            return Err(Refused::of(&NotCalled { label: shown(name) }, &[]));
+        }
+        self.memory.flow.met.extend(index.map(|index| (self.block.spot.text, index)));
+        self.go_to(end.after);
+        Ok(())
+    }
+
+    /// The condition of an IF or ELSEIF.
+    fn clause(&mut self, cursor: &mut Cursor<'_>, mark: &OWord) -> Result<()> {
+        let truth = self.condition(cursor)?;
+        if truth { Ok(()) } else { self.next_clause(mark) }
+    }
+
+    /// WHILE, at the beginning of its loop or at the end of one that a DO opens.
+    fn while_true(&mut self, cursor: &mut Cursor<'_>, mark: &OWord) -> Result<()> {
+        let truth = self.condition(cursor)?;
+        match (mark.opens, truth) {
+            // The WHILE that closes a DO.
+            (Some(opens), true) => {
+                self.round_again()?;
+                let start = self.mark(Some(opens))?;
+                self.go_to(start.after);
+            }
+            (Some(_), false) | (None, true) => {}
+            (None, false) => {
+                let end = self.mark(mark.next)?;
+                self.go_to(end.after);
+            }
+        }
+        Ok(())
+    }
+
+    /// The end of a REPEAT: another round, or the lines behind it.
+    fn end_repeat(&mut self, cursor: &mut Cursor<'_>, opens: Option<usize>) -> Result<()> {
+        self.nothing_more(cursor)?;
+        match self.memory.flow.loops().last_mut() {
+            Some((open, left)) if Some(*open) == opens && *left > 1 => {
+                *left -= 1;
+                let start = self.mark(opens)?;
+                self.go_to(start.after);
+            }
+            _ => {
+                self.memory.flow.loops().pop();
+            }
+        }
+        Ok(())
     }
 
     fn nothing_more(&self, cursor: &mut Cursor<'_>) -> Result<()> {

@@ -7,11 +7,11 @@ use crate::gcode::interpreter::library::{Mark, Spot};
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::interpreter::tape::has_code;
-use crate::gcode::interpreter::{Reader, Stage, block_number, without_end};
+use crate::gcode::interpreter::{Reader, Stage, block_number, pass_fraction, without_end};
 use crate::gcode::rules::flow::{BlockEmpty, BlockNumberTooGreat, SwitchUnknown};
 use crate::gcode::rules::lexis::{
-    Aborts, ActiveComment, BeforePercent, EndsWithoutCode, HeaderInvalid, HeaderNotExecutable, LineTooLong, Percent,
-    ProgramNumber,
+    Aborts, ActiveComment, BeforePercent, EndsWithoutCode, HeaderInvalid, HeaderNotExecutable, HighLevel, LineTooLong,
+    Percent, PercentAgain, ProgramNumber,
 };
 use crate::limits::LEADER_LINES;
 
@@ -73,6 +73,9 @@ impl Reader<'_, '_> {
         let column = cursor.column();
         if cursor.accept(b'n') {
             let number = block_number(&mut cursor)?;
+            if self.memory.control.lexis.language.computes() {
+                pass_fraction(&mut cursor);
+            }
             let most = self.memory.control.lexis.greatest_number;
             if number > most {
                 return Err(Refused::of(&BlockNumberTooGreat { number, most }, &[column]));
@@ -92,6 +95,9 @@ impl Reader<'_, '_> {
         }
         let opening = self.memory.stage == Stage::Opening;
         self.memory.stage = Stage::Running;
+        if matches!(cursor.peek(), b'$' | b'#') && self.memory.control.lexis.language.has_words_alone() {
+            return Err(Refused::of(&HighLevel {}, &[cursor.column()]));
+        }
         if cursor.peek() == b'o' {
             return if self.memory.control.lexis.language.computes() {
                 self.o_word(&mut cursor)
@@ -138,7 +144,12 @@ impl Reader<'_, '_> {
                 return self.end();
             }
         }
-        Err(Refused::of(&Percent {}, &[cursor.column().saturating_sub(1)]))
+        let at = [cursor.column().saturating_sub(1)];
+        Err(if self.memory.control.lexis.percent.named() {
+            Refused::of(&PercentAgain {}, &at)
+        } else {
+            Refused::of(&Percent {}, &at)
+        })
     }
 
     /// True where no comment stands before the line in hand, which is the first with more than one.

@@ -8,7 +8,7 @@
 //! Beside what LinuxCNC refuses: G18, another unit, rotary axes and stops of the program (M0, M1) under compensation. After a
 //! [`Misfit`](crate::gcode::cutter::Misfit) motions are those of the program until G40.
 
-use crate::finding::{Bare, Raise};
+use crate::finding::{Bare, Raise, Size};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
 use crate::gcode::in_force::{Compensation, InForce};
@@ -332,7 +332,7 @@ impl Reader<'_, '_> {
     fn refuse_cutter(&mut self, misfit: &Misfit, line: usize) {
         match *misfit {
             Misfit::Entry { length, radius } => {
-                self.refuse_here(line, &EntryTooShort { length: Bare::mm(length, 4), radius: Bare::mm(radius, 4) })
+                self.refuse_here(line, &EntryTooShort { length: Size::mm(length), radius: Size::mm(radius) })
             }
             Misfit::EntryArc => self.refuse_here(line, &EntryArc {}),
             Misfit::Arc { radius, arc } => {

@@ -97,6 +97,7 @@ use self::standstill::Standing;
 pub use self::standstill::Standstill;
 use self::structure::Structure;
 use crate::finding::{Finding, Place, Raise};
+use crate::gcode::code::TurningCycle;
 pub use crate::gcode::control::Rotary;
 use crate::gcode::control::{Control, RadiusRule};
 use crate::gcode::in_force::InForce;
@@ -106,6 +107,7 @@ use crate::gcode::rules::flow::{
     NoProgram, SubprogramsAlone,
 };
 use crate::gcode::rules::lexis::{MoreRefusals, Utf16};
+use crate::gcode::turning::rules::FirstBlockUnused;
 use crate::machine::axis::Pose;
 use crate::machine::var_file::{VarFile, required};
 use crate::machine::work_offset::{ACTIVE, ActiveOffsets, G92_FIRST, G92_SWITCH, Offsets};
@@ -145,6 +147,8 @@ struct Memory<'a> {
     percent: bool,
     /// M66 has read an input.
     input_read: bool,
+    /// First blocks of turning cycles of two that no second one has followed yet.
+    first_blocks: Vec<(TurningCycle, Spot)>,
     /// A comment has ended the program.
     aborted: bool,
     unit_said: bool,
@@ -242,6 +246,7 @@ impl<'a> Interpreter<'a> {
             stage: Stage::Opening,
             percent: false,
             input_read: false,
+            first_blocks: Vec::new(),
             aborted: false,
             unit_said: false,
             repeated: 0,
@@ -376,13 +381,16 @@ impl Reader<'_, '_> {
         if subprograms && self.made() == 0 {
             return Err(Refused::of(&SubprogramsAlone {}, &[]));
         }
-        Err(without_end(percent))
+        Err(without_end(percent && !self.memory.control.lexis.percent.named()))
     }
 
     /// The program has come to its end: the first work offset is in force again, and what G92 leaves is remarked.
     fn end(&mut self) -> Result<()> {
         self.memory.stage = Stage::Ended;
         self.lose_corner(false);
+        for (cycle, spot) in std::mem::take(&mut self.memory.first_blocks) {
+            self.memory.remarks.row(&FirstBlockUnused { cycle: cycle.number() }, spot, None);
+        }
         if self.memory.control.radius.cutter() {
             self.end_cutter();
         }
@@ -402,9 +410,18 @@ impl Reader<'_, '_> {
     }
 }
 
-/// The refusal of a program without the code that ends it; `percent` where a `%` opens it.
+/// The refusal of a program without the code that ends it; `percent` where a `%` opens it that could end it too.
 fn without_end(percent: bool) -> Box<Refused> {
     if percent { Refused::of(&NoEndOrPercent {}, &[]) } else { Refused::of(&NoEnd {}, &[]) }
+}
+
+/// Passes over the fraction of a block number, which LinuxCNC takes: `N56.78`.
+fn pass_fraction(cursor: &mut Cursor<'_>) {
+    if cursor.accept(b'.') {
+        while cursor.peek().is_ascii_digit() {
+            cursor.pass();
+        }
+    }
 }
 
 /// A block number behind its N.

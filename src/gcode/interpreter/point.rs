@@ -2,7 +2,7 @@
 //!
 //! # References
 //! Fanuc Series 0i-T operator's manual, decimal point programming: pocket calculator type and usual type; addresses that take a
-//! decimal point are lengths, times and feeds; P, Q, L and others take none.
+//! decimal point are lengths, times and feeds; M, T, L, P, Q and others take none.
 
 use crate::gcode::code::{G, Group, SinglePassCycle, TurningCycle};
 use crate::gcode::interpreter::Reader;
@@ -21,7 +21,7 @@ use crate::text::t;
 /// Addresses whose number may be scaled where it has no decimal point.
 const SCALED: Letters = Letters::of("FIKRUWXZ");
 /// Addresses that take no decimal point.
-const WHOLE: Letters = Letters::of("LPQ");
+const WHOLE: Letters = Letters::of("LMPQT");
 
 impl Reader<'_, '_> {
     /// Marks a number without a decimal point, and refuses a decimal point where none may be.
@@ -29,7 +29,9 @@ impl Reader<'_, '_> {
     pub(super) fn see_point(&mut self, index: u8, number: &Decimal, column: usize) -> Result<()> {
         if number.point && WHOLE.has(index) {
             let name = char::from(b'A' + index);
-            return Err(Refused::of(&PointNotTaken { letter: name, value: number.value }, &[column]));
+            let value = number.value;
+            let word = if value.fract() == 0.0 { format!("{name}{value}.") } else { format!("{name}{value}") };
+            return Err(Refused::of(&PointNotTaken { letter: name, word }, &[column]));
         }
         if !number.point && number.value != 0.0 && SCALED.has(index) {
             self.block.pointless |= 1 << index;

@@ -8,11 +8,11 @@ use std::collections::BTreeMap;
 
 use crate::finding::Raise;
 use crate::gcode::control::Lexis;
-use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
+use crate::gcode::interpreter::{block_number, pass_fraction};
 use crate::gcode::rules::flow::{
     ClauseBehindElse, LabelMissing, LabelReused, LabelTwice, NotClosed, OWordsTooMany, Stray, SubprogramInside,
 };
@@ -198,8 +198,11 @@ impl Structure {
             if cursor.peek() == b'/' {
                 cursor.pass();
             }
-            if cursor.accept(b'n') && block_number(&mut cursor).is_err() {
-                continue;
+            if cursor.accept(b'n') {
+                if block_number(&mut cursor).is_err() {
+                    continue;
+                }
+                pass_fraction(&mut cursor);
             }
             if !cursor.accept(b'o') {
                 continue;

@@ -19,7 +19,8 @@ use crate::gcode::turning::groove::{self, Groove};
 use crate::gcode::turning::pattern_repeating::{Repeat, repeat};
 use crate::gcode::turning::rough::{self, Rough};
 use crate::gcode::turning::rules::{
-    FirstBlockMissing, FirstBlockWordMissing, RepeatPassesNotWhole, ThreadFirstBlockDigits, ThreadWordMissing,
+    FirstBlockMissing, FirstBlockUnused, FirstBlockWordMissing, RepeatPassesNotWhole, ThreadFirstBlockDigits,
+    ThreadWordMissing,
 };
 use crate::gcode::turning::thread_cycle::{Threading, thread};
 use crate::gcode::turning::trouble::Trouble;
@@ -72,6 +73,7 @@ impl Reader<'_, '_> {
             self.keep_first(cycle);
             return Ok(());
         }
+        self.second_block(cycle);
         let unit = self.state.modal.unit;
         let length = |word: Option<f64>| word.map(|word| unit.to_mm(word));
         let depth = if cycle == TurningCycle::Radial { letter::W } else { letter::U };
@@ -108,6 +110,7 @@ impl Reader<'_, '_> {
             self.keep_first(cycle);
             return Ok(());
         }
+        self.second_block(cycle);
         let unit = self.state.modal.unit;
         let retract = unit.to_mm(self.first(cycle, letter::R)?);
         let step = [letter::P, letter::Q].map(|word| self.increments(self.block.get(word).unwrap_or(0.0)));
@@ -130,6 +133,7 @@ impl Reader<'_, '_> {
             self.keep_first(cycle);
             return Ok(());
         }
+        self.second_block(cycle);
         let column = self.block.g_column(Group::NonModal);
         let P = self.first(cycle, letter::P)?;
         let digits = whole(P).and_then(|digits| u32::try_from(digits).ok()).filter(|digits| *digits <= 999_999);
@@ -183,8 +187,18 @@ impl Reader<'_, '_> {
         })
     }
 
+    /// A second block makes use of the first one before it.
+    fn second_block(&mut self, cycle: TurningCycle) {
+        self.memory.first_blocks.retain(|(first, _)| *first != cycle);
+    }
+
     /// Keeps the words of the first block of a cycle; those that it does not give stay.
     fn keep_first(&mut self, cycle: TurningCycle) {
+        if let Some((_, spot)) = self.memory.first_blocks.iter().find(|(first, _)| *first == cycle) {
+            self.memory.remarks.row(&FirstBlockUnused { cycle: cycle.number() }, *spot, None);
+        }
+        self.second_block(cycle);
+        self.memory.first_blocks.push((cycle, self.block.spot));
         let given = FIRST.map(|letter| self.block.get(letter));
         match self.state.modal.first.iter_mut().find(|(of, _)| *of == cycle) {
             Some((_, kept)) => {

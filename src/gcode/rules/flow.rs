@@ -327,8 +327,8 @@ rules! {
         es "{label} {word} usa otra vez la etiqueta de la línea {line}"
         en "{label} {word} uses the label of line {line} again"
         remedy "dé a cada IF, WHILE, DO y REPEAT una etiqueta propia", "give each IF, WHILE, DO and REPEAT a label of its own";
-        why "El control recuerda las etiquetas del programa y las de cada subprograma: ante una repetida se para, o vuelve al primer DO.",
-            "The control remembers the labels of the program and of each subprogram: at one used again it stops, or goes back to the first DO.";
+        why "El control recuerda las etiquetas del programa y las de cada subprograma: ante una repetida puede pararse, o volver al primer DO.",
+            "The control remembers the labels of the program and of each subprogram: at one used again it may stop, or go back to the first DO.";
         example Example::program("linuxcnc", "G21 G90 F100|O7 IF [1]|O7 ENDIF|O7 IF [1]|O7 ENDIF|M2", "4");
     "G0347" SubprogramBefore Stop { label: String, line: usize }
         es "{label} está antes de la llamada, en la línea {line}, y el control aún no lo conoce"
@@ -347,7 +347,7 @@ rules! {
     "G0349" BlockEmpty Stop {}
         es "bloque sin palabras"
         en "block without words"
-        remedy "borre la línea, o escriba «;» en ella", "delete the line, or write ';' in it";
+        remedy "borre la línea; un comentario va detrás de «;», sin número de bloque", "delete the line; a comment stands behind ';', without a block number";
         why "Ante una línea vacía, o con solo el número de bloque, el control da el error 0001.",
             "At an empty line, or one with a block number alone, the control gives error 0001.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|N20|G1 X10|M30", "2");

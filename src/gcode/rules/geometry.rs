@@ -260,7 +260,7 @@ rules! {
         why "La fresa está al lado del contorno: un arco desde ahí no es el programado.",
             "The cutter is beside the contour: an arc from there is not the programmed arc.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D2 G1 X10|X20|G40|G2 X30 I5|M2", "5");
-    "G0437" EntryTooShort Stop { length: Bare, radius: Bare }
+    "G0437" EntryTooShort Stop { length: Size, radius: Size }
         es "la entrada de la compensación mide {length}; debe ser mayor que el radio {radius}"
         en "the entry into compensation is {length} long; it must be longer than the radius {radius}"
         remedy "alargue en el plano el primer movimiento después de G41 o G42", "lengthen, in the plane, the first motion after G41 or G42";

@@ -32,7 +32,7 @@ rules! {
     "G0004" HighLevel Stop {}
         es "las sentencias en lenguaje de alto nivel de Fagor no están implementadas"
         en "statements of Fagor's high-level language are not supported"
-        remedy "escriba los comentarios después de «;»", "write comments after ';'";
+        remedy "borre la sentencia; los comentarios van detrás de «;»", "delete the statement; comments stand after ';'";
         why "Estas sentencias calculan y deciden dentro del control: sin ejecutarlas no se sabe qué hace el programa.",
             "These statements compute and decide inside the control: without running them nobody knows what the program does.";
         example Example::program("fagor-8055", "G0 X1|(P1 = 2)|M30", "2:1");
@@ -211,4 +211,11 @@ rules! {
         why "Sin el atributo X el programa no es ejecutable: el control da el error 0172.",
             "Without the attribute X the program is not executable: the control gives error 0172.";
         example Example::program("fagor-8055", "%FLANGE,M,|G71 G90 G94 F100|G1 X10|M30", "1");
+    "G0030" PercentAgain Stop {}
+        es "«%» no se admite aquí"
+        en "'%' is not allowed here"
+        remedy "borre la línea: «%» va solo delante del nombre, en la primera", "delete the line: '%' stands before the name only, in the first line";
+        why "«%» abre la cabecera con el nombre del programa; el final es M30.",
+            "'%' opens the header with the program's name; the end is M30.";
+        example Example::program("fagor-8055", "%FLANGE,MX,|G71 G90 G94 F100|G1 X10|%", "4:1");
 }

@@ -81,8 +81,8 @@ rules! {
         es "palabras de eje sin un movimiento en vigor"
         en "axis words without a motion in force"
         remedy "programe G0, G1, G2 o G3 antes de los ejes", "program G0, G1, G2 or G3 before the axes";
-        why "No se sabe si el movimiento es en rápido o en avance.",
-            "It is not clear whether the motion is rapid or at feed.";
+        why "No se sabe si el movimiento es en rápido o en avance: qué hay en vigor al encender lo dice, en algunos controles, un parámetro de máquina.",
+            "It is not clear whether the motion is rapid or at feed: what is in force at power-on is, on some controls, a machine parameter.";
         example Example::program("linuxcnc", "G21 G90 F100|G80|X1|M2", "3:1");
     "G0512" SetPositionWithoutAxes Stop {}
         es "G52 o G92 sin palabras de eje"
@@ -182,4 +182,11 @@ rules! {
         why "G4 toma una palabra de eje como tiempo: no se sabe qué hace el control con las demás.",
             "G4 takes an axis word as its time: it is not clear what the control does with the others.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X52. Z2.|G4 X1. Z-20.|M30", "3:1");
+    "G0526" FeedPerTurnWithoutSpeed Caution {}
+        es "avance por vuelta sin S: el control usa la velocidad del husillo que esté en vigor, o se para"
+        en "feed per revolution without S: the control uses the spindle speed that is in force, or stops"
+        remedy "dé la velocidad del husillo con S", "give the spindle speed with S";
+        why "De la velocidad que haya quedado depende el avance en mm/min.",
+            "The feed in mm/min hangs on whatever speed is left over.";
+        example Example::program("fagor-8055", "G71 G90 G95 F.1|G1 X10|M30", "2");
 }

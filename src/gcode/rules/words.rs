@@ -134,10 +134,10 @@ rules! {
         why "El control se para en una letra que no conoce.",
             "The control stops at a letter that it does not know.";
         example Example::program("fagor-8055", "G0 X1 H5|M30", "1:7");
-    "G0119" PointNotTaken Stop { letter: char, value: f64 }
-        es "{letter}{value} lleva punto decimal, que {letter} no admite"
-        en "{letter}{value} has a decimal point, which {letter} does not allow"
-        remedy "escriba un número entero: P y Q cuentan incrementos mínimos, ms o milésimas de grado", "write a whole number: P and Q count least increments, ms or thousandths of a degree";
+    "G0119" PointNotTaken Stop { letter: char, word: String }
+        es "{word} lleva punto decimal, que {letter} no admite"
+        en "{word} has a decimal point, which {letter} does not allow"
+        remedy "escriba un número entero sin punto: P y Q cuentan incrementos mínimos, ms o milésimas de grado", "write a whole number without a point: P and Q count least increments, ms or thousandths of a degree";
         why "El control se para en un punto decimal en estas letras.",
             "The control stops at a decimal point in these letters.";
         example Example::program("fanuc-lathe-a", "G21 G98|G4 P1.5|M30", "2:4");
@@ -176,4 +176,11 @@ rules! {
         why "El manual no dice si el control da una alarma o corta los decimales que sobran.",
             "The manual does not say whether the control raises an alarm or drops the other decimals.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|G1 X10.1234567|M30", "2:4");
+    "G0125" DwellNotWhole Stop { letter: char, value: f64, unit: f64 }
+        es "{letter}{value} en G4: {letter} cuenta unidades de {unit} s y admite un número entero"
+        en "{letter}{value} in G4: {letter} counts units of {unit} s and takes a whole number"
+        remedy "escriba el tiempo en esas unidades: 0.5 s son 50 centésimas", "write the time in these units: 0.5 s are 50 hundredths";
+        why "Un decimal suele venir de un programa en segundos, y el control esperaría la centésima parte.",
+            "A decimal often comes from a program in seconds, and the control would dwell a hundredth of it.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|G4 K0.5|M30", "2:4");
 }

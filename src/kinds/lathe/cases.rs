@@ -59,6 +59,7 @@ fn shaft(language: Language) -> Vec<(&'static str, Value)> {
         ("material", line(language, "Acero S235", "Steel S235")),
         ("dialect", Value::Choice("fanuc-lathe-a")),
         ("point", Value::Choice("calculator")),
+        ("hole_R", Value::Choice("absolute")),
         ("D", Value::Real(50.0)),
         ("L", Value::Real(120.0)),
         ("L4", Value::Real(30.0)),

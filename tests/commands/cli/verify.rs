@@ -261,6 +261,28 @@ fn an_axis_that_comes_back_to_0_is_told_as_0() {
     assert_eq!(program["net_travel"].get("B"), None);
 }
 
+/// Extents behind a block that the control does not run would be those of another program.
+#[test]
+fn of_a_program_with_a_rejected_block_no_figures_are_told() {
+    let folder = with_program("program.nc", b"%P,MX,\nG71 G90 G94 F100\nG1 G42 X10\nY30\nM30\n");
+    rodete(&folder).args(["verify", "program.nc", "--dialect", "fagor-8055", "--lang", "en"]).assert().code(3).stdout(
+        predicate::str::contains("no extents, path or time")
+            .and(predicate::str::contains("net travel").not())
+            .and(predicate::str::contains("at feed").not()),
+    );
+}
+
+/// A canonical motion has the axes that it turns back to 0, and the feed of rotary axes alone is in degrees.
+#[test]
+fn canonical_motions_have_the_axis_that_arrives_at_0_and_degrees_for_what_only_turns() {
+    let folder = with_program("program.ngc", b"G21 G90 G94 F500\nG1 A90\nG0 A0\nG1 X1 A5\nM2\n");
+    let output = rodete(&folder).args(["verify", "program.ngc", "--canon", "--lang", "en"]).output().expect("it runs");
+    let text = String::from_utf8(output.stdout).expect("text");
+    let motions: Vec<Json> = text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
+    assert_eq!((&motions[0]["feed_unit"], &motions[2]["feed_unit"]), (&Json::from("deg/min"), &Json::from("mm/min")));
+    assert_eq!(motions[1]["to"]["A"], 0.0);
+}
+
 /// Of a file that nobody read there is nothing to be summed up.
 #[test]
 fn a_file_that_is_not_there_has_no_sum() {

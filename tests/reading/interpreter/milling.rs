@@ -81,7 +81,7 @@ const CONTOURS: u64 = 80;
 const BAD: [(&str, &str); 24] = [
     (
         "G41.1 D6; G1 X2.9; X20; G40; X30",
-        "the entry into compensation is 2.9 long; it must be longer than the radius 3",
+        "the entry into compensation is 2.9 mm long; it must be longer than the radius 3 mm",
     ),
     ("G41.1 D6; G1 Z-1; X10; X20", "the entry into compensation is 0 long"),
     ("G41.1 D6; G1 X10; X30; G3 X34 I2; G1 X50", "the cutter's radius 3 does not fit into the arc of radius 2"),

@@ -35,7 +35,7 @@ fn t_names_place_and_offset() {
         ("T0107", "offset 7 is not in the tool table"),
         ("T1", "T1 gives no turret place, only offset 1; write T0101"),
         ("T10101", "T10101 is not a turret place with its offset"),
-        ("T1.5", "T1.5 is not a turret place with its offset"),
+        ("T1.5", "T1.5 has a decimal point"),
     ] {
         let refused = refusal(&format!("{word}\nM30\n"));
         assert!(refused.starts_with(&format!("1:1 {message}")), "{refused}");

@@ -236,4 +236,12 @@ rules! {
             "add {letter}: without it the control uses one of its parameters";
         why "rodete no conoce los parámetros del control.", "rodete does not know the control's parameters.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G76 P010060 R.1|G76 X28. Z-20. P1000 Q300 F1.5|M30", "4:1");
+    "G0655" FirstBlockUnused Caution { cycle: u8 }
+        es "a este primer bloque de G{cycle} no le sigue el segundo: no se mecaniza nada"
+        en "no second block follows this first block of G{cycle}: nothing is cut"
+        remedy "escriba el segundo bloque de G{cycle}: G71 a G73 con P y Q, G74 a G76 con X o Z",
+            "write the second block of G{cycle}: G71 to G73 with P and Q, G74 to G76 with X or Z";
+        why "Si el bloque debía mecanizar, lo que sigue avanza sin desbaste, a toda la profundidad.",
+            "If the block was meant to cut, what follows goes in without roughing, at the full depth.";
+        example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G71 U2. R1.|G71 U.4 W.1 F.2|G0 X60.|M30", "3");
 }

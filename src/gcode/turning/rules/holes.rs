@@ -14,13 +14,13 @@ rules! {
         remedy "aumente Q", "increase Q";
         why "Tantas penetraciones suelen venir de un Q en otra unidad.", "So many pecks usually come from a Q in another unit.";
         example Example::program("linuxcnc", "G21 G90 F100 S500 M3|G0 Z5|G83 X0 Y0 R2 Z-50 Q0.0001|M2", "3");
-    "G0730" HolePlaneNotSaid Note {}
+    "G0730" HolePlaneNotSaid Caution {}
         es "no se ha dicho qué es R en G81 a G83: rodete la lee como la Z absoluta del plano"
         en "the meaning of R in G81 to G83 is not given: rodete reads R as the absolute Z of the plane"
         remedy "rellene hole_R en el libro (hoja DATOS), o dé --hole-r",
             "fill in hole_R in the workbook (sheet DATA), or give --hole-r";
-        why "Según el control, R es la Z del plano o una distancia desde la posición de la herramienta.",
-            "Depending on the control, R is the Z of the plane or a distance from the tool's position.";
+        why "Según el control, R es la Z del plano o una distancia desde la posición de la herramienta: mal leída, la broca entra en rápido en la pieza.",
+            "Depending on the control, R is the Z of the plane or a distance from the tool's position: read wrongly, the drill goes into the part at rapid.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G81 X0 Z-12. R2.|M30", "3:14");
     "G0731" HoleDwellNegative Stop {}
         es "tiempo de espera negativo"

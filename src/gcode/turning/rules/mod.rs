@@ -22,7 +22,7 @@ pub use self::corner::{
 };
 pub use self::cycles::{
     AllowanceIntoMetal, ContourBackAlongX, ContourBackAlongZ, ContourBeginsWithArc, ContourBeyondStart,
-    ContourDoesNotAdvance, ContourNotFound, CycleNotFinite, FirstBlockMissing, FirstBlockWordMissing,
+    ContourDoesNotAdvance, ContourNotFound, CycleNotFinite, FirstBlockMissing, FirstBlockUnused, FirstBlockWordMissing,
     GrooveReliefNegative, GrooveStepNegative, GrooveStepZero, GrooveWithoutDepth, NoDepthOfCut, RepeatPassesNotWhole,
     RepeatWithoutPasses, RetractionNegative, ThreadAllowance, ThreadAngle, ThreadDigits, ThreadFirstBlockDigits,
     ThreadLeadNotPositive, ThreadLeastCut, ThreadStartsInside, ThreadTooShort, ThreadWithoutHeight, ThreadWordMissing,
