@@ -1,5 +1,6 @@
 //! Pipes: their sizes as standards give them, what cuts a branch to fit a header, and the hole in the header.
 
+pub mod dimensions;
 mod form;
 mod form_sketch;
 pub mod hole;
@@ -13,7 +14,7 @@ mod sketch;
 use crate::gcode::control::Rotary;
 use crate::gcode::word::Distance;
 use crate::kind::{Proved, Shown};
-use crate::kinds::pipe::insert::design::Pipe;
+use crate::kinds::pipe::dimensions::Pipe;
 use crate::proof::account::Account;
 
 /// How a program turns its rotary axes: where those of the control are rollover as delivered, the number of an absolute word

@@ -12,13 +12,9 @@
 //! NPS 22 and 30, 120 below NPS 4, 160 and XXS below NPS 1/2) and what only older charts have (60 of NPS 4, XXS of
 //! NPS 3-1/2).
 
-use crate::finding::{Finding, Key, Raise, Size as Length};
-use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, T_BRANCH, T_HEADER};
-use crate::kinds::pipe::insert::design::Pipe;
-use crate::kinds::pipe::rules::WallBeyondRadius;
 use crate::parameter::field::Typed;
-use crate::parameter::{Choice, Value, at};
-use crate::text::{Text, t};
+use crate::parameter::{Choice, Value};
+use crate::text::t;
 
 /// A nominal size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,18 +140,6 @@ pub const SCHEDULES: &[Choice] = &[
     Choice { key: "XS", label: t("XS", "XS") },
     Choice { key: "XXS", label: t("XXS", "XXS") },
 ];
-
-/// The stops of pipes whose wall is no less than their radius.
-#[must_use]
-pub(super) fn solid(branch: Pipe, header: Pipe) -> Vec<Finding> {
-    let of = |pipe: Pipe, name: Text, keys: [Key; 2]| {
-        let (wall, radius) = (Length::mm(pipe.t), Length::mm(pipe.D / 2.0));
-        (pipe.t >= pipe.D / 2.0).then(|| WallBeyondRadius { pipe: name, wall, radius }.at(at(keys)))
-    };
-    let branch = of(branch, t("del injerto", "of the branch"), [D_BRANCH.key(), T_BRANCH.key()]);
-    let header = of(header, t("del tubo base", "of the header"), [D_HEADER.key(), T_HEADER.key()]);
-    branch.into_iter().chain(header).collect()
-}
 
 /// A schedule, by its key in [`SCHEDULES`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,6 +7,7 @@ use crate::gcode::fields::rapids;
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
+use crate::kinds::pipe::dimensions::{BRANCH, HEADER, Pipe, solid};
 use crate::kinds::pipe::form::{
     BLOCK_STEP, D_BRANCH, D_HEADER, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, T_HEADER,
     THETA, TORCH_OFF, TORCH_ON,
@@ -21,8 +22,6 @@ use crate::kinds::pipe::hole::rules::{
     LimitBelowHeight,
 };
 use crate::kinds::pipe::hole::station::Groove;
-use crate::kinds::pipe::insert::design::{BRANCH, HEADER, Pipe};
-use crate::kinds::pipe::size::solid;
 use crate::machine::rapids::Rapids;
 use crate::parameter::at;
 use crate::parameter::field::Fields;

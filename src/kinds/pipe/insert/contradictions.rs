@@ -3,6 +3,7 @@
 use crate::finding::{Finding, Raise, Size};
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::program::Style;
+use crate::kinds::pipe::dimensions::solid;
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, END_CODES, TORCH_OFF, TORCH_ON};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::parameters::{CONTACT, EXPERT_BRANCH_R, F, KERF, LEAD_IN, MODE, OVERCUT, R, STYLE};
@@ -10,7 +11,6 @@ use crate::kinds::pipe::insert::rules::{
     AnnexIsFlat, BranchLarger, BranchOverhangs, KerfBeyondBore, KerfBeyondGap, LeadInCutsPart, OvercutPastTurn,
     RadiusOfEnvelope,
 };
-use crate::kinds::pipe::size::solid;
 use crate::kinds::rules::{AnnexCarriesNoFeed, FullStyleNeeds};
 use crate::parameter::at;
 

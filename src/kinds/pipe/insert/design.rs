@@ -1,81 +1,24 @@
 //! The design of a branch pipe: validated parameters with units settled.
 
 use crate::figure::Paper;
-use crate::finding::{Finding, Raise, Typed};
+use crate::finding::Finding;
 use crate::gcode::control::{Control, Written};
 use crate::gcode::fields::rapids;
 use crate::gcode::program::Style;
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
 use crate::geometry::pipe_wall::{PipeWall, Seat};
+use crate::kinds::pipe::dimensions::{BRANCH, HEADER, Pipe};
 use crate::kinds::pipe::form::{
-    BLOCK_STEP, BRANCH_SCHEDULE, BRANCH_SIZE, D_BRANCH, D_HEADER, DIALECT, E, END_CODES, HEADER_SCHEDULE, HEADER_SIZE,
-    MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, T_BRANCH, T_HEADER, THETA, TORCH_OFF, TORCH_ON,
+    BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, THETA, TORCH_OFF, TORCH_ON,
 };
 use crate::kinds::pipe::insert::outline::Outline;
 use crate::kinds::pipe::insert::parameters::{
     ARC_TOLERANCE, CONTACT, EXPERT_BRANCH_R, F, KERF, LEAD_IN, MODE, N, OVERCUT, R, R_DEV, SHEET, STYLE, Surface, Z,
 };
 pub use crate::kinds::pipe::insert::parameters::{Contact, Mode};
-use crate::kinds::pipe::rules::{NoSchedule, SizeMissing, TwoSizes};
-use crate::kinds::pipe::size::{Schedule, Size};
 use crate::machine::rapids::Rapids;
-use crate::parameter::at;
-use crate::parameter::field::{Field, Fields, Optional};
-
-/// Outside diameter and wall of a pipe, mm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pipe {
-    /// D.
-    pub D: f64,
-    /// t.
-    pub t: f64,
-}
-
-/// The fields that give a pipe's size.
-#[derive(Clone, Copy, Debug)]
-pub struct SizeFields {
-    size: &'static Field<&'static Size, Optional>,
-    schedule: &'static Field<Schedule, Optional>,
-    D: &'static Field<f64, Optional>,
-    t: &'static Field<f64, Optional>,
-}
-
-/// The fields of the branch's size.
-pub const BRANCH: SizeFields =
-    SizeFields { size: &BRANCH_SIZE, schedule: &BRANCH_SCHEDULE, D: &D_BRANCH, t: &T_BRANCH };
-/// The fields of the header's size.
-pub const HEADER: SizeFields =
-    SizeFields { size: &HEADER_SIZE, schedule: &HEADER_SCHEDULE, D: &D_HEADER, t: &T_HEADER };
-
-impl Pipe {
-    /// The pipe of nominal size and schedule, or of outside diameter and wall.
-    ///
-    /// # Errors
-    /// Where both are given and differ, neither is given whole, or the schedule does not exist in that size.
-    pub fn of(fields: &Fields, from: SizeFields) -> Result<Self, Box<Finding>> {
-        let keys = [from.size.key(), from.schedule.key(), from.D.key(), from.t.key()];
-        let [size, schedule, diameter, wall] = keys;
-        let typed = (fields.get(from.D), fields.get(from.t));
-        let named = (fields.get(from.size), fields.get(from.schedule));
-        let (found, number) = match (named, typed) {
-            ((None, None), (Some(D), Some(t))) => return Ok(Self { D, t }),
-            ((Some(found), Some(Schedule(number))), _) => (found, number),
-            _ => return Err(Box::new(SizeMissing { size, schedule, diameter, wall }.at(at(keys)))),
-        };
-        let &Size { nps, outside, .. } = found;
-        let Some(thick) = found.wall(number) else {
-            return Err(Box::new(NoSchedule { number, nps, diameter, wall }.at(at([size, schedule]))));
-        };
-        let other = |typed: Option<f64>, own: f64| typed.is_some_and(|typed| (typed - own).abs() > 1e-9);
-        if other(typed.0, outside) || other(typed.1, thick) {
-            let (outside, thick) = (Typed { value: outside, unit: "" }, Typed { value: thick, unit: "mm" });
-            let told = TwoSizes { size, nps, number, outside, thick, diameter, wall };
-            return Err(Box::new(told.at(at(keys))));
-        }
-        Ok(Self { D: outside, t: thick })
-    }
-}
+use crate::parameter::field::Fields;
 
 /// A design that may be computed. Lengths in mm, θ in degrees.
 #[derive(Clone, Debug)]
