@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::{label, line, steps};
-use crate::figure::{Figure, Ink, Label, Stroke};
+use crate::figure::{Figure, Ink, Stroke};
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::bodies::{Bodies, Body, Steps, about_axis};
 use crate::kinds::impeller::clear::cut::Which;
@@ -19,12 +19,9 @@ use crate::text::{Text, t};
 const OUTLINES: Steps = Steps { along: 96, deep: 1, across: 12 };
 /// How far the circles go on beyond the blades, radians.
 const BEYOND: f64 = 0.2;
-/// How far a number stands off the end of its way, how much farther where another is in its place, and how far from that; in R.
+/// How far a number stands off the end of its way, and how near to another it is put beside it; in R.
 const OFF: f64 = 0.045;
-const FARTHER: f64 = 0.02;
 const APART: f64 = 0.085;
-/// Places that are tried.
-const PLACES: u8 = 16;
 /// The printed height of each figure, mm.
 const HEIGHT: f64 = 118.0;
 
@@ -78,28 +75,28 @@ fn arrow(ink: Ink, points: Vec<[f64; 2]>) -> Stroke {
     Stroke { arrow: true, ..line(ink, points) }
 }
 
-/// A number beyond the end of a way that is farther out, clear of the numbers that are there.
-fn numbered(design: &Design, points: &[[f64; 2]], number: usize, labels: &[Label]) -> Option<Label> {
+/// Puts a number beyond the end of a way that is farther out; ways that end near one another have their numbers in one place.
+fn number_at_end(design: &Design, points: &[[f64; 2]], number: usize, places: &mut Vec<([f64; 2], Vec<String>)>) {
     let far = |[x, y]: &[f64; 2]| x * x + y * y;
-    let inwards = points.first().map(far) > points.last().map(far);
-    let mut way = points.iter().rev().copied();
-    let [end, before] = if inwards { [*points.first()?, *points.get(1)?] } else { [way.next()?, way.next()?] };
-    let apart = |[x, y]: [f64; 2], [other_x, other_y]: [f64; 2]| hypot(x - other_x, y - other_y);
-    let long = apart(end, before).max(1e-9);
-    let R = design.torus.R;
-    let place = |step: u8| {
-        let off = (OFF + FARTHER * f64::from(step)) * R / long;
-        [end[0] + (end[0] - before[0]) * off, end[1] + (end[1] - before[1]) * off]
+    let [end, before] = match points {
+        [first, second, .., last] if far(first) > far(last) => [first, second],
+        [.., before, last] => [last, before],
+        _ => return,
     };
-    let free = |at: &[f64; 2]| labels.iter().all(|label| apart(label.at, *at) >= APART * R);
-    let at = (0..PLACES).map(place).find(free).unwrap_or_else(|| place(0));
-    Some(label(at, Text::same(number.to_string())))
+    let long = hypot(end[0] - before[0], end[1] - before[1]).max(1e-9);
+    let R = design.torus.R;
+    let at = [0, 1].map(|axis| end[axis] + (end[axis] - before[axis]) * OFF * R / long);
+    let near = |(other, _): &&mut ([f64; 2], Vec<String>)| hypot(at[0] - other[0], at[1] - other[1]) < APART * R;
+    match places.iter_mut().find(near) {
+        Some((_, numbers)) => numbers.push(number.to_string()),
+        None => places.push((at, vec![number.to_string()])),
+    }
 }
 
 /// The roughing lanes of the first level, each with its number in the table of passes.
 fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
     let mut strokes = walls(design, blade, plan);
-    let mut labels: Vec<Label> = Vec::new();
+    let mut places = Vec::new();
     let (mut modes, mut rest) = (Vec::new(), false);
     for (number, pass) in (1..).zip(&plan.passes) {
         let ink = match (pass.cutting, pass.mode) {
@@ -116,8 +113,7 @@ fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
             _ => continue,
         };
         let points = way(design, pass);
-        let number = numbered(design, &points, number, &labels);
-        labels.extend(number);
+        number_at_end(design, &points, number, &mut places);
         strokes.push(arrow(ink, points));
     }
     let mut legend: Vec<(Ink, Text)> = [Mode::Slot, Mode::Climb, Mode::Conventional]
@@ -138,17 +134,17 @@ fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
         height: HEIGHT,
         caption: Text::new(
             format!(
-                "Desbaste de un canal en planta: trayectorias de la punta en el primer nivel, con el número de su pasada; quedan {s} mm en \
+                "Desbaste de un canal en planta: trayectorias de la punta en el primer nivel, con los números de sus pasadas; quedan {s} mm en \
                  caras y fondo"
             ),
             format!(
-                "Roughing of one channel in plan: tip paths on the first level, each with the number of its pass; {s} mm are \
+                "Roughing of one channel in plan: tip paths on the first level, with the numbers of their passes; {s} mm are \
                  left on faces and floor"
             ),
         ),
         axes: None,
         strokes,
-        labels,
+        labels: places.into_iter().map(|(at, numbers)| label(at, Text::same(numbers.join(", ")))).collect(),
         legend,
     }
 }

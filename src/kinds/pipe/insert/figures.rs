@@ -249,10 +249,14 @@ fn development(design: &Design, cut: Option<&Cut>) -> Figure {
     Figure {
         key: "development",
         height: Figure::HEIGHT,
-        caption: t(
-            "Desarrollo del injerto con la trayectoria de la antorcha",
-            "Development of the branch with the torch path",
-        ),
+        caption: if cut.is_some() {
+            t(
+                "Desarrollo del injerto con la trayectoria de la antorcha",
+                "Development of the branch with the torch path",
+            )
+        } else {
+            t("Desarrollo del injerto", "Development of the branch")
+        },
         axes: None,
         strokes,
         labels: vec![Label { at: [0.0, -margin], text: Text::same("φ = 0") }],

@@ -393,7 +393,14 @@ fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
     let contact = match design.contact {
         Contact::Envelope => {
             let [inner, outer] = rest.gaps.map(|gap| gap_of(&gap));
-            let kerf = Size::mm(told(design.cut_back()));
+            let back = told(design.cut_back());
+            let taken = Size::mm(back);
+            let kerf = Text::new(
+                format!("; el ancho de corte quita hasta {} más al interior", taken.said(Language::Es)),
+                format!("; the kerf takes up to {} more off the inner edge", taken.said(Language::En)),
+            );
+            // In a plane the torch cuts square to the curve, and takes no more.
+            let kerf = if back > 0.0 { kerf } else { t("", "") };
             return Some(GapsOfEnvelope { inner, outer, kerf }.at(at([CONTACT.key()])));
         }
         Contact::Inside => t("interior", "inside"),

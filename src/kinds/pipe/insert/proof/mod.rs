@@ -282,10 +282,11 @@ impl PathOnCurve<'_> {
             Look { part, phi, off: off.norm(), aside: off.dot(&across), edge: on_header.abs(), place, line }
         };
         let margin = (to - from) * 0.5 + 1e-9;
-        let first = [0.0, 0.5, 1.0].map(|part| {
+        let looked = |part: f64| {
             let near = from + (to - from) * part;
             look(part, [(near - margin).max(from), (near + margin).min(to)], 25)
-        });
+        };
+        let first = [0.0, 0.5, 1.0].map(looked);
         let between = |one: &Look, other: &Look| {
             let (low, high) = (one.phi.min(other.phi), one.phi.max(other.phi));
             let wider = 0.25 * (high - low) + 1e-9;
@@ -295,6 +296,11 @@ impl PathOnCurve<'_> {
             curve.push([look.phi.to_degrees(), look.aside]);
             look
         };
+        // The bound stops looking where it knows enough, which may be where an arc meets its points: the figure shows what
+        // lies between.
+        for part in [0.125, 0.25, 0.375, 0.625, 0.75, 0.875] {
+            drawn(looked(part));
+        }
         self.errors.take(
             at,
             &first.map(&mut drawn),
