@@ -253,8 +253,12 @@ fn place(finding: &Finding, values: &Values) -> Place {
 
 fn findings<'a>(both: [Side<'a>; 2]) -> Vec<Found<'a>> {
     let sides = both.map(|side| side.findings);
+    // What is said of one program is not held against what is said of another.
+    let program = |one: &Finding| one.data.iter().find(|(name, _)| *name == "program").map(|(_, told)| told.clone());
     let is = |one: &Finding, other: &Finding| {
-        one.is(other.rule()) && place(one, both[0].values) == place(other, both[1].values)
+        one.is(other.rule())
+            && place(one, both[0].values) == place(other, both[1].values)
+            && program(one) == program(other)
     };
     let mut taken = vec![false; sides[1].len()];
     let mut all: [Vec<Found<'a>>; 3] = Default::default();

@@ -158,3 +158,17 @@ fn the_comparison_is_written_as_a_pdf_that_names_both_workbooks_and_what_differs
     }
     assert_eq!(names(folder.path()), ["a.pdf", "a.xlsx", "b.pdf", "impeller.xlsx", "other.xlsx"]);
 }
+
+/// What is said of a program that one workbook alone has is not held against what the other says of another program.
+#[test]
+fn findings_about_programs_are_paired_by_the_program() {
+    let folder = two(&[("splitters", Value::Choice("no"))]);
+    let read = document(&folder, "impeller.xlsx", "other.xlsx");
+    let passed = |side: &str| -> Vec<String> {
+        let all = read[side]["findings"].as_array().expect("findings").iter();
+        all.filter(|one| one["code"] == "V0019").map(|one| one["what"]["en"].to_string()).collect()
+    };
+    assert!(passed("only_a").iter().all(|what| what.contains("splitter")), "{:?}", passed("only_a"));
+    assert!(passed("only_b").is_empty(), "{:?}", passed("only_b"));
+    assert!(passed("both").iter().any(|what| what.contains("blank")), "{:?}", passed("both"));
+}
