@@ -86,8 +86,8 @@ rules! {
     "U0117" OtherKind Stop { one: String, kind: &'static str, other: String, other_kind: &'static str }
         es "{one} es un libro de {kind} y {other} de {other_kind}"
         en "{one} is a workbook of {kind}, {other} of {other_kind}"
-        remedy "compare dos libros de la misma clase", "compare two workbooks of one kind";
-        why "Los libros de dos clases no tienen las mismas entradas.", "Workbooks of two kinds do not have the same inputs.";
+        remedy "compare dos libros del mismo tipo", "compare two workbooks of one kind";
+        why "Los libros de dos tipos no tienen las mismas entradas.", "Workbooks of two kinds do not have the same inputs.";
         example made!("two-kinds", "compare impeller.xlsx lathe.xlsx", "compare impeller.xlsx lathe.xlsx");
     "U0121" StockWithoutTurning Stop {}
         es "--stock vale para un programa de torno, no para esta entrada"

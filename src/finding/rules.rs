@@ -64,7 +64,7 @@ rules! {
         es "no hay cálculo para el esquema {schema}"
         en "there is no computation for schema {schema}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Todo formulario es de una clase, y toda clase tiene su cálculo.",
+        why "Todo formulario es de un tipo, y todo tipo tiene su cálculo.",
             "Every form belongs to a kind, and every kind has its computation.";
         example never!();
 }

@@ -11,7 +11,7 @@ rules! {
     "D0101" NoSweepSheet Stop { sheet: Text }
         es "el libro no tiene la hoja {sheet}"
         en "the workbook has no sheet {sheet}"
-        remedy "póngala con rodete new, la clase del libro y las opciones --sweep --into LIBRO", "put it in with rodete new, the kind of the workbook, and the options --sweep --into BOOK";
+        remedy "póngala con rodete new, el tipo del libro y las opciones --sweep --into LIBRO", "put it in with rodete new, the kind of the workbook, and the options --sweep --into BOOK";
         why "La hoja dice qué entradas varían y cómo.", "The sheet says which inputs vary, and how.";
         example Example::Made { key: "sweep-without-sheet", how: t("rodete sweep impeller.xlsx, de un libro sin hoja SWEEP", "rodete sweep impeller.xlsx, of a workbook without a sheet SWEEP") };
     "D0102" NothingVaries Stop { sheet: Text }

@@ -37,7 +37,7 @@ rules! {
         en "{document} could not be typeset with templates of your own:{lines}"
         remedy "corrija el archivo en la línea indicada, o genere sin --templates; las hojas y los programas están completos",
             "correct the file at the named line, or build without --templates; the sheets and programs are complete";
-        why "Delante de cada mensaje va el archivo con su línea y columna; kind/ es la carpeta de la clase del libro.",
+        why "Delante de cada mensaje va el archivo con su línea y columna; kind/ es la carpeta del tipo de libro.",
             "In front of each message stand the file, its line and column; kind/ is the folder of the workbook's kind.";
         example Example::Made { key: "false-templates", how: t(
             "build --templates con una plantilla que typst rechaza", "build --templates with a template that typst rejects") };

@@ -271,7 +271,7 @@ fn a_calibration_takes_the_root_nearest_the_spindle_height_and_says_so() {
     let remark = outcome.findings.iter().find(|finding| finding.what.en.starts_with("the calibration gives")).unwrap();
     assert_eq!(
         remark.what.en,
-        "the calibration gives R_B = 147.5 mm and B = 0°; the workbook says R_B = 147.5 mm (rodete takes the nearest root)"
+        "the calibration gives R_B = 147.5 mm and B = 0°; the workbook says R_B = 147.5 mm (the nearer one of two solutions)"
     );
     assert_eq!(remark.grade, Grade::Note);
     let off = common::outcome("full", &calibration(-207.0, -185.5));

@@ -22,7 +22,7 @@ const END_CLEARANCE: f64 = 30.0;
 /// How the blank is turned. Lengths in mm; those named "on the diameter" are programmed so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlankTurning {
-    /// C, step of the cycle, on the radius.
+    /// C, step of the cycle along Z, and the facing allowance.
     pub C: f64,
     /// Feed, mm a revolution.
     pub F_b: f64,

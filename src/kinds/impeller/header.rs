@@ -92,6 +92,12 @@ pub fn header(
     } else {
         comments
             .line("C ES EJE GIRATORIO CONTINUO - CUENTA MAS DE 360", "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360");
+        if design.style == Style::Full && design.distance == Distance::Incremental {
+            comments.line(
+                "VALE CON EJES ROTATIVOS LINEALES - OTROS BLOQUE A BLOQUE",
+                "VALID FOR LINEAR ROTARY AXES - OTHERS IN SINGLE BLOCK",
+            );
+        }
     }
     if design.style == Style::Full && design.distance == Distance::Absolute {
         comments.line("SOLO VALE SI B Y C NO SON EJES ROLLOVER", "VALID ONLY IF B AND C ARE NOT ROLLOVER AXES");
@@ -136,6 +142,11 @@ pub fn blank_header(design: &Design, program: &Program, origin: &Origin<'_>) -> 
     let (diameter, length) = (fixed(2.0 * design.torus.R), fixed(blank.L_b));
     comments
         .line(&format!("BRUTO DIAM. {diameter} LONG. {length}"), &format!("STOCK DIAM. {diameter} LENGTH {length}"));
+    let facing = fixed(blank.C);
+    comments.line(
+        &format!("LONG. DESDE LA CARA - MAS {facing} PARA REFRENTAR"),
+        &format!("LENGTH FROM THE FACE - PLUS {facing} TO FACE OFF"),
+    );
     comments
         .line(&format!("HERRAMIENTA T{} D{}", blank.T_b, blank.D_b), &format!("TOOL T{} D{}", blank.T_b, blank.D_b));
     comments.line("CERO EN EL EJE Y LA CARA - X EN DIAMETROS", "ZERO ON THE AXIS AND THE FACE - X ON DIAMETERS");

@@ -290,7 +290,7 @@ fn blank() -> Vec<LiveRow> {
         LiveRow::length(
             "C",
             "live_step",
-            t("Paso del torneado, en radios", "Step of the turning, on the radius"),
+            t("Paso del torneado, en Z", "Step of the turning, along Z"),
             "IF(ISNUMBER(blank_step_C),blank_step_C,\"\")",
         )
         .wrong(

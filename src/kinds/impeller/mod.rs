@@ -309,7 +309,9 @@ impl Method for Impeller {
 
     fn setup(design: &Design, model: &Model) -> Vec<(&'static str, Shown)> {
         let clear = design.clear.as_ref().zip(model.clear.as_ref());
-        clear.map(|(asked, plan)| remarks_of::enough_stick_outs(asked, plan)).unwrap_or_default()
+        let enough = clear.map(|(asked, plan)| remarks_of::enough_stick_outs(asked, plan)).unwrap_or_default();
+        let length = ("length-by-offset", Shown::Whether(design.written.writing.tool.may_bring_length()));
+        enough.into_iter().chain([length]).collect()
     }
 
     fn charts(_: &Design, model: &Model) -> Vec<Chart> {

@@ -366,7 +366,7 @@ pub(super) static C: Field<f64, Required> = Field::real(
     "blank_step_C",
     MM,
     [0.01, 20.0],
-    t("Paso C del ciclo G85, en radios", "Step C of the G85 cycle, on the radius"),
+    t("Paso C del ciclo G85, en Z, y sobremetal de la cara", "Step C of the G85 cycle, along Z, and facing allowance"),
     t("Publicado: 1", "Published: 1"),
 );
 pub(super) static F_B: Field<f64, Required> = Field::real(
@@ -468,7 +468,7 @@ pub(super) static CALIBRATION_H: Field<f64, WithSheet> = Field::real(
     MM,
     [0.0, 5000.0],
     t("Altura de la pieza sobre el husillo", "Height of the part above the spindle"),
-    t("", ""),
+    t("De la nariz del husillo a la cara del extremo", "From the spindle nose to the end face"),
 );
 pub(super) static CALIBRATION_D_W: Field<f64, WithSheet> = Field::real(
     "calibration/d_w",
@@ -476,7 +476,7 @@ pub(super) static CALIBRATION_D_W: Field<f64, WithSheet> = Field::real(
     MM,
     [0.0, 5000.0],
     t("Anchura de la pieza por su centro", "Width of the part through its centre"),
-    t("", ""),
+    t("De lado a lado, por el eje de C", "From side to side, through the axis of C"),
 );
 pub(super) static CALIBRATION_E_Z: Field<f64, WithSheet> = Field::real(
     "calibration/e_z",
@@ -484,7 +484,7 @@ pub(super) static CALIBRATION_E_Z: Field<f64, WithSheet> = Field::real(
     MM,
     [-1000.0, 1000.0],
     t("Profundidad de la ranura en Z", "Depth of the slot in Z"),
-    t("", ""),
+    t("Desde el lado que queda arriba con B = 90°", "From the side that is up at B = 90°"),
 );
 pub(super) static CALIBRATION_E_X: Field<f64, WithSheet> = Field::real(
     "calibration/e_x",
@@ -492,7 +492,7 @@ pub(super) static CALIBRATION_E_X: Field<f64, WithSheet> = Field::real(
     MM,
     [-1000.0, 1000.0],
     t("Profundidad de la ranura en X", "Depth of the slot in X"),
-    t("", ""),
+    t("Desde la cara del extremo", "From the end face"),
 );
 pub(super) static CALIBRATION_D_T: Field<f64, WithSheet> = Field::real(
     "calibration/d_t",
@@ -508,7 +508,7 @@ pub(super) static CALIBRATION_X0: Field<f64, WithSheet> = Field::real(
     MM,
     TRAVEL,
     t("X programada con B = 90°", "X programmed at B = 90°"),
-    t("", ""),
+    t("Centro de la herramienta, con X0 en el eje de C", "Centre of the tool, with X0 on the axis of C"),
 );
 pub(super) static CALIBRATION_Z0: Field<f64, WithSheet> = Field::real(
     "calibration/z0",
@@ -516,7 +516,10 @@ pub(super) static CALIBRATION_Z0: Field<f64, WithSheet> = Field::real(
     MM,
     TRAVEL,
     t("Z programada con B = 90°", "Z programmed at B = 90°"),
-    t("", ""),
+    t(
+        "Punta de la herramienta, con Z0 en la cara del extremo a B = 0°",
+        "Tip of the tool, with Z0 on the end face at B = 0°",
+    ),
 );
 
 const CALIBRATION: &[&Parameter] = &[

@@ -1,14 +1,15 @@
 //! What the impeller's job has to say: refusals and remarks for a person.
 
 use crate::finding::{Bare, Finding, Key, Place, Raise, Size};
+use crate::kinds::impeller::clear::fields::D_F;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::programs::Programs;
 use crate::kinds::impeller::rules::{
     AnnexIsRepeated, AnnexStartsAnywhere, AnnexWithoutFeed, BlankForFagor, CalibrationAgrees, CalibrationDiffers,
-    FeedReduced, FeedWordAtItsEnd, NoRoomForSplitter, NotNumbered, NothingCrosses, SlotsContradict, SpeedNotChecked,
-    SplitterWithoutPoint, TravelNotChecked,
+    FeedReduced, FeedWordAtItsEnd, LengthByOffset, NoRoomForSplitter, NotNumbered, NothingCrosses, SlotsContradict,
+    SpeedNotChecked, SplitterWithoutPoint, TravelNotChecked,
 };
 use crate::kinds::impeller::splitter::NoSplitter;
 use crate::kinds::impeller::start::start;
@@ -42,6 +43,14 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
         }
     }
     findings.extend(start(design));
+    if design.style == Style::Full && design.written.writing.tool.may_bring_length() {
+        let own = [(design.D, form::D.key())].into_iter();
+        let finishing = design.clear.as_ref().map(|asked| (asked.finish.D, D_F.key()));
+        let called: Vec<(u32, Key)> = own.chain(finishing).collect();
+        let offsets = called.iter().map(|(D, _)| format!("D{D}")).collect::<Vec<_>>().join(", ");
+        findings
+            .push(LengthByOffset { offsets }.at(Place::Parameters(called.into_iter().map(|(_, key)| key).collect())));
+    }
     let ends = design.travel.iter().flat_map(|travel| travel.ends.into_iter().zip(travel.keys));
     let unchecked: Vec<Key> = ends.filter(|(end, _)| end.is_none()).map(|(_, key)| key).collect();
     if !unchecked.is_empty() {

@@ -201,16 +201,16 @@ rules! {
             "Its turning cycles belong to that control; on another lathe, turn the part with another program.";
         example book!("impeller --case full");
     "P1030" CalibrationAgrees Note { found: Size, B: Size, R_B: Size }
-        es "la calibración da R_B = {found} y B = {B}; el libro dice R_B = {R_B} (rodete toma la raíz más próxima)"
-        en "the calibration gives R_B = {found} and B = {B}; the workbook says R_B = {R_B} (rodete takes the nearest root)"
+        es "la calibración da R_B = {found} y B = {B}; el libro dice R_B = {R_B} (de dos soluciones, la más próxima)"
+        en "the calibration gives R_B = {found} and B = {B}; the workbook says R_B = {R_B} (the nearer one of two solutions)"
         remedy "", "";
         why "Hasta una centésima de diferencia, la décima parte de lo que se ve en una ranura, el libro y las ranuras coinciden.",
             "Up to a hundredth apart, a tenth of what the eye sees in a slot, workbook and slots agree.";
         example book!("impeller --case full", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
             "CALIBRATION!C10" = "6", "CALIBRATION!C11" = "-206.5", "CALIBRATION!C12" = "-185.5");
     "P1031" CalibrationDiffers Caution { found: Size, B: Size, R_B: Size, better: Bare }
-        es "la calibración da R_B = {found} y B = {B}; el libro dice R_B = {R_B} (rodete toma la raíz más próxima)"
-        en "the calibration gives R_B = {found} and B = {B}; the workbook says R_B = {R_B} (rodete takes the nearest root)"
+        es "la calibración da R_B = {found} y B = {B}; el libro dice R_B = {R_B} (de dos soluciones, la más próxima)"
+        en "the calibration gives R_B = {found} and B = {B}; the workbook says R_B = {R_B} (the nearer one of two solutions)"
         remedy "compruebe las ranuras y valore poner R_B = {better}", "check the slots and consider R_B = {better}";
         why "R_B da la longitud de pivote: un error en ella desplaza la punta en cada giro de B.",
             "R_B sets the pivot length: an error in it shifts the tip at every swivel of B.";
@@ -238,8 +238,8 @@ rules! {
             "Between 0 and 360 an absolute number is the same angle on both types of axis; from 0 it is also the same turn.";
         example book!("impeller --case full");
     "P1035" IncrementsFromZero Note {}
-        es "los programas giran B y C en incremental (G91) tras un bloque con B0 C0"
-        en "the programs turn B and C in increments (G91) after a block with B0 C0"
+        es "los programas giran B y C en incremental (G91) tras un bloque con B0 C0: valen con ejes lineales; con otros, pruébelos antes bloque a bloque"
+        en "the programs turn B and C in increments (G91) after a block with B0 C0: they suit linear axes; on others try them in single block first"
         remedy "", "";
         why "El control cuenta B y C como ejes lineales: el bloque con B0 C0 deshace las vueltas acumuladas.",
             "The control counts B and C as linear axes: the block with B0 C0 unwinds the turns made so far.";
@@ -341,4 +341,11 @@ rules! {
             "write M3 into start_codes, or start the spindle before each program";
         why "Una fresa que no gira se rompe en el primer corte.", "A cutter that does not turn breaks in the first cut.";
         example book!("impeller --case full", "start_codes" = "M11 M13");
+    "P1049" LengthByOffset Caution { offsets: String }
+        es "en este control {offsets} puede activar la longitud de la tabla de herramientas, y los programas la ponen en el cero de Z"
+        en "on this control {offsets} may bring the length of the tool table into force, and the programs take it from the zero of Z"
+        remedy "ponga a 0 en la tabla la longitud de ese corrector, y tome el cero de Z con la herramienta", "set the length of this offset to 0 in the table, and take the zero of Z with the tool";
+        why "Con la longitud en la tabla y en el cero, la punta queda baja o alta en toda la longitud de la fresa.",
+            "With the length both in the table and in the zero, the tip is too low or too high by the whole length of the tool.";
+        example book!("impeller --case full", "dialect" = "fagor-8070");
 }

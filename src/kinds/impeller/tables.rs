@@ -393,7 +393,7 @@ pub fn blank(design: &Design) -> Table {
             2.0 * (R - r),
         ),
         ("R", t("final del perfil en Z", "end of the profile in Z"), 0.0),
-        ("C", t("paso, en radios", "step, on the radius"), design.blank.C),
+        ("C", t("paso, en Z", "step, along Z"), design.blank.C),
         (
             "I",
             t("centro del arco en X desde el inicio, en radios", "arc centre in X from the start, on the radius"),

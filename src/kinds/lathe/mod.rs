@@ -296,6 +296,12 @@ fn outcome(
     let alarms = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.alarms)).collect();
     let supported = given.setup.stock.supported(&given.setup.lathe);
     let second = (followed.len() > 1).then_some(("second", Shown::Length(given.second)));
+    // How the part that was turned about is held.
+    let grip = followed.get(1).and_then(|one| {
+        let setup = one.simulation.setup();
+        setup.part.as_deref().and_then(|part| setup.stock.grip(&setup.lathe, part))
+    });
+    let grip = grip.map(|grip| [("held", Shown::Length(grip.length)), ("held-X", Shown::Length(grip.diameter))]);
     let end = End::of(&findings, endless);
     let programs = followed.into_iter().filter(|_| end == End::Whole).map(Followed::proved).collect();
     let outcome = Outcome {
@@ -320,7 +326,11 @@ fn outcome(
             .collect(),
         solids: vec![Solid { key: "part", contours: drawn.part.clone(), tolerance: TOLERANCE }],
         scene: None,
-        setup: [("supported", Shown::Whether(supported)), wanted].into_iter().chain(second).collect(),
+        setup: [("supported", Shown::Whether(supported)), wanted]
+            .into_iter()
+            .chain(second)
+            .chain(grip.into_iter().flatten())
+            .collect(),
         checks: Vec::new(),
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
         programs,

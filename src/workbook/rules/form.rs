@@ -41,13 +41,13 @@ rules! {
         en "sheet {wanted} not found; there are: {there}"
         remedy "si es la hoja de los datos con otro nombre, póngale uno de estos; si no, parta de un libro nuevo con \"rodete new\"",
             "if it is the sheet of the data under another name, give it one of these; if not, start from a new workbook with \"rodete new\"";
-        why "El nombre de esta hoja indica la clase de libro.", "The name of this sheet tells the kind of workbook.";
+        why "El nombre de esta hoja indica el tipo de libro.", "The name of this sheet tells the kind of workbook.";
         example made!("other-sheet", "un libro con una sola hoja, Sheet1", "a workbook with one sheet only, Sheet1");
     "W0506" SheetMisnamed Stop { wanted: Text, there: String, name: String, right: String }
         es "no se encuentra la hoja {wanted}; hay: {there}"
         en "sheet {wanted} not found; there are: {there}"
         remedy "cambie el nombre de la hoja \"{name}\" a \"{right}\"", "rename the sheet \"{name}\" to \"{right}\"";
-        why "El nombre de esta hoja indica la clase de libro.", "The name of this sheet tells the kind of workbook.";
+        why "El nombre de esta hoja indica el tipo de libro.", "The name of this sheet tells the kind of workbook.";
         example made!("case", "un libro con la hoja Data", "a workbook with the sheet Data");
     "W0507" SheetNotRead Caution { name: String, right: &'static str }
         es "rodete no lee la hoja \"{name}\": su nombre no es \"{right}\""
