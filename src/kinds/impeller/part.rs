@@ -70,6 +70,24 @@ impl Ruling {
     }
 }
 
+/// How a face turns along a ruling.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Twist {
+    /// Across the face where the ruling meets the tangent plane.
+    at_foot: Vector3<f64>,
+    /// What is added to it for each millimetre of depth.
+    deeper: Vector3<f64>,
+}
+
+impl Twist {
+    /// Across the face at the depth h, away from the blade; as long as the face's points move aside of the ruling, in mm for
+    /// each radian of v.
+    #[must_use]
+    pub fn normal(&self, h: f64) -> Vector3<f64> {
+        self.at_foot + self.deeper * h
+    }
+}
+
 /// A part of a face over which it is smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
@@ -166,6 +184,26 @@ impl Part {
     pub fn ruling(&self, face: Face, v: f64) -> Ruling {
         let (P, Darboux { N, b, .. }) = self.frame(v);
         Ruling { foot: P + b * (face.side() * self.e / 2.0), N }
+    }
+
+    /// How a face turns along the ruling at v.
+    ///
+    /// # Derivation
+    /// With S' of [`Part::change`], n = σ·S' × N = σ·(b·(1 − σ(e/2)κ_g + h·κ_t) − t·h·τ), since t × N = b and b × N = −t. The
+    /// straight ends are planes.
+    #[must_use]
+    pub fn twist(&self, face: Face, v: f64) -> Twist {
+        let Torus { R, r } = self.circle.torus;
+        let (side, k, Darboux { t, b, .. }) = (face.side(), self.circle.k, self.frame(v).1);
+        if !(HUB..=RIM).contains(&v) {
+            return Twist { at_foot: b * (side * R), deeper: Vector3::zeros() };
+        }
+        let cos = sin_cos(v).1;
+        let rho = R + r * cos;
+        // R·κ_t, −R·κ_g and R·τ.
+        let along = r / R + k * k / R * cos / rho;
+        let aside = (1.0 - along * along).max(0.0).sqrt();
+        Twist { at_foot: b * (side * (R + side * self.e / 2.0 * aside)), deeper: (b * along - t * (k / rho)) * side }
     }
 
     /// κ_b at v, the curvature of the torus across the mean line: cos²α/r + sin²α·cos v/ρ. It grows with v.
@@ -412,6 +450,24 @@ mod tests {
             // The other two come out of the blank before their ends.
             assert!(!part.trimmed(&part.ruling(Face::Reverse, HUB).foot));
             assert!(!part.trimmed(&part.ruling(Face::Obverse, RIM).foot));
+        }
+    }
+
+    #[test]
+    fn normals_are_square_to_the_face() {
+        for part in parts() {
+            for face in Face::ALL {
+                for v in [HUB - 0.02, 3.3, 4.0, 4.6, RIM + 0.02] {
+                    let (step, twist) = (1e-5, part.twist(face, v));
+                    for h in [-0.1, 0.7 * part.a_p, part.a_p] {
+                        let [before, after] = [-step, step].map(|off| part.ruling(face, v + off).at(h));
+                        let (N, along) = (part.ruling(face, v).N, (after - before) / (2.0 * step));
+                        let out = along.cross(&N) * face.side();
+                        assert!((out - twist.normal(h)).norm() < 1e-6, "{v} {h} {out} {twist:?}");
+                        assert!(out.dot(&part.frame(v).1.b) * face.side() > 0.0);
+                    }
+                }
+            }
         }
     }
 

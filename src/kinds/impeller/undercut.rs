@@ -8,9 +8,16 @@
 //! faces, block by block, down to the floor. The published maxima, 0.050 mm in the shipped design, are greater than that of the
 //! same tool without blocks (0.045 mm): they count what lies below the tool's end and below the floor.
 //!
-//! The distance of a point of a face from the axis has, along the way of the tool and along the face, a second derivative of
-//! V²/D + W at most, with V the speed and W the acceleration: over a box of both it is less than the least of its corners by
-//! no more than an eighth of that, times the square of the sides. Points below the tool's end do not count.
+//! Depth is what is gone from the blade, square to the face. In a plane across the axis, w is the way from the axis to a
+//! point of the face and n_a the part of the normal n that lies in the plane: along n the tool ends at
+//! (√(a² − x²) − √(w² − x²))/|n_a|, x being what of w lies along the face, |w·(axis × n)|/|n_a|. It grows with x and falls
+//! with w. Where the face goes on beside the tool, the most is where x = 0; at the floor and at the cut-off ends it is
+//! elsewhere, and more than a − w, the distance from the tool's side.
+//!
+//! w has, along the way of the tool and along the face, a second derivative of V²/D + W at most, with V the speed and W the
+//! acceleration: over a box of both it is less than the least of its corners by no more than an eighth of that, times the
+//! square of the sides. x and n_a are taken from the middle, as far off as point, normal and axis may be. Points below the
+//! tool's end do not count.
 //!
 //! # Units
 //! Millimetres and radians.
@@ -19,14 +26,18 @@ use crate::geometry::torus::Torus;
 use nalgebra::Vector3;
 use rustc_hash::FxHashMap;
 
-use crate::kinds::impeller::part::{Change, Face, Part, Piece, Ruling};
+use crate::kinds::impeller::part::{Change, Face, Part, Piece, Ruling, Twist};
 use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
 use crate::limits::UNDERCUT_BOXES;
 use crate::number::bisection::{Bounds, Cell, greatest};
+use crate::number::root::quadratic;
 
 /// How close the bound is to what is found, mm.
-const CLOSE: f64 = 0.0002;
+const CLOSE: f64 = 0.0004;
+/// The shortest piece of a ruling that is looked at by itself, mm; and how much longer each above it is.
+const SHORT: f64 = 0.01;
+const LONGER: f64 = 4.0;
 
 /// The undercut of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,15 +81,24 @@ pub fn undercut(part: &Part, sweep: &Sweep, d_t: f64) -> Option<Undercut> {
     // The same strips of the face stand beside many stretches, and the tool at the same places beside many strips.
     let mut strips: FxHashMap<(usize, [u64; 2]), Strip> = FxHashMap::default();
     let mut tools: FxHashMap<(usize, u64), (Vector3<f64>, Vector3<f64>)> = FxHashMap::default();
+    let mut best = f64::NEG_INFINITY;
     let found = greatest(cells, CLOSE, UNDERCUT_BOXES, |cell| {
         let (at, piece) = (cell.sheet / pieces.len(), cell.sheet % pieces.len());
         let strip =
             strips.entry((piece, cell.t.map(f64::to_bits))).or_insert_with(|| Strip::new(part, &pieces[piece], cell.t));
         let [s_0, s_1] = cell.s;
         let tool = |s: f64| *tools.entry((at, s.to_bits())).or_insert_with(|| sweep.stretches[at].tool(s));
-        let tools = [s_0, s_1, f64::midpoint(s_0, s_1)].map(tool);
-        let beside = Beside { part, stretch: &sweep.stretches[at], tools, pace: &paces[at], strip, a: d_t / 2.0 };
-        beside.bounds(cell)
+        let [before, after, tool] = [s_0, s_1, f64::midpoint(s_0, s_1)].map(tool);
+        let [low, high, ruling] = &strip.rulings;
+        let seen = [(before, low), (before, high), (after, low), (after, high), (tool, ruling)];
+        let seen = seen.map(|(tool, ruling)| Seen::new(tool, ruling));
+        let (pace, a, sides) = (&paces[at], d_t / 2.0, [s_1 - s_0, cell.t[1] - cell.t[0]]);
+        let ways = [(pace.speed + pace.turn * 2.0 * a) * sides[0] / 2.0, strip.change.speed * sides[1] / 2.0];
+        let stretch = &sweep.stretches[at];
+        let beside = Beside { part, stretch, height: sweep.height, tool, seen, pace, strip, a, ways, sides };
+        let bounds = beside.bounds(best + CLOSE);
+        best = best.max(bounds.middle);
+        bounds
     })?;
     let stretch = &sweep.stretches[found.at.sheet / pieces.len()];
     let [low, high] = found.at.s;
@@ -89,6 +109,8 @@ pub fn undercut(part: &Part, sweep: &Sweep, d_t: f64) -> Option<Undercut> {
 struct Strip {
     /// The rulings at both v and in the middle.
     rulings: [Ruling; 3],
+    /// How the face lies along that in the middle.
+    twist: Twist,
     /// None begins higher.
     top: f64,
     /// None ends deeper.
@@ -108,7 +130,32 @@ impl Strip {
         let [at_0, at_1, ruling] = rulings;
         let [h_1, h_2] = part.floors(piece, [v_0, v_1], &[at_0, at_1], &change);
         let end = part.floor(&ruling, part.top(v));
-        Self { rulings, top, deep: h_1.max(h_2), end, change }
+        Self { rulings, twist: part.twist(piece.face, v), top, deep: h_1.max(h_2), end, change }
+    }
+}
+
+/// A ruling seen along the tool's axis.
+#[derive(Clone, Copy)]
+struct Seen {
+    /// From the axis to its foot.
+    beside: Vector3<f64>,
+    /// What it goes on by for each millimetre of depth.
+    down: Vector3<f64>,
+    square: f64,
+}
+
+impl Seen {
+    fn new((tip, axis): (Vector3<f64>, Vector3<f64>), ruling: &Ruling) -> Self {
+        let (beside, down) = (ruling.foot - tip, -ruling.N);
+        let (beside, down) = (beside - axis * beside.dot(&axis), down - axis * down.dot(&axis));
+        Self { beside, down, square: down.norm_squared() }
+    }
+
+    /// The distance of its nearest point between two depths from the axis, with the depth.
+    fn nearest(&self, [from, to]: [f64; 2]) -> (f64, f64) {
+        let Self { beside, down, square } = self;
+        let h = if *square > 1e-18 { (-beside.dot(down) / square).clamp(from.min(to), to) } else { to };
+        ((beside + down * h).norm(), h)
     }
 }
 
@@ -116,69 +163,151 @@ impl Strip {
 struct Beside<'a> {
     part: &'a Part,
     stretch: &'a Stretch,
-    /// Tip and axis at both ends of a part of it, and in the middle.
-    tools: [(Vector3<f64>, Vector3<f64>); 3],
+    /// That of the sweep.
+    height: f64,
+    /// Tip and axis in the middle of a part of it.
+    tool: (Vector3<f64>, Vector3<f64>),
+    /// The rulings at both v, seen from both ends, and that in the middle from there.
+    seen: [Seen; 5],
     pace: &'a Pace,
     strip: &'a Strip,
     a: f64,
+    /// How far the tool's end and a point of the face beside it move from the middles, each by itself, mm.
+    ways: [f64; 2],
+    /// How long the parts of way and face are.
+    sides: [f64; 2],
 }
 
 impl Beside<'_> {
-    fn bounds(&self, cell: &Cell) -> Bounds {
-        let (a, pace) = (self.a, self.pace);
-        let Strip { rulings, top, deep: h_1, end, change } = self.strip;
-        let (top, h_1) = (*top, *h_1);
-        let [s_0, s_1] = cell.s;
-        let (along, over) = (s_1 - s_0, cell.t[1] - cell.t[0]);
+    /// Bounds of the depth; what is no more than is known already is not looked at closer.
+    fn bounds(&self, known: f64) -> Bounds {
+        let Strip { rulings, top, deep: h_1, end, .. } = self.strip;
+        let (top, h_1, ways) = (*top, *h_1, self.ways);
         let ruling = &rulings[2];
-        // What the tool's end and a point of the face beside it move against each other.
-        let ways = [(pace.speed + pace.turn * 2.0 * a) * along / 2.0, change.speed * over / 2.0];
         let way = ways[0] + ways[1];
         let first = ways[0] > ways[1];
+        let nowhere = Bounds { upper: f64::NEG_INFINITY, middle: f64::NEG_INFINITY, first };
         let low = ruling.at(h_1);
         let R = self.part.circle.torus.R;
         if low.z - ways[1] > 0.0 || (low.x * low.x + low.y * low.y).sqrt() - ways[1] > R {
-            return Bounds { upper: f64::NEG_INFINITY, middle: f64::NEG_INFINITY, first };
+            return nowhere;
         }
-        // Down to which depth points may be above the tool's end, and the distance from the axis down to there.
-        let tools = self.tools;
-        let (tip, axis) = tools[2];
+        // Down to which depth points may be above the tool's end.
+        let (tip, axis) = self.tool;
         let up = (ruling.foot - tip).dot(&axis);
         let fall = ruling.N.dot(&axis);
         let deepest = |margin: f64| if fall > 0.1 { ((up + margin) / fall).min(h_1) } else { h_1 };
-        let distance = |s: usize, v: usize, deepest: f64| {
-            let ((tip, axis), ruling) = (tools[s], rulings[v]);
-            let (from, down) = (ruling.foot - tip, -ruling.N);
-            let (from, down) = (from - axis * from.dot(&axis), down - axis * down.dot(&axis));
-            let square = down.norm_squared();
-            let h = if square > 1e-18 { (-from.dot(&down) / square).clamp(top.min(deepest), deepest) } else { deepest };
-            ((from + down * h).norm(), ruling.at(h))
-        };
         let lowest = deepest(way);
         if lowest < top {
-            return Bounds { upper: f64::NEG_INFINITY, middle: f64::NEG_INFINITY, first };
+            return nowhere;
         }
-        let corners = [(0, 0), (0, 1), (1, 0), (1, 1)]
-            .map(|(s, v)| distance(s, v, lowest).0)
-            .into_iter()
-            .fold(f64::INFINITY, f64::min);
-        let by_way = distance(2, 2, lowest).0 - pace.speed * along / 2.0 - ways[1];
-        let least = (corners - way).max(by_way);
+        let exact = deepest(0.0).min(*end);
+        let middle = if exact >= top { self.found([top, exact]) } else { f64::NEG_INFINITY };
+        let least = self.least([top, lowest]);
+        if least >= self.a {
+            return Bounds { upper: self.a - least, middle, first };
+        }
+        // The normals turn along a ruling: its pieces are the longer, the farther they are from where the tool goes in deepest.
+        let (long, mut upper) = (way.max(SHORT), known);
+        let (mut bottom, mut piece) = (lowest, long);
+        while bottom > top {
+            let from = if bottom - top > 2.0 * piece { bottom - piece } else { top };
+            upper = self.deepest([from, bottom], long, upper);
+            (bottom, piece) = (from, LONGER * piece);
+        }
+        Bounds { upper, middle, first }
+    }
+
+    /// No point between two depths of a ruling is deeper below the face, or else than `known`: a piece that may hold more is
+    /// halved.
+    fn deepest(&self, [from, to]: [f64; 2], long: f64, known: f64) -> f64 {
+        let bound = self.at_most([from, to]);
+        if bound <= known || to - from <= long {
+            return bound.max(known);
+        }
+        let middle = f64::midpoint(from, to);
+        self.deepest([from, middle], long, self.deepest([middle, to], long, known))
+    }
+
+    /// No point between two depths is nearer to the axis, wherever the blocks have it.
+    fn least(&self, depths: [f64; 2]) -> f64 {
+        let (pace, change, [along, over]) = (self.pace, &self.strip.change, self.sides);
+        let [one, two, three, four, middle] = self.seen.each_ref().map(|seen| seen.nearest(depths).0);
+        let corners = one.min(two).min(three.min(four));
+        let by_way = middle - pace.speed * along / 2.0 - self.ways[1];
+        let least = (corners - self.ways[0] - self.ways[1]).max(by_way);
         let bent =
             |speed: f64, acceleration: f64, side: f64| (speed * speed / least + acceleration) * side * side / 8.0;
-        let by_bend = if least > 0.1 * a {
+        let by_bend = if least > 0.1 * self.a {
             corners - bent(pace.speed, pace.acceleration, along) - bent(change.speed, change.acceleration, over)
         } else {
             f64::NEG_INFINITY
         };
-        let exact = deepest(0.0).min(*end);
-        let middle = if exact >= top {
-            let (distance, point) = distance(2, 2, exact);
-            if self.part.trimmed(&point) { a - distance } else { f64::NEG_INFINITY }
-        } else {
-            f64::NEG_INFINITY
-        };
-        Bounds { upper: a - by_way.max(by_bend).max(0.0) + self.stretch.slack, middle, first }
+        by_way.max(by_bend).max(0.0) - self.stretch.slack
+    }
+
+    /// How deep the tool in the middle is below the face, along its normal at a depth of the ruling in the middle.
+    fn under(&self, h: f64) -> f64 {
+        let ((tip, axis), ruling) = (self.tool, &self.strip.rulings[2]);
+        let point = ruling.at(h);
+        if !self.part.trimmed(&point) {
+            return f64::NEG_INFINITY;
+        }
+        let normal = self.strip.twist.normal(h);
+        let normal = normal / normal.norm();
+        let (from, up) = (point - tip, normal.dot(&axis));
+        let height = from.dot(&axis);
+        let (beside, across) = (from - axis * height, normal - axis * up);
+        let lacking = beside.norm_squared() - self.a * self.a;
+        if lacking >= 0.0 {
+            return f64::NEG_INFINITY;
+        }
+        // |beside − across·x| = a, but for where the tool's end comes before.
+        let end = if up > 0.0 { height / up } else { f64::INFINITY };
+        quadratic(across.norm_squared(), -2.0 * beside.dot(&across), lacking).map_or(end, |[_, out]| out.min(end))
+    }
+
+    /// The depth below the face that is there, between two depths of the ruling in the middle.
+    fn found(&self, depths: [f64; 2]) -> f64 {
+        let (distance, h) = self.seen[4].nearest(depths);
+        if distance >= self.a {
+            let point = self.strip.rulings[2].at(h);
+            return if self.part.trimmed(&point) { self.a - distance } else { f64::NEG_INFINITY };
+        }
+        self.under(h).max(self.under(depths[1]))
+    }
+
+    /// No point between two depths of a ruling is deeper below the face, along the normal there.
+    fn at_most(&self, depths: [f64; 2]) -> f64 {
+        let (a, Strip { rulings, twist, change, .. }) = (self.a, self.strip);
+        let near = self.least(depths);
+        if near >= a {
+            return a - near;
+        }
+        let ((tip, axis), h, half) = (self.tool, f64::midpoint(depths[0], depths[1]), (depths[1] - depths[0]) / 2.0);
+        let [along, over] = self.sides;
+        let normal = twist.normal(h);
+        // How far normal and axis turn from the middle, and what a point moves beside the axis.
+        let (long, turned) =
+            (normal.norm(), (change.acceleration + change.speed * change.turn) * over / 2.0 + change.turn * half);
+        let slack = self.stretch.slack;
+        let tilt = self.pace.turn * along / 2.0 + 2.0 * slack / self.height;
+        if long <= 2.0 * turned {
+            return 2.0 * a;
+        }
+        let (normal, turned) = (normal / long, turned / (long - turned));
+        let slide = self.ways[0] + self.ways[1] + half * rulings[2].N.cross(&axis).norm() + slack;
+        let loose = slide + a * (turned + tilt);
+        let upright = normal.dot(&axis).abs() + turned + tilt;
+        let from = rulings[2].at(h) - tip;
+        let out = -(from - axis * from.dot(&axis)).dot(&normal) - loose;
+        if upright >= 1.0 || out <= 0.0 {
+            return 2.0 * a;
+        }
+        let level = (1.0 - upright * upright).sqrt();
+        let aside = (from.dot(&axis.cross(&normal)).abs() + loose) / level;
+        let square = (aside * aside).min(near * near);
+        ((a * a - square).sqrt() - (near * near - square).sqrt()) / level
     }
 }
 
