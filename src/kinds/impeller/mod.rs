@@ -48,6 +48,7 @@ pub mod sweep;
 pub mod tables;
 pub mod tool_path;
 pub mod track;
+mod twist;
 pub mod undercut;
 
 use crate::figure::Figure;

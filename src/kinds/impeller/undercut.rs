@@ -26,9 +26,10 @@ use crate::geometry::torus::Torus;
 use nalgebra::Vector3;
 use rustc_hash::FxHashMap;
 
-use crate::kinds::impeller::part::{Change, Face, Part, Piece, Ruling, Twist};
+use crate::kinds::impeller::part::{Change, Face, Part, Piece, Ruling};
 use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
+use crate::kinds::impeller::twist::Twist;
 use crate::limits::UNDERCUT_BOXES;
 use crate::number::bisection::{Bounds, Cell, greatest};
 use crate::number::root::quadratic;
@@ -130,7 +131,7 @@ impl Strip {
         let [at_0, at_1, ruling] = rulings;
         let [h_1, h_2] = part.floors(piece, [v_0, v_1], &[at_0, at_1], &change);
         let end = part.floor(&ruling, part.top(v));
-        Self { rulings, twist: part.twist(piece.face, v), top, deep: h_1.max(h_2), end, change }
+        Self { rulings, twist: Twist::new(part, piece.face, v), top, deep: h_1.max(h_2), end, change }
     }
 }
 
