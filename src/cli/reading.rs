@@ -12,7 +12,7 @@ use crate::kind::{Kind, Outcome, Provenance, Wants};
 use crate::parameter::field::Fields;
 use crate::store;
 use crate::sweep::asked;
-use crate::workbook::{self, Filled, sweep_sheet};
+use crate::workbook::{self, Filled, stamp, sweep_sheet};
 
 /// Reads a workbook and computes what it asks for; writes nothing. The set that an earlier build of it delivered is seen
 /// to, too.
@@ -21,6 +21,7 @@ pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
         let (bytes, mut filled) = read(workbook, kinds, verdict)?;
         filled.findings.extend(filled.stale.take());
+        filled.findings.extend(stamp::others(&bytes)?);
         if let Some(kind) = kinds.iter().find(|kind| kind.form().schema == filled.form.schema) {
             let found = variants(&bytes, &filled, *kind)?;
             filled.findings.extend(found);

@@ -166,11 +166,11 @@ rules! {
         example made!("into-kept", "new --into de un libro que ya tiene al lado un archivo .bak",
             "new --into of a workbook that has a .bak file beside it");
     "B0126" SheetCopied Caution { sheet: String }
-        es "la hoja {sheet} es una copia de una de rodete: sus cifras se quedan como están, diga lo que diga su línea"
-        en "sheet {sheet} is a copy of one of rodete's: its figures stay as they are, whatever its line says"
+        es "la hoja {sheet} es una copia de una de rodete: sus cifras se quedan como están"
+        en "sheet {sheet} is a copy of one of rodete's: its figures stay as they are"
         remedy "bórrela, o guarde la copia en otro libro", "delete it, or keep the copy in another workbook";
-        why "Su línea «Datos verificados» cuenta los cambios del formulario y sigue a la última generación; las cifras son de otra.",
-            "Its line \"Verified inputs\" counts the changes of the form and goes with the last build; the figures are of another.";
+        why "Su línea se pone roja cuando el libro se genera con otros datos; la de una copia hecha con un rodete anterior sigue diciendo «Datos verificados».",
+            "Its line turns red when the workbook is built of other inputs; that of a copy from an earlier rodete goes on saying \"Verified inputs\".";
         example made!("into-copied", "build --into de un libro con una copia de una hoja de resultados",
             "build --into of a workbook with a copy of a sheet of the results");
     "B0131" NotPutIn Stop { what: String }

@@ -4,7 +4,7 @@ use rust_xlsxwriter::{Chart, RowNum, Worksheet};
 
 use super::charts::{HEIGHT, WIDTH};
 use super::error::WriteError;
-use super::guard;
+use super::guard::Guard;
 use super::page::Page;
 use super::style::Styles;
 use crate::text::{Language, Text, t};
@@ -32,6 +32,7 @@ pub fn write(
     language: Language,
     styles: &Styles,
     page: &Page<'_>,
+    guard: &Guard,
 ) -> Result<(), WriteError> {
     sheet.set_column_width_pixels(0, WIDTH)?;
     let mut breaks = Vec::new();
@@ -41,7 +42,7 @@ pub fn write(
             breaks.push(row);
         }
         let from = Text::new(format!("De la hoja {name}"), format!("From the sheet {name}"));
-        guard::banner(sheet, row, [0, 0], from.get(language), language, [&styles.source, &styles.stale])?;
+        guard.banner(sheet, row, [0, 0], from.get(language), language, [&styles.source, &styles.stale])?;
         sheet.insert_chart(row + 1, 0, chart)?;
     }
     sheet.set_page_breaks(&breaks)?;

@@ -4,13 +4,12 @@ use rust_xlsxwriter::{ColNum, RowNum, Worksheet};
 
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
-use super::guard;
-use super::page::Page;
-use super::style::{Styles, grade_fill};
+use super::guard::Guard;
+use super::page::{Look, Page};
+use super::style::grade_fill;
 use crate::finding::Finding;
 use crate::kind::checks;
 use crate::table::{Entry, Table};
-use crate::text::Language;
 
 /// The row of the column headings, from 0.
 const HEADINGS: RowNum = 2;
@@ -25,17 +24,16 @@ const LAST: ColNum = 6;
 ///
 /// # Errors
 /// For more findings than a sheet has rows.
-pub fn write(
+pub(super) fn write(
     sheet: &mut Worksheet,
     table: &Table,
     findings: &[Finding],
-    language: Language,
-    styles: &Styles,
-    page: &Page<'_>,
+    &Look { styles, page, language }: &Look<'_>,
+    guard: &Guard,
 ) -> Result<(), WriteError> {
     write_text(sheet, 0, 0, table.title.get(language), &styles.title)?;
     let summary = checks::summary(findings);
-    guard::banner(sheet, 1, [0, LAST], summary.get(language), language, [&styles.source, &styles.stale])?;
+    guard.banner(sheet, 1, [0, LAST], summary.get(language), language, [&styles.source, &styles.stale])?;
     for (at, (column, width)) in (0..).zip(table.columns.iter().zip(WIDTHS)) {
         write_text(sheet, HEADINGS, at, column.symbol.get(language), &styles.header)?;
         sheet.set_column_width(at, width)?;

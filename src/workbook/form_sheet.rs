@@ -10,7 +10,7 @@ use rust_xlsxwriter::{ColNum, DataValidation, Formula, IgnoreError, RowNum, Work
 use super::cell::{row_height, write_text};
 use super::drawn::Drawn;
 use super::error::WriteError;
-use super::guard;
+use super::guard::Guard;
 use super::live_form::LivePart;
 use super::page::Page;
 use super::style::Styles;
@@ -43,8 +43,8 @@ pub struct Filling<'a, V> {
     pub values: V,
     /// Notes under the title, one a row.
     pub notes: &'a [&'a str],
-    /// A banner tells whether the values are those that the programs were verified with.
-    pub guarded: bool,
+    /// What tells in a banner whether the values are those that the programs were verified with.
+    pub guard: Option<&'a Guard>,
     /// What is computed beside the values.
     pub live: Option<&'a LiveForm>,
     /// The sketch beside the values.
@@ -197,10 +197,10 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         ];
         write_text(sheet, 0, SYMBOL, self.sheet.title.get(self.language), &styles.title)?;
         let mut row = 0;
-        if self.guarded {
+        if let Some(guard) = self.guard {
             row += 1;
             sheet.merge_range(row, SYMBOL, row, RANGE, "", &styles.source)?;
-            guard::banner(sheet, row, [SYMBOL, RANGE], "", self.language, [&styles.source, &styles.stale])?;
+            guard.banner(sheet, row, [SYMBOL, RANGE], "", self.language, [&styles.source, &styles.stale])?;
         }
         if let Some(live) = self.live_part() {
             live.write_line(sheet, 0, [VALUE, RANGE], styles)?;

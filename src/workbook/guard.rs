@@ -1,5 +1,5 @@
 //! The guard against old figures: a copy of every input that the programs were verified with, and a banner on every sheet
-//! that turns red as soon as an input differs.
+//! that turns red as soon as an input differs, or the sheet is not of the workbook's last [build](super::stamp).
 //!
 //! The copies stand on a hidden sheet, one row an input: its defined name, or its cell in a list; the copy; and a flag that is 1
 //! where they differ. A number must stay a number, a text the same text, an empty cell empty. A difference of one unit in the
@@ -18,6 +18,7 @@ use super::address::{self, Position};
 use super::cell::{CELL, shortened, write_text};
 use super::error::WriteError;
 use super::sheet_cells::{Content, SheetCells};
+use super::stamp;
 use super::style::Styles;
 use crate::kind::NamedFile;
 use crate::parameter::{Form, Parameter, Value, Values};
@@ -33,6 +34,8 @@ pub static NAME: Text = t(SHEET, SHEET);
 pub const STALE: &str = "stale_inputs";
 /// The cell of the guard's sheet that it leads to.
 pub const COUNT: &str = "C1";
+/// The row and the column, from 0, of the build's stamp on that sheet.
+const STAMP: (RowNum, ColNum) = (0, 1);
 /// What stands in the first cell of that sheet.
 const MARK: &str = "rodete";
 /// How many columns of that sheet are read.
@@ -132,9 +135,10 @@ impl Written {
     }
 }
 
-/// The inputs with what they held.
+/// The inputs with what they held, and the stamp of the build.
 #[derive(Debug, Default)]
 pub struct Guard {
+    stamp: String,
     inputs: Vec<(&'static str, Copy)>,
     columns: Vec<Column>,
     files: Vec<NamedFile>,
@@ -144,6 +148,12 @@ pub struct Guard {
 const LISTS: ColNum = 6;
 
 impl Guard {
+    /// The guard of a build with a [stamp](super::stamp).
+    #[must_use]
+    pub fn new(stamp: String) -> Self {
+        Self { stamp, ..Self::default() }
+    }
+
     /// Watches an input by its defined name.
     pub fn watch(&mut self, input: &'static str, copy: Copy) {
         self.inputs.push((input, copy));
@@ -171,11 +181,14 @@ impl Guard {
         styles: &Styles,
     ) -> Result<(), WriteError> {
         workbook.define_name(STALE, &format!("={}!$C$1", quote_sheet_name(name)))?;
+        let (row, column) = (STAMP.0 + 1, column_number_to_name(STAMP.1));
+        workbook.define_name(stamp::NAME, &format!("={}!${column}${row}", quote_sheet_name(name)))?;
         let sheet = workbook.add_worksheet().set_name(name)?;
         sheet.set_hidden(true).set_column_width(0, 32)?.set_column_width(1, 32)?;
         let rows = self.inputs.len() + self.columns.len();
         let last = RowNum::try_from(rows).map_err(|_| WriteError::TooLarge("guard"))? + 1;
         write_text(sheet, 0, 0, MARK, &styles.header)?;
+        write_text(sheet, STAMP.0, STAMP.1, &self.stamp, &styles.entry)?;
         let count = format!("=IF(ISERROR(SUM(C2:C{last})),{},SUM(C2:C{last}))", last - 1);
         sheet.write_formula(0, 2, Formula::new(count).set_result("0"))?;
         let mut row = 0;
@@ -206,6 +219,73 @@ impl Guard {
         }
         sheet.protect();
         Ok(())
+    }
+
+    /// Writes a banner into the first of some columns of a row: what is told while the inputs are as verified, else a warning in
+    /// white on red over all of the columns. `told` may be empty. The formats are the usual one and the warning's.
+    ///
+    /// # Errors
+    /// For a cell outside the sheet.
+    pub fn banner(
+        &self,
+        sheet: &mut Worksheet,
+        row: RowNum,
+        columns: [ColNum; 2],
+        told: &str,
+        language: Language,
+        formats: [&Format; 2],
+    ) -> Result<(), WriteError> {
+        self.banner_of_rows(sheet, row, columns, (told, None), language, formats)
+    }
+
+    /// A banner over rows that may become more than are printed: the formula that is true then, and the last row that is printed, from 0.
+    ///
+    /// # Errors
+    /// For a cell outside the sheet.
+    pub fn banner_of_rows(
+        &self,
+        sheet: &mut Worksheet,
+        row: RowNum,
+        [first, last]: [ColNum; 2],
+        (told, grown): (&str, Option<(&str, RowNum)>),
+        language: Language,
+        [format, stale]: [&Format; 2],
+    ) -> Result<(), WriteError> {
+        static VERIFIED: Text = t("Datos verificados", "Verified inputs");
+        let verified = VERIFIED.get(language);
+        let told = if told.is_empty() { verified.to_owned() } else { format!("{told} · {verified}") };
+        let [before, after] = WARNING.each_ref().map(|text| literal(text.get(language)));
+        let mut warning = format!("{before}&{STALE}&{after}");
+        if let Some((grown, printed)) = grown {
+            let [before, row, after] = GROWN.each_ref().map(|text| text.get(language));
+            let [before, after] = [literal(before), literal(&format!("{row}{}{after}", printed + 1))];
+            warning = format!("IF({grown},{before}&{STALE}&{after},{warning})");
+        }
+        let (differs, other) = (stamp::differs(&self.stamp), literal(OTHER.get(language)));
+        let formula = format!("=IF({differs},{other},IF({STALE}=0,{},{warning}))", literal(&told));
+        sheet.write_formula_with_format(row, first, Formula::new(formula).set_result(told), format)?;
+        sheet.add_conditional_format(row, first, row, last, &self.when_stale(stale.clone()))?;
+        Ok(())
+    }
+
+    /// Strikes out what was made from the inputs and does not follow them, as soon as one differs, or the workbook is built of others.
+    ///
+    /// # Errors
+    /// For a cell outside the sheet.
+    pub fn strike(
+        &self,
+        sheet: &mut Worksheet,
+        [first, last]: [RowNum; 2],
+        columns: [ColNum; 2],
+        struck: &Format,
+    ) -> Result<(), WriteError> {
+        sheet.add_conditional_format(first, columns[0], last, columns[1], &self.when_stale(struck.clone()))?;
+        Ok(())
+    }
+
+    fn when_stale(&self, format: Format) -> ConditionalFormatFormula {
+        let rule = format!("=IF(ISERROR({STALE}),TRUE,IF({STALE}<>0,TRUE,{}))", stamp::differs(&self.stamp));
+        ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(format)
     }
 }
 
@@ -329,50 +409,6 @@ fn flag(input: &str, row: RowNum) -> String {
     )
 }
 
-/// Writes a banner into the first of some columns of a row: what is told while the inputs are as verified, else a warning in
-/// white on red over all of the columns. `told` may be empty. The formats are the usual one and the warning's.
-///
-/// # Errors
-/// For a cell outside the sheet.
-pub fn banner(
-    sheet: &mut Worksheet,
-    row: RowNum,
-    columns: [ColNum; 2],
-    told: &str,
-    language: Language,
-    formats: [&Format; 2],
-) -> Result<(), WriteError> {
-    banner_of_rows(sheet, row, columns, (told, None), language, formats)
-}
-
-/// A banner over rows that may become more than are printed: the formula that is true then, and the last row that is printed, from 0.
-///
-/// # Errors
-/// For a cell outside the sheet.
-pub fn banner_of_rows(
-    sheet: &mut Worksheet,
-    row: RowNum,
-    [first, last]: [ColNum; 2],
-    (told, grown): (&str, Option<(&str, RowNum)>),
-    language: Language,
-    [format, stale]: [&Format; 2],
-) -> Result<(), WriteError> {
-    static VERIFIED: Text = t("Datos verificados", "Verified inputs");
-    let verified = VERIFIED.get(language);
-    let told = if told.is_empty() { verified.to_owned() } else { format!("{told} · {verified}") };
-    let [before, after] = WARNING.each_ref().map(|text| literal(text.get(language)));
-    let mut warning = format!("{before}&{STALE}&{after}");
-    if let Some((grown, printed)) = grown {
-        let [before, row, after] = GROWN.each_ref().map(|text| text.get(language));
-        let [before, after] = [literal(before), literal(&format!("{row}{}{after}", printed + 1))];
-        warning = format!("IF({grown},{before}&{STALE}&{after},{warning})");
-    }
-    let formula = format!("=IF({STALE}=0,{},{warning})", literal(&told));
-    sheet.write_formula_with_format(row, first, Formula::new(formula).set_result(told), format)?;
-    sheet.add_conditional_format(row, first, row, last, &when_stale(stale.clone()))?;
-    Ok(())
-}
-
 static WARNING: [Text; 2] = [
     t(
         "NO VERIFICADO: datos cambiados desde que se hicieron los programas: ",
@@ -380,6 +416,11 @@ static WARNING: [Text; 2] = [
     ),
     t("; vuelva a generar", "; build again"),
 ];
+
+static OTHER: Text = t(
+    "NO VERIFICADO: esta hoja no es de la última generación del libro",
+    "NOT VERIFIED: this sheet is not of the workbook's last build",
+);
 
 /// The same where there are more rows than are printed, no longer than that.
 static GROWN: [Text; 3] = [
@@ -392,25 +433,8 @@ static GROWN: [Text; 3] = [
 #[must_use]
 pub fn warning(language: Language) -> usize {
     const COUNT: usize = 3;
-    WARNING.iter().map(|text| text.get(language).chars().count()).sum::<usize>() + COUNT
-}
-
-/// Strikes out what was made from the inputs and does not follow them, as soon as one differs.
-///
-/// # Errors
-/// For a cell outside the sheet.
-pub fn strike(
-    sheet: &mut Worksheet,
-    [first, last]: [RowNum; 2],
-    columns: [ColNum; 2],
-    struck: &Format,
-) -> Result<(), WriteError> {
-    sheet.add_conditional_format(first, columns[0], last, columns[1], &when_stale(struck.clone()))?;
-    Ok(())
-}
-
-fn when_stale(format: Format) -> ConditionalFormatFormula {
-    ConditionalFormatFormula::new().set_rule(format!("={STALE}<>0").as_str()).set_format(format)
+    let changed = WARNING.iter().map(|text| text.get(language).chars().count()).sum::<usize>() + COUNT;
+    changed.max(OTHER.get(language).chars().count())
 }
 
 /// A text inside a formula: quotes doubled, parted where it is longer than a spreadsheet allows.

@@ -4,7 +4,7 @@ use rust_xlsxwriter::{ColNum, IgnoreError, RowNum, Worksheet, quote_sheet_name, 
 
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
-use super::guard::{self, Copy, Guard};
+use super::guard::{Column, Copy, Guard};
 use super::page::Page;
 use super::style::Styles;
 use super::validation::{red, validation};
@@ -68,8 +68,8 @@ impl ListSheet<'_> {
         if last > 0 {
             sheet.merge_range(1, 0, 1, last, "", &styles.note)?;
         }
-        if guard.is_some() {
-            guard::banner(sheet, 1, [0, last], note, language, [&styles.note, &styles.stale])?;
+        if let Some(guard) = &guard {
+            guard.banner(sheet, 1, [0, last], note, language, [&styles.note, &styles.stale])?;
         } else {
             write_text(sheet, 1, 0, note, &styles.note)?;
         }
@@ -85,7 +85,7 @@ impl ListSheet<'_> {
             for (column, parameter) in (0..).zip(self.list.columns).filter(|(_, parameter)| parameter.read) {
                 let value = |at| self.rows.get(at).and_then(|row: &Row| row.values.get(parameter.key));
                 let copies = (0..ready).map(|at| Copy::of(parameter, value(at), language)).collect();
-                guard.watch_column(guard::Column {
+                guard.watch_column(Column {
                     key: parameter.key,
                     sheet: self.name.to_owned(),
                     column,

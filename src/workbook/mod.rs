@@ -46,6 +46,7 @@ pub mod schema;
 mod shared_tables;
 mod sheet_cells;
 mod spoken;
+pub mod stamp;
 pub mod style;
 mod summary_sheet;
 mod survey;

@@ -9,7 +9,7 @@
 use rust_xlsxwriter::{ColNum, RowNum, Worksheet};
 
 use super::error::WriteError;
-use super::guard;
+use super::guard::Guard;
 use super::long_rows::{RowWriter, Rows};
 use super::page::{Area, ENDS, NOTE, Page, WHOLE};
 use super::style::Styles;
@@ -155,6 +155,7 @@ impl<'a> ProgramSheet<'a> {
         language: Language,
         styles: &Styles,
         page: &Page<'_>,
+        guard: &Guard,
     ) -> Result<(), WriteError> {
         // Each pair of columns is printed on pages of its own, one program after the other.
         let mut breaks = Vec::new();
@@ -170,7 +171,7 @@ impl<'a> ProgramSheet<'a> {
         }
         if let Some(last) = self.strands.last() {
             let last = ColNum::try_from(last.column + 1).map_err(|_| WriteError::TooLarge("INCR"))?;
-            guard::strike(sheet, [0, self.rows.saturating_sub(1)], [0, last], &styles.struck)?;
+            guard.strike(sheet, [0, self.rows.saturating_sub(1)], [0, last], &styles.struck)?;
         }
         sheet.set_vertical_page_breaks(&breaks)?;
         page.set_up_columns(sheet, language);

@@ -18,6 +18,7 @@ use super::page::{Further, Look, Page, properties};
 use super::placed::{FIRST, Placed};
 use super::program_sheet::{self, ProgramSheet};
 use super::save::{Additions, save};
+use super::stamp;
 use super::style::Styles;
 use super::summary_sheet::{self, Summary};
 use super::table_sheet::TableSheet;
@@ -91,7 +92,7 @@ fn write_for<W: Write + Seek + Send>(
         made: Vec::new(),
         workbook: Workbook::new(),
         additions: Additions::default(),
-        guard: Guard::default(),
+        guard: Guard::new(stamp::of(outcome)),
     };
     let guarded = results.take(guard::KEY, &guard::NAME);
     // It stands first and is filled last, when the others are known.
@@ -110,7 +111,8 @@ fn write_for<W: Write + Seek + Send>(
         None => &TOO_LARGE,
     };
     let beside = present.map(|present| present.folder.as_str());
-    let summary = Summary { outcome, files, beside, sheets: &results.sheets, again, live, language };
+    let (sheets, guard) = (&results.sheets, &results.guard);
+    let summary = Summary { outcome, files, beside, sheets, again, live, guard, language };
     let names = summary.write(results.workbook.worksheet_from_index(0)?, &results.styles, &results.page)?;
     let first = quote_sheet_name(&first);
     for (name, row) in names {
@@ -192,8 +194,9 @@ impl<'a> Results<'a> {
             let values = |key: &str| outcome.fields.values().values.get(key);
             let sketch = self.additions.drawn.filter(|_| index == 0);
             let worksheet = self.workbook.add_worksheet();
-            let layout = Filling { sheet, values, notes: &notes, guarded: true, live: None, sketch, language }
-                .write(worksheet, &self.styles)?;
+            let layout =
+                Filling { sheet, values, notes: &notes, guard: Some(&self.guard), live: None, sketch, language }
+                    .write(worksheet, &self.styles)?;
             worksheet.set_name(&name)?;
             layout.finish(worksheet, &self.page, language)?;
             for (defined, cell) in layout.defined_names(&name) {
@@ -268,7 +271,7 @@ impl<'a> Results<'a> {
             }
             let (name, _) = &self.sheets[before - 1];
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
-            chart_sheet::write(worksheet, &drawn, language, &self.styles, &self.page)?;
+            chart_sheet::write(worksheet, &drawn, language, &self.styles, &self.page, &self.guard)?;
         }
         for Placed { sheet: name, table } in placed {
             let sheet = TableSheet { table, language };
@@ -283,7 +286,7 @@ impl<'a> Results<'a> {
                 });
             }
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
-            sheet.write(worksheet, &self.styles, &live)?;
+            sheet.write(worksheet, &self.styles, &live, &self.guard)?;
             self.additions.printed.extend(sheet.finish(worksheet, at, &self.page, &live)?);
         }
         if picked { curves.write(&mut self.workbook) } else { Ok(()) }
@@ -307,7 +310,7 @@ impl<'a> Results<'a> {
         let index = self.workbook.worksheets().len();
         let programs = programs.with_files(files, self.language);
         let worksheet = self.workbook.add_worksheet().set_name(&name)?;
-        programs.write(worksheet, self.language, &self.styles, &self.page)?;
+        programs.write(worksheet, self.language, &self.styles, &self.page, &self.guard)?;
         self.additions.printed.extend(Further::set(worksheet, index, &programs.printed())?);
         let (count, source) = (programs.rows(), programs.source());
         self.additions.long.push(LongRows { sheet: index, name, first: 0, count, source });
@@ -323,7 +326,8 @@ impl<'a> Results<'a> {
         );
         let name = self.name(table.key, &table.name, &FOUND);
         let worksheet = self.workbook.add_worksheet().set_name(name)?;
-        checks_sheet::write(worksheet, &table, findings, self.language, &self.styles, &self.page)
+        let look = Look { styles: &self.styles, page: &self.page, language: self.language };
+        checks_sheet::write(worksheet, &table, findings, &look, &self.guard)
     }
 }
 

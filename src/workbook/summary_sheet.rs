@@ -5,7 +5,7 @@ use rust_xlsxwriter::{Color, Format, RowNum, Url, Worksheet, quote_sheet_name};
 
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
-use super::guard;
+use super::guard::Guard;
 use super::live::{self, LiveTables};
 use super::page::Page;
 use super::style::{Styles, grade_fill};
@@ -43,6 +43,8 @@ pub struct Summary<'a> {
     pub again: &'a Text,
     /// The tables that formulas refer to.
     pub live: LiveTables<'a>,
+    /// What tells whether the inputs are those that were verified.
+    pub guard: &'a Guard,
     /// The language.
     pub language: Language,
 }
@@ -64,7 +66,7 @@ impl Summary<'_> {
         static TITLE: Text = t("Resultados", "Results");
         write_text(sheet, 0, 0, TITLE.get(self.language), &styles.title)?;
         sheet.merge_range(1, 0, 1, 4, "", &styles.source)?;
-        guard::banner(sheet, 1, [0, 4], "", self.language, [&styles.source, &styles.stale])?;
+        self.guard.banner(sheet, 1, [0, 4], "", self.language, [&styles.source, &styles.stale])?;
         let mut row = 1;
         for (label, text, grade) in self.lines() {
             row += 1;
@@ -203,7 +205,7 @@ impl Summary<'_> {
             None => {
                 sheet.write_number_with_format(row, 2, quantity.value, &format)?;
                 if self.live.on() {
-                    guard::strike(sheet, [row; 2], [2; 2], &styles.left)?;
+                    self.guard.strike(sheet, [row; 2], [2; 2], &styles.left)?;
                 }
             }
         }

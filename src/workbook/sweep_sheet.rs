@@ -79,8 +79,7 @@ pub(super) fn write(workbook: &mut Workbook, variants: &Values, look: &Look<'_>)
     let notes = [list.note.get(language), HOW.get(language)];
     let values = |key: &str| variants.values.get(key);
     let sheet = workbook.add_worksheet();
-    let filling =
-        Filling { sheet: described, values, notes: &notes, guarded: false, live: None, sketch: None, language };
+    let filling = Filling { sheet: described, values, notes: &notes, guard: None, live: None, sketch: None, language };
     let layout = filling.write(sheet, styles)?;
     let rows = variants.rows(list.key);
     ListSheet { list, name, rows, language }.write_below(sheet, styles, layout.last + 2, SPARE)?;

@@ -7,7 +7,7 @@ use rust_xlsxwriter::{ColNum, DataValidation, Format, RowNum, Worksheet};
 
 use super::cell::{row_height, shortened, write_text};
 use super::error::WriteError;
-use super::guard;
+use super::guard::{self, Guard};
 use super::live::{self, LiveTables, NOTHING};
 use super::long_rows::{RowWriter, Rows};
 use super::page::{Area, ENDS, Further, Page, WHOLE, both_ends};
@@ -82,13 +82,19 @@ impl<'a> TableSheet<'a> {
     ///
     /// # Errors
     /// For a value that is not finite, and for a table larger than a sheet.
-    pub fn write(&self, sheet: &mut Worksheet, styles: &Styles, live: &LiveTables<'_>) -> Result<(), WriteError> {
+    pub fn write(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        live: &LiveTables<'_>,
+        guard: &Guard,
+    ) -> Result<(), WriteError> {
         let (offset, source, last) = (self.offset(), live.source(self.table), self.last_row()?);
         write_text(sheet, 0, 0, self.table.title.get(self.language), &styles.title)?;
         let (source, grown) = (source.get(self.language), live.grown(self.table));
         let columns = [0, self.printed(source)?];
         let told = (source, grown.as_deref().map(|grown| (grown, last)));
-        guard::banner_of_rows(sheet, 1, columns, told, self.language, [&styles.source, &styles.stale])?;
+        guard.banner_of_rows(sheet, 1, columns, told, self.language, [&styles.source, &styles.stale])?;
         if offset > 0 {
             write_text(sheet, SYMBOLS, 0, "i", &styles.number_header)?;
             write_text(sheet, UNITS, 0, "", &styles.number_unit)?;
@@ -102,11 +108,11 @@ impl<'a> TableSheet<'a> {
         } else {
             self.write_rows(sheet, styles, live)?;
         }
-        if live.on() { self.strike_values(sheet, styles) } else { Ok(()) }
+        if live.on() { self.strike_values(sheet, styles, guard) } else { Ok(()) }
     }
 
     /// Strikes out the values when an input was changed: among cells that follow, those of before would pass for new ones.
-    fn strike_values(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+    fn strike_values(&self, sheet: &mut Worksheet, styles: &Styles, guard: &Guard) -> Result<(), WriteError> {
         for (at, column) in self.table.columns.iter().enumerate() {
             // Where no points are counted, words name the rows.
             if matches!(column.values, Cells::Texts(_)) && !self.table.index.counted() {
@@ -123,7 +129,7 @@ impl<'a> TableSheet<'a> {
                 match from {
                     None if value => from = Some(row),
                     Some(first) if !value => {
-                        guard::strike(sheet, [first, row - 1], [to, to], &styles.left)?;
+                        guard.strike(sheet, [first, row - 1], [to, to], &styles.left)?;
                         from = None;
                     }
                     _ => {}

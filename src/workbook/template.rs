@@ -131,7 +131,7 @@ fn write_all<W: Write + Seek + Send>(
         let (notes, sketch) = (notes(sheet, note, language), drawn.filter(|_| index == 0));
         let worksheet = workbook.add_worksheet();
         let live = live.as_ref().filter(|_| index == 0);
-        let layout = Filling { sheet, values: find, notes: &notes, guarded: false, live, sketch, language }
+        let layout = Filling { sheet, values: find, notes: &notes, guard: None, live, sketch, language }
             .write(worksheet, &styles)?;
         let name = names.take(sheet.name.get(language));
         worksheet.set_name(&name)?;
@@ -172,15 +172,8 @@ pub fn layouts(form: &'static Form, note: &Text, language: Language) -> Result<V
     let (mut workbook, styles) = (Workbook::new(), Styles::default());
     let layout = |sheet| {
         let notes = notes(sheet, note, language);
-        let filling = Filling {
-            sheet,
-            values: |_: &str| None,
-            notes: &notes,
-            guarded: false,
-            live: None,
-            sketch: None,
-            language,
-        };
+        let filling =
+            Filling { sheet, values: |_: &str| None, notes: &notes, guard: None, live: None, sketch: None, language };
         filling.write(workbook.add_worksheet(), &styles)
     };
     form.sheets.iter().map(layout).collect()

@@ -19,7 +19,7 @@ use rodete::text::Language;
 use rodete::text::t;
 use rodete::workbook::offsets_table::OffsetsTable;
 use rodete::workbook::results::{self, Tables};
-use rodete::workbook::{self, Input, offsets_sheet, sweep_sheet, template};
+use rodete::workbook::{self, Input, offsets_sheet, stamp, sweep_sheet, template};
 
 use super::workbook::{DATA, Parts, sound, written, written_with_variants};
 
@@ -254,6 +254,21 @@ fn made(key: &str) -> Option<Vec<u8>> {
             let part = part(&parts, "DATA");
             parts.replace(&part, "<v>25</v>", "<v>26</v>").zip()
         }
+        "copied-results" => {
+            let (form, bytes) = new("impeller --case full");
+            let results = |R| {
+                let mut values = workbook::read(&bytes, &[form]).unwrap().values;
+                values.values.insert("R", Value::Real(R));
+                let source = Provenance { workbook: "a.xlsx".to_owned(), sha256: String::new(), version: "0" };
+                let mut out = Cursor::new(Vec::new());
+                results::write(&kinds::run(form, values, source).unwrap(), &[], Tables::Live, Language::En, &mut out)
+                    .unwrap();
+                Parts::of(&out.into_inner())
+            };
+            let (now, before) = (results(25.0), results(26.0));
+            let part = part(&now, "Annex 2");
+            now.put(&part, before.text(&part)).zip()
+        }
         "hidden" => sound().replace(list, "name=\"DATA\"", "name=\"DATA\" state=\"hidden\"").zip(),
         "formula" => sound().value("R", "", "<f>20+5</f><v>25</v>").zip(),
         "other-sheet" => sound().replace(list, "name=\"DATA\"", "name=\"Sheet1\"").zip(),
@@ -441,7 +456,7 @@ fn swept(kind: &str, bytes: &[u8]) -> Vec<Finding> {
 fn raised(rule: &Rule, known: &mut Known) -> Option<Vec<Finding>> {
     let read = |bytes: &[u8]| {
         told(workbook::read(bytes, &KINDS.iter().map(|kind| kind.form()).collect::<Vec<_>>()), |filled| {
-            filled.findings.into_iter().chain(filled.stale).collect()
+            filled.findings.into_iter().chain(filled.stale).chain(stamp::others(&bytes).unwrap()).collect()
         })
     };
     match rule.example {

@@ -10,16 +10,22 @@ use std::io::Cursor;
 use calamine::{Reader, Xlsx, open_workbook_from_rs};
 use rodete::kind::Kind;
 use rodete::kinds::KINDS;
+use rodete::parameter::Value;
 use rodete::text::Language;
 use rodete::workbook::guard::SHEET;
 use rodete::workbook::results::{self, Tables};
+use rodete::workbook::stamp;
 
 fn results_of(kind: &str, case: &str) -> Vec<u8> {
+    results_with(kind, case, Language::En, &[])
+}
+
+fn results_with(kind: &str, case: &str, language: Language, changes: &[(&'static str, Value)]) -> Vec<u8> {
     let kind: &'static dyn Kind = *KINDS.iter().find(|one| one.form().kind == kind).expect("a kind");
     let case = kind.cases().iter().find(|one| one.name == case).expect("a case");
-    let outcome = common::outcome_of(kind, case, Language::En, &[]);
+    let outcome = common::outcome_of(kind, case, language, changes);
     let mut out = std::io::Cursor::new(Vec::new());
-    results::write(&outcome, &[], Tables::Live, Language::En, &mut out).expect("results");
+    results::write(&outcome, &[], Tables::Live, language, &mut out).expect("results");
     out.into_inner()
 }
 
@@ -81,6 +87,77 @@ fn part_of(parts: &Parts, sheet: &str) -> String {
     let listed = parts.text("xl/workbook.xml");
     let before = listed.split(&format!("<sheet name=\"{sheet}\"")).next().expect("a list of sheets");
     parts.text(&format!("xl/worksheets/sheet{}.xml", before.matches("<sheet name=").count() + 1))
+}
+
+/// A results workbook with a sheet of another one in place of its own, as somebody copies it beside or over the new one.
+fn copied(book: &[u8], from: &[u8], sheet: &str) -> Vec<u8> {
+    let (parts, other) = (Parts::of(book), Parts::of(from));
+    let listed = parts.text("xl/workbook.xml");
+    let before = listed.split(&format!("<sheet name=\"{sheet}\"")).next().expect("a list of sheets");
+    let part = format!("xl/worksheets/sheet{}.xml", before.matches("<sheet name=").count() + 1);
+    let text = other.text(&part);
+    parts.put(&part, text).zip()
+}
+
+/// The sheets that `check` names as copies of another build.
+fn of_another(bytes: &[u8]) -> Option<String> {
+    stamp::others(bytes).expect("a workbook").map(|found| format!("{} {}", found.code(), found.what.en))
+}
+
+#[test]
+fn a_sheet_of_another_build_says_so() {
+    for (language, sheets, red, green) in [
+        (
+            Language::En,
+            ["Annex 2", "DATA", "SUMMARY", "Findings"],
+            "NOT VERIFIED: this sheet is not of the workbook's last build",
+            "Verified inputs",
+        ),
+        (
+            Language::Es,
+            ["Anexo 2", "DATOS", "RESUMEN", "Avisos"],
+            "NO VERIFICADO: esta hoja no es de la última generación del libro",
+            "Datos verificados",
+        ),
+    ] {
+        let results = |R| results_with("impeller", "full", language, &[("R", Value::Real(R))]);
+        let (new, old) = (results(26.0), results(25.0));
+        assert_eq!(of_another(&new), None);
+        // Built again of the same inputs, a copy has the same figures.
+        assert_eq!(of_another(&copied(&results(26.0), &new, sheets[0])), None);
+        let mut mixed = new.clone();
+        for sheet in sheets {
+            let wanted = format!(
+                "W0520 these sheets are not of the workbook's last build: {sheet}; their figures are of another one"
+            );
+            assert_eq!(of_another(&copied(&new, &old, sheet)), Some(wanted));
+            mixed = copied(&mixed, &old, sheet);
+        }
+        // Nobody knows of which build a sheet is when the stamp is gone.
+        let parts = Parts::of(&new);
+        let listed = parts.text("xl/workbook.xml");
+        let (before, rest) = listed.split_once("<definedName name=\"build_stamp\">").expect("the stamp's name");
+        let (_, after) = rest.split_once("</definedName>").expect("its end");
+        let nameless = parts.put("xl/workbook.xml", format!("{before}{after}")).zip();
+        let emptied = with_on(&new, SHEET, "B1", ">");
+        assert!(of_another(&emptied).is_some());
+        if !libreoffice() {
+            continue;
+        }
+        let (folder, mut files, mut lines) = (tempfile::tempdir().expect("a folder"), Vec::new(), Vec::new());
+        for (name, book, line) in
+            [("new", new, green), ("mixed", mixed, red), ("nameless", nameless, red), ("emptied", emptied, red)]
+        {
+            files.push((name.to_owned(), book));
+            lines.push(line);
+        }
+        for (at, mut book) in recalculated(folder.path(), language == Language::Es, &files).into_iter().enumerate() {
+            for sheet in sheets {
+                let line = range(&mut book, sheet).get_value((1, 0)).map(ToString::to_string).unwrap_or_default();
+                assert!(line.ends_with(lines[at]), "{}, {sheet}: {line}", files[at].0);
+            }
+        }
+    }
 }
 
 /// Row and column of an address, from 0.

@@ -15,6 +15,7 @@ use rodete::parameter::Value;
 use rodete::table::{Column, Entry, Index, Law, Print, Table, Unit};
 use rodete::text::{Language, Text, t};
 use rodete::workbook::error::WriteError;
+use rodete::workbook::guard::Guard;
 use rodete::workbook::program_sheet::ProgramSheet;
 use rodete::workbook::results::{self, Tables};
 use rodete::workbook::save::{Additions, save};
@@ -183,7 +184,7 @@ fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
     let mut book = rust_xlsxwriter::Workbook::new();
     let page = rodete::workbook::page::Page { part: "", origin: "", repeat: (0, 0), landscape: false, single: false };
     let styles = rodete::workbook::style::Styles::default();
-    programs.write(book.add_worksheet(), Language::En, &styles, &page).expect("columns");
+    programs.write(book.add_worksheet(), Language::En, &styles, &page, &Guard::default()).expect("columns");
     let mut out = Cursor::new(Vec::new());
     let rows = programs.rows();
     let long = rodete::workbook::long_rows::LongRows {

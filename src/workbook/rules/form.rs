@@ -120,6 +120,14 @@ rules! {
         why "Los programas de la carpeta cortan la pieza de los datos anteriores.",
             "The programs in the folder cut the part of the earlier inputs.";
         example made!("changed-results", "un libro de resultados con R cambiado", "a results workbook with R changed");
+    "W0520" SheetsOfAnotherBuild Caution { sheets: String }
+        es "estas hojas no son de la última generación del libro: {sheets}; sus cifras son de otra"
+        en "these sheets are not of the workbook's last build: {sheets}; their figures are of another one"
+        remedy "bórrelas, o guarde las copias en otro libro", "delete them, or keep the copies in another workbook";
+        why "Una copia de una hoja de resultados conserva las cifras del día en que se hizo.",
+            "A copy of a sheet of results keeps the figures of the day that it was made.";
+        example made!("copied-results", "un libro de resultados con una hoja copiada de otro, hecho con otro R",
+            "a results workbook with a sheet copied from another one, made with another R");
     "W0601" HeadingsMissing Stop { first: Text }
         es "falta la fila de títulos, que empieza por \"{first}\" en la columna A"
         en "the row of headings, which begins with \"{first}\" in column A, is missing"

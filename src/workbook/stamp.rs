@@ -1,0 +1,122 @@
+//! The stamp of a build: a sum of the inputs that its sheets were made from.
+//!
+//! The guard's sheet holds the one of the workbook's last build, and each sheet of results its own, inside its formulas. A sheet that
+//! was copied keeps its stamp: as soon as the workbook is built of other inputs, the two differ.
+
+use std::fmt::Write;
+
+use sha2::{Digest, Sha256};
+
+use super::address;
+use super::book::Book;
+use super::gate::gate;
+use super::limits;
+use super::listing::SheetKind;
+use super::names;
+use super::rules::form::SheetsOfAnotherBuild;
+use super::xml;
+use crate::escape::excerpt;
+use crate::finding::{Finding, Place, Raise, Refusal};
+use crate::kind::Outcome;
+use crate::parameter::Value;
+
+/// The defined name of the workbook's stamp.
+pub const NAME: &str = "build_stamp";
+/// Its digits: those of the beginning of a SHA-256, in hexadecimal.
+const DIGITS: usize = 16;
+/// Characters of a sheet's name in a message.
+const SHOWN: usize = 40;
+/// How many sheets a message names.
+const LISTED: usize = 8;
+
+/// The stamp of an outcome: the same where version, values, lists, and the files that the workbook names are.
+#[must_use]
+pub fn of(outcome: &Outcome) -> String {
+    let values = outcome.fields.values();
+    let mut told = format!("{}\n{}\n", outcome.source.version, outcome.fields.form().schema);
+    let line = |told: &mut String, key: &str, value: &Value| {
+        let _ = match value {
+            Value::Real(value) => writeln!(told, "{key} {value}"),
+            Value::Whole(value) => writeln!(told, "{key} {value}"),
+            Value::Choice(value) => writeln!(told, "{key} {value}"),
+            Value::Line(value) => writeln!(told, "{key} {value}"),
+        };
+    };
+    values.values.iter().for_each(|(key, value)| line(&mut told, key, value));
+    for rows in &values.lists {
+        let _ = writeln!(told, "[{}] {}", rows.list, rows.sheet);
+        for row in &rows.rows {
+            told.push_str("-\n");
+            row.values.iter().for_each(|(key, value)| line(&mut told, key, value));
+        }
+    }
+    for file in &outcome.files {
+        let _ = writeln!(told, "{} {}", file.sha256, file.name);
+    }
+    let sum = Sha256::digest(told.as_bytes());
+    sum.iter().take(DIGITS / 2).map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// True, as a formula, where the workbook's stamp is another, or none.
+pub(super) fn differs(stamp: &str) -> String {
+    format!("IF(ISERROR({NAME}),TRUE,{NAME}<>\"{stamp}\")")
+}
+
+/// The stamps that the formulas of a sheet's part compare with the workbook's.
+fn stamps(text: &str) -> impl Iterator<Item = &str> {
+    text.split(NAME).skip(1).filter_map(|rest| {
+        let rest = rest.strip_prefix("&lt;&gt;")?;
+        let rest = rest.strip_prefix('"').or_else(|| rest.strip_prefix("&quot;"))?;
+        rest.get(..DIGITS).filter(|stamp| stamp.bytes().all(|one| one.is_ascii_hexdigit()))
+    })
+}
+
+/// The caution on sheets of results that are not of the last build of the workbook that they stand in: copies.
+///
+/// # Errors
+/// What the gate refuses.
+pub fn others(bytes: &[u8]) -> Result<Option<Finding>, Refusal> {
+    let gated = gate(bytes)?;
+    let Some(formula) = gated.names.get(NAME) else { return Ok(None) };
+    let guard = names::cell(formula);
+    let mut book = Book::open(gated)?;
+    let sheets: Vec<_> = book.gated.sheets.iter().filter(|one| one.kind == SheetKind::Cells).cloned().collect();
+    // The name may lead nowhere, or into another workbook, whose sheet was copied.
+    let present = guard.and_then(|(sheet, cell)| {
+        let entry = sheets.iter().find(|one| one.name.to_lowercase() == sheet.to_lowercase())?;
+        Some((entry, address::parse(&cell)?))
+    });
+    let present = match present {
+        Some((entry, at)) => book.read(entry, at.1 + 1)?.text(at).map(str::to_owned),
+        None => None,
+    };
+    let mut found = Vec::new();
+    for sheet in &sheets {
+        let bytes = book.gated.package.part(&sheet.part, limits::PART)?.unwrap_or_default();
+        let text = xml::text(&sheet.part, bytes)?;
+        if stamps(&text).any(|stamp| Some(stamp) != present.as_deref()) {
+            found.push(excerpt(&sheet.name, SHOWN));
+        }
+    }
+    if found.is_empty() {
+        return Ok(None);
+    }
+    let more = if found.len() > LISTED { ", …" } else { "" };
+    found.truncate(LISTED);
+    Ok(Some(SheetsOfAnotherBuild { sheets: found.join(", ") + more }.at(Place::File)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{differs, stamps};
+    use quick_xml::escape::escape;
+
+    #[test]
+    fn the_stamp_of_a_sheet_is_read_out_of_its_formulas() {
+        let formula = differs("0123456789abcdef");
+        for text in [escape(&formula).into_owned(), escape(&formula).replace("&quot;", "\"")] {
+            assert_eq!(stamps(&text).collect::<Vec<_>>(), ["0123456789abcdef"], "{text}");
+        }
+        assert_eq!(stamps("build_stamp&lt;&gt;\"short\"").count(), 0);
+    }
+}
