@@ -112,7 +112,11 @@ fn put(
             let sheet = into::composed(book, |out| template::write_variants_into(kind, &variants, language, out))?;
             grow(Host::open(&bytes)?, sheet)?
         }
-        grown => grown?,
+        grown => {
+            let grown = grown?;
+            Host::open(&bytes)?.has_room_for_results()?;
+            grown
+        }
     };
     let mut set = Set::new(&folder, &[], Existing::Replace);
     set.replace(book, &bytes, &grown)?;

@@ -7,6 +7,7 @@ use quick_xml::escape::escape;
 use crate::finding::Refusal;
 use crate::workbook::guard::{self, STALE};
 use crate::workbook::names::{Role, cell, slug};
+use crate::workbook::stamp;
 
 use super::book::{Book, Name};
 use super::donor::{self, Donor, Opened};
@@ -25,6 +26,8 @@ const WORKSHEET: &str = "application/vnd.openxmlformats-officedocument.spreadshe
 const CARRIED: [&str; 3] = ["/drawing", "/chart", "/image"];
 /// Names that every sheet has for itself.
 const OWN_NAMES: &str = "_xlnm.";
+/// How the names of derived values begin.
+const DERIVED: &str = "derived_";
 /// What stands on a sheet that a build no longer makes.
 const EMPTY: &str = "rodete: la última vez no se ha generado esta hoja · the last build did not make this sheet";
 
@@ -222,8 +225,6 @@ impl Host<'_> {
             let sheet = self.book.sheets.get(*index).map_or("", |one| one.name.as_str());
             names.extend(marks::names(slug, sheet, &Title::Text(EMPTY.to_owned())));
         }
-        let ours: Vec<&str> =
-            self.ours.values().filter_map(|index| self.book.sheets.get(*index)).map(|one| one.name.as_str()).collect();
         let mut forms = Vec::new();
         for name in &book.names {
             if let Some(sheet) = name.sheet {
@@ -237,17 +238,9 @@ impl Host<'_> {
             if out {
                 continue;
             }
-            match self.book.global(&name.name) {
-                // One that leads to a sheet that is gone leads nowhere.
-                Some(there)
-                    if !lost(there)
-                        && cell(&there.formula)
-                            .is_none_or(|(sheet, _)| self.book.sheets.iter().any(|one| one.name == sheet))
-                        && !ours.iter().any(|sheet| mentions(&there.formula, sheet)) =>
-                {
-                    forms.push(there);
-                }
-                _ => names.push(name.clone()),
+            match self.taken(&name.name) {
+                Some(there) => forms.push(there),
+                None => names.push(name.clone()),
             }
         }
         if let Some(first) = forms.first() {
@@ -272,6 +265,25 @@ impl Host<'_> {
             names.push(name);
         }
         Ok(names)
+    }
+
+    /// The workbook's own name that is called so and leads somewhere else than to our sheets.
+    fn taken(&self, name: &str) -> Option<&Name> {
+        let mut ours = self.ours.values().filter_map(|index| self.book.sheets.get(*index));
+        let there = self.book.global(name).filter(|there| !lost(there))?;
+        // One that leads to a sheet that is gone leads nowhere.
+        let leads = cell(&there.formula).is_none_or(|(sheet, _)| self.book.sheets.iter().any(|one| one.name == sheet));
+        (leads && !ours.any(|sheet| mentions(&there.formula, &sheet.name))).then_some(there)
+    }
+
+    /// Refuses a workbook that has a name of its own where results will need one.
+    ///
+    /// # Errors
+    /// [`Exit::Refused`](crate::finding::Exit::Refused) for the first name that is taken.
+    pub fn has_room_for_results(&self) -> Result<(), Refusal> {
+        let ours = |name: &str| name == STALE || name == stamp::NAME || name.starts_with(DERIVED);
+        let names = self.book.names.iter().filter(|one| one.sheet.is_none() && ours(&one.name.to_lowercase()));
+        names.filter_map(|one| self.taken(&one.name)).next().map_or(Ok(()), |there| Err(taken(there)))
     }
 
     /// Lists the new sheets; gives the part of relationships with theirs, and the parts that hold the order of calculation.

@@ -99,7 +99,8 @@ rules! {
         es "el nombre {name} del libro ya es de otra cosa: {formula}"
         en "the workbook's name {name} already stands for something else: {formula}"
         remedy "cámbiele el nombre en el administrador de nombres", "rename it in the name manager";
-        why "Las fórmulas de las hojas nuevas usan ese nombre.", "The formulas of the new sheets use that name.";
+        why "Las fórmulas de las hojas de rodete usan ese nombre; los que empiezan por derived_ son para sus resultados.",
+            "The formulas of rodete's sheets use that name; those that begin with derived_ are for its results.";
         example made!("into-name", "build --into de un libro cuyo torus_R es otra celda", "build --into of a workbook whose torus_R is another cell");
     "B0113" FormThere Stop { sheet: String }
         es "el libro ya tiene un formulario, en la hoja \"{sheet}\""

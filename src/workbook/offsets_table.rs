@@ -53,9 +53,12 @@ impl OffsetsTable {
     pub fn read(bytes: &[u8], unit: LengthUnit) -> Result<Self, Refusal> {
         let mut book = Book::open(gate(bytes)?)?;
         let names = Language::ALL.map(|language| (NAME.get(language), language));
-        let (entry, language) = sheet_named(&book.gated.sheets, &names, |wanted, there| {
-            OffsetsSheetNotFound { wanted, there }.at(Place::File)
-        })?;
+        let (entry, language) = sheet_named(
+            &book.gated.sheets,
+            &names,
+            |_| true,
+            |wanted, there| OffsetsSheetNotFound { wanted, there }.at(Place::File),
+        )?;
         let mut table = Self { findings: std::mem::take(&mut book.gated.notes), ..Self::default() };
         let mut sheet = book.read(&entry, COLUMNS)?;
         let exit = sheet.survey.exit();

@@ -267,7 +267,13 @@ fn first(book: &mut Book<'_>, forms: &[&'static Form]) -> Result<First, Refusal>
 
 /// The sheet that a form begins with, by its name.
 fn first_named(book: &mut Book<'_>, forms: &[&'static Form]) -> Result<First, Refusal> {
-    let (entry, language) = first_sheet(&book.gated.sheets, forms)?;
+    let sheets = book.gated.sheets.clone();
+    // In a workbook of somebody else's, one of their sheets may have a name that is alike.
+    let mut is_form = |entry: &SheetEntry| {
+        let sheet = book.read(entry, COLUMNS);
+        sheet.is_ok_and(|sheet| rows_by_symbol(&sheet).contains_key(SCHEMA.key().symbol()))
+    };
+    let (entry, language) = first_sheet(&sheets, forms, &mut is_form)?;
     let sheet = book.read(&entry, COLUMNS)?;
     sound(&sheet, &entry)?;
     let version = form_of(&sheet, forms, Some(language))?;
@@ -316,7 +322,11 @@ pub(super) fn calculated<'a>(sheet: &SheetCells, inputs: impl Iterator<Item = &'
 }
 
 /// The sheet that a form begins with, and its language.
-fn first_sheet(sheets: &[SheetEntry], forms: &[&'static Form]) -> Result<(SheetEntry, Language), Refusal> {
+fn first_sheet(
+    sheets: &[SheetEntry],
+    forms: &[&'static Form],
+    is_form: impl FnMut(&SheetEntry) -> bool,
+) -> Result<(SheetEntry, Language), Refusal> {
     let mut names: Vec<(&str, Language)> = Vec::new();
     for sheet in forms.iter().filter_map(|form| form.sheets.first()) {
         for language in Language::ALL {
@@ -326,17 +336,18 @@ fn first_sheet(sheets: &[SheetEntry], forms: &[&'static Form]) -> Result<(SheetE
             }
         }
     }
-    sheet_named(sheets, &names, |wanted, there| SheetNotFound { wanted, there }.at(Place::File))
+    sheet_named(sheets, &names, is_form, |wanted, there| SheetNotFound { wanted, there }.at(Place::File))
 }
 
-/// The one sheet that bears one of the names, and the language of that name; `otherwise` tells that there is no such sheet
-/// and none alike, from the names and from those that are there.
+/// The one sheet that bears one of the names, and the language of that name; `is_it` judges one whose name is alike; `otherwise` tells
+/// that there is no such sheet and none alike, from the names and from those that are there.
 ///
 /// # Errors
 /// [`Exit::Refused`] where there is none, or more than one that a person would take for it.
 pub(super) fn sheet_named(
     sheets: &[SheetEntry],
     names: &[(&str, Language)],
+    mut is_it: impl FnMut(&SheetEntry) -> bool,
     otherwise: impl FnOnce(Text, String) -> Finding,
 ) -> Result<(SheetEntry, Language), Refusal> {
     let found: Vec<_> = sheets
@@ -349,7 +360,7 @@ pub(super) fn sheet_named(
     match found.as_slice() {
         [] => {
             let (wanted, there) = (Text::new(wanted(" o "), wanted(" or ")), list(sheets));
-            let finding = match alike.first() {
+            let finding = match alike.iter().find(|entry| is_it(entry)) {
                 Some(entry) => {
                     let name = excerpt(&entry.name, SHOWN);
                     let right =

@@ -8,7 +8,8 @@ use predicates::prelude::*;
 use rodete::workbook::gate;
 use tempfile::TempDir;
 
-use super::made::{BOOKS, differing, kept, parts, path};
+use super::common::workbook::Parts;
+use super::made::{BOOKS, book, differing, kept, parts, path};
 
 fn folder() -> TempDir {
     tempfile::tempdir().expect("a temporary folder")
@@ -26,6 +27,45 @@ fn names(folder: &Path) -> Vec<String> {
         entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
     names.sort();
     names
+}
+
+#[test]
+fn new_refuses_a_name_that_results_need() {
+    let folder = folder();
+    let here = folder.path().join("own.xlsx");
+    rodete(&folder).args(["new", "impeller", "--case", "full", "own.xlsx"]).assert().code(0);
+    rodete(&folder).args(["build", "own.xlsx", "-o", "out", "--no-report"]).assert().code(0);
+    let results = Parts::of(&fs::read(folder.path().join("out/own-results.xlsx")).expect("results"));
+    let listed = results.text("xl/workbook.xml");
+    let names = listed.split("<definedName name=\"").skip(1).filter_map(|one| one.split('"').next());
+    let names: Vec<&str> =
+        names.filter(|one| ["derived_", "stale_", "build_"].iter().any(|of| one.starts_with(of))).collect();
+    assert!(names.len() > 10 && names.contains(&"derived_L"), "{names:?}");
+    for name in names {
+        let own = book("h1.xlsx");
+        let defined = format!("<definedName name=\"{name}\">42</definedName></definedNames>");
+        let own = Parts::of(&own).replace("xl/workbook.xml", "</definedNames>", &defined).zip();
+        fs::write(&here, &own).expect("a book");
+        rodete(&folder).args(["new", "impeller", "--into", "own.xlsx"]).assert().code(3).stderr(
+            predicate::str::contains(format!(
+                "B0112: the workbook's name {name} already stands for something else: 42"
+            )),
+        );
+        assert_eq!(fs::read(&here).expect("the book"), own);
+    }
+}
+
+#[test]
+fn a_sheet_of_the_owner_is_not_taken_for_the_form_by_its_name() {
+    let folder = folder();
+    let mut own = rust_xlsxwriter::Workbook::new();
+    own.add_worksheet().set_name("Data").expect("a name").write(0, 0, "Prices").expect("a cell");
+    own.save(folder.path().join("own.xlsx")).expect("a book");
+    rodete(&folder)
+        .args(["check", "own.xlsx"])
+        .assert()
+        .code(3)
+        .stderr(predicate::str::contains("W0505").and(predicate::str::contains("rename").not()));
 }
 
 #[test]

@@ -39,8 +39,8 @@ rules! {
     "W0505" SheetNotFound Stop { wanted: Text, there: String }
         es "no se encuentra la hoja {wanted}; hay: {there}"
         en "sheet {wanted} not found; there are: {there}"
-        remedy "si es la hoja de los datos con otro nombre, póngale uno de estos; si no, parta de un libro nuevo con \"rodete new\"",
-            "if it is the sheet of the data under another name, give it one of these; if not, start from a new workbook with \"rodete new\"";
+        remedy "si es la hoja de los datos con otro nombre, póngale uno de estos; si el libro no tiene formulario, póngalo con \"rodete new ... --into\", o parta de uno nuevo con \"rodete new\"",
+            "if it is the sheet of the data under another name, give it one of these; if the workbook has no form, put one in with \"rodete new ... --into\", or start from a new workbook with \"rodete new\"";
         why "El nombre de esta hoja indica el tipo de libro.", "The name of this sheet tells the kind of workbook.";
         example made!("other-sheet", "un libro con una sola hoja, Sheet1", "a workbook with one sheet only, Sheet1");
     "W0506" SheetMisnamed Stop { wanted: Text, there: String, name: String, right: String }

@@ -122,16 +122,16 @@ rules! {
     "W0220" PartTooLarge Stop { part: String, most: u64 }
         es "{part}: el libro ocupa descomprimido más de {most} MiB en una sola parte"
         en "{part}: the workbook unpacks to more than {most} MiB in one part"
-        remedy "borre las hojas que no sean de entrada, o parta de un libro nuevo con \"rodete new\"",
-            "delete the sheets that are not input, or start from a new workbook with \"rodete new\"";
+        remedy "ponga el formulario en un libro propio con \"rodete new\", o reduzca esa parte, una imagen o una hoja con muchos datos",
+            "put the form into a workbook of its own with \"rodete new\", or make that part smaller: an image, or a sheet with much data";
         why "Unos kilobytes comprimidos pueden llenar la memoria al descomprimirse.",
             "A few compressed kilobytes can fill the memory when unpacked.";
         example made!("bomb", "un libro con una imagen de más de 64 MiB de ceros", "a workbook with an image of more than 64 MiB of zeros");
     "W0221" PackageTooLarge Stop { most: u64 }
         es "el libro ocupa descomprimido más de {most} MiB"
         en "the workbook unpacks to more than {most} MiB in all"
-        remedy "borre las hojas que no sean de entrada, o parta de un libro nuevo con \"rodete new\"",
-            "delete the sheets that are not input, or start from a new workbook with \"rodete new\"";
+        remedy "ponga el formulario en un libro propio con \"rodete new\", o reduzca las imágenes y las hojas con muchos datos",
+            "put the form into a workbook of its own with \"rodete new\", or make its images and the sheets with much data smaller";
         why "Unos kilobytes comprimidos pueden llenar la memoria al descomprimirse.",
             "A few compressed kilobytes can fill the memory when unpacked.";
         example made!("bombs", "un libro con cinco imágenes de 60 MiB de ceros", "a workbook with five images of 60 MiB of zeros");
@@ -267,15 +267,15 @@ rules! {
     "W0255" SheetWithoutPart Stop { sheet: String }
         es "la hoja \"{sheet}\" no tiene parte en el paquete"
         en "the sheet \"{sheet}\" has no part in the package"
-        remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
-            "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
+        remedy "ábralo en Excel o LibreOffice: si la hoja está entera, guárdelo de nuevo; si falta, vuelva a copiar el libro del original",
+            "open it in Excel or LibreOffice: if the sheet is whole, save the workbook again; if it is lost, copy the workbook again from the original";
         why "La lista de hojas nombra una relación que no existe.", "The list of sheets names a relationship that does not exist.";
         example made!("unrelated", "un libro con r:id=\"rId99\" en una hoja", "a workbook with r:id=\"rId99\" for a sheet");
     "W0256" SheetOfOtherKind Stop { sheet: String }
         es "la hoja \"{sheet}\" es de una clase que rodete no lee"
         en "the sheet \"{sheet}\" is of a kind that rodete does not read"
-        remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
-            "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
+        remedy "ponga el formulario en otro libro con \"rodete new\"; si esa hoja ya no hace falta, basta con borrarla",
+            "put the form into another workbook with \"rodete new\"; if that sheet is no longer needed, delete it instead";
         why "rodete solo conoce hojas de celdas, de gráficos y de diálogos.", "rodete knows only sheets of cells, charts and dialogues.";
         example made!("macro-sheet", "un libro con una hoja de macros de Excel 4", "a workbook with a sheet of Excel 4 macros");
     "W0257" SheetOutside Stop { sheet: String, target: String }
