@@ -85,7 +85,8 @@ impl LiveRow {
 }
 
 impl LivePart<'_> {
-    /// Writes the line that says whether the limits hold, over some columns of a row: beside the title, where it stays in sight.
+    /// Writes the line that says whether the limits hold, and what is wrong first, over some columns of a row: beside the title, where it
+    /// stays in sight.
     ///
     /// # Errors
     /// For cells outside the sheet.
@@ -100,8 +101,6 @@ impl LivePart<'_> {
             "Los límites se cumplen; rodete check comprueba lo demás",
             "The limits hold; rodete check checks the rest",
         );
-        static BROKEN: Text =
-            t("Límites que no se cumplen: vea las celdas rojas: ", "Limits that do not hold, see the red cells: ");
         static MISSING: Text = t("Faltan datos o no son números: ", "Inputs that are missing or are no numbers: ");
         let language = self.language;
         let mut hold = format!("\"{}\"", HOLD.get(language));
@@ -113,10 +112,10 @@ impl LivePart<'_> {
                 format!("IF({},\"{}\",{rest})", one.when, one.words.get(language))
             });
         let formula = format!(
-            "IF(live_outside>0,{outside}&IF(live_outside>1,\" (+\"&(live_outside-1)&\")\",\"\"),IF(live_wrong>0,\"{}\"&live_wrong,IF(live_missing>0,\"{}\"&live_missing&\" (\"&{missing}&\")\",IF(live_ok,{hold},{unsound}))))",
-            BROKEN.get(language),
+            "IF(live_outside>0,{outside}&IF(live_outside>1,\" (+\"&(live_outside-1)&\")\",\"\"),IF(live_wrong>0,{broken}&IF(live_wrong>1,\" (+\"&(live_wrong-1)&\")\",\"\"),IF(live_missing>0,\"{}\"&live_missing&\" (\"&{missing}&\")\",IF(live_ok,{hold},{unsound}))))",
             MISSING.get(language),
             outside = live_ranges::first_outside(),
+            broken = live_ranges::first_broken(),
             missing = live_ranges::first_missing(),
         );
         sheet.merge_range(row, first, row, last, "", &styles.source)?;
@@ -199,8 +198,6 @@ impl LivePart<'_> {
     /// What the other formulas ask, by defined names, with the formulas that answer.
     fn answers(&self) -> [(&'static str, String); 5] {
         let form = self.form;
-        let wrong: Vec<String> =
-            form.rows.iter().filter_map(LiveRow::broken).map(|broken| format!("IF({broken},1,0)")).collect();
         // Not AND: it would compute with what is no number.
         let unsound = form.unsound.iter().map(|one| one.when.as_ref()).collect::<Vec<_>>();
         let sound = match unsound.as_slice() {
@@ -210,7 +207,7 @@ impl LivePart<'_> {
         [
             ("live_given", live_ranges::given(form.inputs.len())),
             ("live_ok", sound),
-            ("live_wrong", wrong.join("+")),
+            ("live_wrong", live_ranges::broken()),
             ("live_outside", live_ranges::outside()),
             ("live_missing", live_ranges::missing()),
         ]
@@ -263,7 +260,10 @@ impl LivePart<'_> {
     /// # Errors
     /// For more cells than a sheet has.
     pub fn write_hidden(&self, workbook: &mut Workbook, form: &Form) -> Result<(), WriteError> {
-        live_ranges::write(workbook, form, self.form, self.answers().map(|(_, answer)| answer), self.language)?;
+        let told = |row: &LiveRow| Some((row.broken()?, format!("\"{}: \"&{}", row.symbol, row.words(self.language))));
+        let broken: Vec<_> = self.form.rows.iter().filter_map(told).collect();
+        let answers = self.answers().map(|(_, answer)| answer);
+        live_ranges::write(workbook, (form, self.form), &broken, answers, self.language)?;
         let sheet = workbook.add_worksheet().set_name(SHEET)?;
         sheet.set_hidden(true);
         for (column, formulas) in (0..).zip(&self.form.view.columns) {

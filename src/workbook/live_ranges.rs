@@ -20,6 +20,9 @@ use crate::text::{Language, Text, t};
 pub const SHEET: &str = "Ranges";
 /// The column of what the live form asks of all inputs together, from 0.
 const ANSWERS: ColNum = 4;
+/// The columns of the derived values that have limits: 1 where one is broken, and what is said of it.
+const BROKEN: ColNum = 5;
+const TOLD: ColNum = 6;
 /// What is not allowed; what is missing, or is no number where one belongs.
 const OUTSIDE: u8 = 1;
 const NO_NUMBER: u8 = 2;
@@ -52,6 +55,20 @@ pub fn given(count: usize) -> String {
 #[must_use]
 pub fn first_outside() -> String {
     format!("INDEX({SHEET}!$C:$C,MATCH({OUTSIDE},{SHEET}!$B:$B,0))")
+}
+
+/// How many derived values break a limit, as a formula.
+#[must_use]
+pub fn broken() -> String {
+    let column = column_number_to_name(BROKEN);
+    format!("COUNTIF({SHEET}!${column}:${column},1)")
+}
+
+/// The words for the first of them, as a formula that holds where there is one.
+#[must_use]
+pub fn first_broken() -> String {
+    let [told, broken] = [TOLD, BROKEN].map(column_number_to_name);
+    format!("INDEX({SHEET}!${told}:${told},MATCH(1,{SHEET}!${broken}:${broken},0))")
 }
 
 /// The symbol of the first one that is missing, as a formula that holds where there is one.
@@ -155,14 +172,15 @@ fn asked(form: &Form, live: &LiveForm, language: Language) -> Vec<Asked> {
     live.inputs.iter().map(|name| wanted(name)).chain(others).chain(listed).collect()
 }
 
-/// Writes the hidden sheet, with what the live form asks all of it.
+/// Writes the hidden sheet, with what the live form asks all of it; `broken` are, of each derived value with limits, the formula that is
+/// true where one is broken and that of the words.
 ///
 /// # Errors
 /// For more inputs than a sheet has rows.
 pub fn write<const N: usize>(
     workbook: &mut Workbook,
-    form: &Form,
-    live: &LiveForm,
+    (form, live): (&Form, &LiveForm),
+    broken: &[(String, String)],
     answers: [String; N],
     language: Language,
 ) -> Result<(), WriteError> {
@@ -172,6 +190,10 @@ pub fn write<const N: usize>(
         sheet.write_string(row, 0, &one.symbol)?;
         sheet.write_formula(row, 1, uncomputed(&one.state))?;
         sheet.write_string(row, 2, &one.words)?;
+    }
+    for (row, (broken, told)) in (0..).zip(broken) {
+        sheet.write_formula(row, BROKEN, uncomputed(&format!("IF({broken},1,0)")))?;
+        sheet.write_formula(row, TOLD, uncomputed(told))?;
     }
     for (row, answer) in (0..).zip(answers) {
         sheet.write_formula(row, ANSWERS, uncomputed(&answer))?;

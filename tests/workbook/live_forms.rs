@@ -238,6 +238,8 @@ fn a_form_says_what_is_wrong_where_the_engine_rejects_it() {
             let told = data.get_value((0, 2)).map(ToString::to_string).unwrap_or_default();
             assert!(!told.contains("rodete check"), "{kind} {changes:?}: {told}");
             let wanted = words[usize::from(language == Language::Es)];
+            // The line in sight tells it, or another fault and how many more there are.
+            assert!(told.contains(wanted) || told.contains(" (+"), "{kind} {changes:?}: {wanted} is not in: {told}");
             let seen = data.used_cells().any(|(.., cell)| cell.to_string().contains(wanted));
             assert!(seen, "{kind} {changes:?}: {wanted} is nowhere");
             let nothing = data.used_cells().any(|(.., cell)| {
