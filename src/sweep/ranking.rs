@@ -19,7 +19,7 @@ pub struct Ranking<'a> {
     cut: bool,
     best: Vec<Candidate>,
     counts: Counts,
-    why: BTreeMap<String, u64>,
+    why: BTreeMap<String, Reason>,
 }
 
 /// How many rows of each state there are.
@@ -46,8 +46,19 @@ pub struct Ranked {
     pub best: Vec<Candidate>,
     /// How many rows of each state there are.
     pub counts: Counts,
-    /// Why designs are not among the feasible: codes and constraints with how many rows each has, most first.
-    pub why: Vec<(String, u64)>,
+    /// Why designs are not among the feasible, most first.
+    pub why: Vec<Reason>,
+}
+
+/// A reason why designs are not among the feasible.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reason {
+    /// The code of a finding; an objective or a constraint, as their cells say it.
+    pub code: String,
+    /// How many rows have it.
+    pub count: u64,
+    /// The first design that has it.
+    pub first: u64,
 }
 
 impl<'a> Ranking<'a> {
@@ -75,10 +86,14 @@ impl<'a> Ranking<'a> {
                 Some("refused") => self.counts.refused += 1,
                 _ => self.counts.failed += 1,
             }
-            if let Some(reason) = reason.text(row) {
-                match self.why.get_mut(reason) {
-                    Some(count) => *count += 1,
-                    None => drop(self.why.insert(reason.to_owned(), 1)),
+            if let Some(code) = reason.text(row) {
+                let id = id.number(row).map_or(u64::MAX, whole);
+                match self.why.get_mut(code) {
+                    Some(known) => (known.count, known.first) = (known.count + 1, known.first.min(id)),
+                    None => {
+                        let first = Reason { code: code.to_owned(), count: 1, first: id };
+                        self.why.insert(code.to_owned(), first);
+                    }
                 }
             }
             if !feasible.truth(row) {
@@ -120,8 +135,8 @@ impl<'a> Ranking<'a> {
     #[must_use]
     pub fn end(mut self) -> Ranked {
         self.thin();
-        let mut why: Vec<(String, u64)> = self.why.into_iter().collect();
-        why.sort_by(|one, other| other.1.cmp(&one.1).then_with(|| one.0.cmp(&other.0)));
+        let mut why: Vec<Reason> = self.why.into_values().collect();
+        why.sort_by(|one, other| other.count.cmp(&one.count).then_with(|| one.code.cmp(&other.code)));
         Ranked { front: self.front, cut: self.cut, best: self.best, counts: self.counts, why }
     }
 }

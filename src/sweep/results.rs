@@ -13,10 +13,40 @@ use crate::text::{Text, t};
 pub struct Coded {
     /// The code of a finding; an objective or a constraint, as their cells say it.
     pub code: String,
-    /// What it says, an ellipsis in the place of each value.
+    /// What it says, of the first design that has it.
     pub what: Text,
     /// How many designs.
     pub count: u64,
+}
+
+/// The heading of a column of the rows on a sheet; inputs and measures are called as their cells say them.
+#[must_use]
+pub fn heading(name: &str) -> Text {
+    match name {
+        "state" => t("estado", "state"),
+        "feasible" => t("válido", "feasible"),
+        "stop" => t("paradas", "stop"),
+        "caution" => t("precauciones", "caution"),
+        "codes" => t("códigos", "codes"),
+        "reason" => t("motivo", "reason"),
+        "value" => t("valor", "value"),
+        "limit" => t("límite", "limit"),
+        "margin" => t("margen", "margin"),
+        "message" => t("mensaje", "message"),
+        FRONT => t("frente", "front"),
+        name => Text::same(name.to_owned()),
+    }
+}
+
+/// How a design ended, as a sheet says it.
+#[must_use]
+pub fn state(word: &str) -> Text {
+    match word {
+        "done" => t("hecho", "done"),
+        "refused" => t("rechazado", "refused"),
+        "failed" => t("fallido", "failed"),
+        word => Text::same(word.to_owned()),
+    }
 }
 
 /// What came of a sweep.

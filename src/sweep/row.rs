@@ -7,6 +7,7 @@ use crate::parameter::field::Fields;
 use crate::parameter::{Value, Values};
 use crate::proof::check::Check;
 use crate::sweep::plan::Plan;
+use crate::text::Text;
 
 /// How the work on a design ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,6 +100,21 @@ pub fn judged(kind: &dyn Kind, base: &Values, plan: &Plan, id: u64, inputs: Vec<
         }
     }
     row
+}
+
+/// What a design is told under a code, worked out anew; `None` where it is not.
+#[must_use]
+pub fn told(kind: &dyn Kind, base: &Values, plan: &Plan, id: u64, code: &str) -> Option<Text> {
+    let findings = match (Fields::of(plan.form, values(base, plan, &plan.design(id))), plan.level) {
+        (Err(refusal), _) => refusal.findings,
+        (Ok(fields), Level::Limits) => {
+            kind.limits(&fields).map_or_else(|refusal| refusal.findings, |limits| limits.findings)
+        }
+        (Ok(fields), Level::Program) => kind
+            .run(fields, Vec::new(), source(), Wants { row: true, ..Wants::default() })
+            .map_or_else(|refusal| refusal.findings, |outcome| outcome.findings),
+    };
+    findings.into_iter().find(|one| one.code() == code).map(|one| one.what)
 }
 
 /// What a design's programs are headed with: no workbook, so that no row depends on the name of one.

@@ -11,7 +11,7 @@ use super::page::{ENDS, Further, Page, WHOLE, both_ends, properties};
 use super::save::{Additions, save};
 use super::style::{Styles, digits};
 use crate::parameter::Parameter;
-use crate::sweep::results::Results;
+use crate::sweep::results::{Results, heading, state};
 use crate::sweep::table::{Cells, Table};
 use crate::table::Unit;
 use crate::text::{Language, Text, t};
@@ -105,8 +105,10 @@ impl SweepBook<'_> {
             };
             let shown = self.digits(&column.name);
             write_text(sheet, HEADINGS - 1, at, column.unit, &styles.number_unit)?;
-            write_text(sheet, HEADINGS, at, &column.name, format)?;
-            let width = heading_width(&column.name).max(cells_width(&column.cells, shown));
+            let heading = heading(&column.name);
+            let heading = self.text(&heading);
+            write_text(sheet, HEADINGS, at, heading, format)?;
+            let width = heading_width(heading).max(cells_width(&column.cells, shown));
             sheet.set_column_width(at, width)?;
             let number = Format::new().set_num_format(shown);
             let words = styles.block.clone().set_indent(1);
@@ -114,7 +116,8 @@ impl SweepBook<'_> {
                 match &column.cells {
                     Cells::Text(_) => {
                         if let Some(text) = column.cells.text(cell) {
-                            write_text(sheet, row, at, text, &words)?;
+                            let told = if column.name == "state" { state(text) } else { Text::same(text.to_owned()) };
+                            write_text(sheet, row, at, self.text(&told), &words)?;
                         }
                     }
                     Cells::Truth(cells) => {

@@ -28,9 +28,9 @@ use crate::sweep::csv;
 use crate::sweep::file::RowFile;
 use crate::sweep::indices::Indices;
 use crate::sweep::plan::Plan;
-use crate::sweep::ranking::{Ranked, Ranking};
+use crate::sweep::ranking::{Ranked, Ranking, Reason};
 use crate::sweep::results::{Coded, Results};
-use crate::sweep::row::values;
+use crate::sweep::row::{told, values};
 use crate::sweep::rules::{FrontCut, NoneDone};
 use crate::sweep::sensitivity::{Shares, around};
 use crate::sweep::table::{Cells, Column, FRONT, Table};
@@ -95,8 +95,8 @@ pub(super) fn merge(
         front: ranked.front.len(),
         unbuilt: links.iter().take(ranked.front.len()).filter(|link| link.is_none()).count(),
         cut: ranked.cut,
-        why: &coded(ranked.why.iter().cloned(), plan, &rules),
-        cautions: &coded(cautions(&best), plan, &rules),
+        why: &coded(ranked.why.iter().cloned(), study, &rules),
+        cautions: &coded(cautions(&best), study, &rules),
         effects: &effects,
         triples: indices.map(|one| one.triples()),
     };
@@ -117,7 +117,7 @@ pub(super) fn merge(
         finding::general(std::slice::from_ref(failed), *language, terminal);
     }
     if ranked.counts.done == 0 {
-        let code = ranked.why.first().map_or_else(String::new, |(code, _)| code.clone());
+        let code = ranked.why.first().map_or_else(String::new, |first| first.code.clone());
         let path = printable_path(&rows.place().join(&names[0]));
         return Err(NoneDone { count: plan.count, code, path }.refused(Exit::Refused, Place::File));
     }
@@ -255,9 +255,11 @@ fn build_one(
     Ok(results.unwrap_or_else(|| name.to_string_lossy().into_owned()))
 }
 
-/// Reasons with how many designs have each, and what each says: a row, an objective or a constraint.
-fn coded(reasons: impl IntoIterator<Item = (String, u64)>, plan: &Plan, rules: &[&Rule]) -> Vec<Coded> {
-    let what = |code: &str| {
+/// Reasons with how many designs have each, and what each says: an objective, a constraint, or what the first design with it is told.
+fn coded(reasons: impl IntoIterator<Item = Reason>, study: &Study<'_>, rules: &[&Rule]) -> Vec<Coded> {
+    let plan = &study.plan;
+    let what = |Reason { code, first, .. }: &Reason| {
+        let code = code.as_str();
         if plan.objectives.iter().any(|one| one.to_string() == code) {
             t("el diseño no tiene valor de este objetivo", "the design has no value of this objective")
         } else if plan.constraints.iter().any(|one| one.to_string() == code) {
@@ -266,23 +268,28 @@ fn coded(reasons: impl IntoIterator<Item = (String, u64)>, plan: &Plan, rules: &
                 "the constraint is broken, or the design has no value of it",
             )
         } else {
-            rules.iter().find(|rule| rule.code == code).map_or(t("", ""), |rule| rule.unfilled_what())
+            match fault::guarded(|| told(study.kind, &study.base, plan, *first, code)) {
+                Ok(Some(Text { es, en })) => {
+                    Text::new(format!("diseño {first}: {es}"), format!("design {first}: {en}"))
+                }
+                _ => rules.iter().find(|rule| rule.code == code).map_or(t("", ""), |rule| rule.unfilled_what()),
+            }
         }
     };
-    reasons.into_iter().map(|(code, count)| Coded { what: what(&code), code, count }).collect()
+    reasons.into_iter().map(|one| Coded { what: what(&one), code: one.code, count: one.count }).collect()
 }
 
 /// The cautions of the best designs, most first.
-fn cautions(top: &Table) -> Vec<(String, u64)> {
-    let mut counts: BTreeMap<&str, u64> = BTreeMap::new();
+fn cautions(top: &Table) -> Vec<Reason> {
+    let mut counts: BTreeMap<&str, Reason> = BTreeMap::new();
     let codes = top.column("codes");
-    for text in (0..top.rows()).filter_map(|row| codes?.text(row)) {
+    for (text, first) in (0..top.rows()).zip(ids(top)).filter_map(|(row, id)| Some((codes?.text(row)?, id))) {
         for code in text.split(';').filter(|code| !code.is_empty()) {
-            *counts.entry(code).or_default() += 1;
+            counts.entry(code).or_insert_with(|| Reason { code: code.to_owned(), count: 0, first }).count += 1;
         }
     }
-    let mut counts: Vec<(String, u64)> = counts.into_iter().map(|(code, count)| (code.to_owned(), count)).collect();
-    counts.sort_by(|one, other| other.1.cmp(&one.1).then_with(|| one.0.cmp(&other.0)));
+    let mut counts: Vec<Reason> = counts.into_values().collect();
+    counts.sort_by(|one, other| other.count.cmp(&one.count).then_with(|| one.code.cmp(&other.code)));
     counts
 }
 
