@@ -1,6 +1,6 @@
 //! What designs of a kind are compared by: values with key and unit, and how much must be worked out before each is known.
 
-use crate::finding::Finding;
+use crate::finding::{Datum, Finding};
 use crate::kind::{Outcome, Proved, Timed};
 use crate::parameter::field::choices;
 use crate::proof::check::Check;
@@ -30,6 +30,16 @@ pub enum From {
     Greatest(&'static [&'static str]),
     /// The least.
     Least(&'static [&'static str]),
+    /// How far programs enter what they must not: the number that a finding carries under a name, or what checks with these keys
+    /// measured below 0; 0 where neither tells of it.
+    Entered {
+        /// The finding's code.
+        code: &'static str,
+        /// What its number is called.
+        under: &'static str,
+        /// The keys of the checks.
+        keys: &'static [&'static str],
+    },
 }
 
 /// A value that designs are compared by.
@@ -79,6 +89,15 @@ impl Measure {
             From::Time(keys) => time(known.programs.iter().filter(|one| keys.contains(&one.key))),
             From::Greatest(keys) => measured(keys).max_by(f64::total_cmp),
             From::Least(keys) => measured(keys).min_by(f64::total_cmp),
+            From::Entered { code, under, keys } => {
+                let carried = |one: &Finding| match one.data.iter().find(|(name, _)| *name == under) {
+                    Some((_, Datum::Number { value, .. })) if one.code() == code => *value,
+                    _ => None,
+                };
+                let found = known.findings.iter().filter_map(carried);
+                let depth = found.chain(measured(keys).map(|least| -least)).fold(0.0, f64::max);
+                (!known.programs.is_empty()).then_some(depth)
+            }
         };
         value.filter(|value| value.is_finite())
     }
@@ -105,13 +124,16 @@ pub struct Known<'a> {
     pub programs: &'a [Proved],
     /// The checks of the programs.
     pub checks: &'a [Check],
+    /// What was found.
+    pub findings: &'a [Finding],
 }
 
 impl<'a> Known<'a> {
     /// What an outcome holds.
     #[must_use]
     pub fn of(outcome: &'a Outcome) -> Self {
-        Self { quantities: &outcome.quantities, programs: &outcome.programs, checks: &outcome.checks }
+        let Outcome { quantities, programs, checks, findings, .. } = outcome;
+        Self { quantities, programs, checks, findings }
     }
 }
 
@@ -133,6 +155,8 @@ pub struct Suggested {
     pub inputs: &'static [(&'static str, Varied)],
     /// The objectives, as they stand in their cell.
     pub objectives: &'static str,
+    /// The constraints, as they stand in theirs.
+    pub constraints: &'static str,
 }
 
 /// How an input is varied.
@@ -146,5 +170,5 @@ pub enum Varied {
 
 impl Suggested {
     /// Nothing: the sheet comes empty.
-    pub const NOTHING: Self = Self { case: None, inputs: &[], objectives: "" };
+    pub const NOTHING: Self = Self { case: None, inputs: &[], objectives: "", constraints: "" };
 }

@@ -28,7 +28,7 @@ use crate::parameter::field::{Fields, Stated};
 use crate::parameter::list::{List, Row, Rows};
 use crate::parameter::{Form, Parameter, Sheet, Value, Values};
 use crate::sweep::asked::{Designs, input, varies};
-use crate::sweep::form::{DESIGNS, FORM, FROM, INPUT, METHOD, NAME, OBJECTIVES, STEP, TO, VALUES};
+use crate::sweep::form::{CONSTRAINTS, DESIGNS, FORM, FROM, INPUT, METHOD, NAME, OBJECTIVES, STEP, TO, VALUES};
 use crate::sweep::plan::Method;
 use crate::sweep::rules::{DesignCellBeyond, DesignCellEmpty, InputNotVaried, InputTwice, NoSuchInput, UnderNoSymbol};
 use crate::text::{Language, Text, t};
@@ -50,6 +50,7 @@ pub fn suggested(suggested: &Suggested, language: Language) -> Values {
     let mut values = Values { language, ..Values::default() };
     values.put(&METHOD, Some(Method::Factorial));
     values.put(&OBJECTIVES, Some(suggested.objectives.to_owned()).filter(|text| !text.is_empty()));
+    values.put(&CONSTRAINTS, Some(suggested.constraints.to_owned()).filter(|text| !text.is_empty()));
     let row = |(symbol, varied): &(&'static str, Varied)| {
         let mut row = Row::default();
         row.values.insert(INPUT.row.key, (*symbol).to_owned().stated());

@@ -94,3 +94,23 @@ fn a_design_without_a_value_of_an_objective_says_so() {
     let row = design("full", &[], "time_s min");
     assert_eq!((row.state, row.feasible, row.reason), (State::Done, true, None));
 }
+
+#[test]
+fn a_design_tells_how_far_its_tools_enter_the_own_faces() {
+    let of = |row: &Row, key: &str| {
+        let at = KINDS[0].measures().iter().position(|one| one.key == key).expect("a measure");
+        row.measures[at].expect("a value")
+    };
+    // As P1044 says it, which the clearance to other blades does not count.
+    let published = design("full", &[], "undercut_mm min");
+    assert!(published.feasible && published.codes.contains(&"P1044"), "{published:?}");
+    assert!((of(&published, "undercut_mm") - 0.077).abs() < 5e-4 && of(&published, "clearance_mm") > 0.0);
+    // The suggested study has designs on either side of its limit.
+    assert!(KINDS[0].suggested().constraints.contains("undercut_mm <= 0.05"));
+    let shallow = design("full", &[("R", Value::Real(26.0)), ("a_p", Value::Real(1.0))], "undercut_mm min");
+    assert!((0.01..0.05).contains(&of(&shallow, "undercut_mm")), "{shallow:?}");
+    // The blocks of a part that is cut clear keep to the tolerance.
+    let clear = design("clear", &[], "undercut_mm min");
+    let tol = common::real(&common::values("clear", &[]), "tol").expect("a tolerance");
+    assert!((0.0..=tol).contains(&of(&clear, "undercut_mm")), "{clear:?}");
+}

@@ -2,6 +2,7 @@
 
 use crate::kind::measure::{From, Measure, Suggested, Varied};
 use crate::kinds::impeller::operation::Operation;
+use crate::kinds::impeller::rules::IntoOwnFaces;
 use crate::table::Unit;
 use crate::text::t;
 
@@ -29,6 +30,15 @@ pub(super) const MEASURES: &[Measure] = &[
         t(
             "Holgura a álabes e intermedios, también a las caras del propio, como mínimo; negativa: la herramienta entra",
             "Clearance to blades and splitters, own faces included, at least; negative: the tool enters them",
+        ),
+    ),
+    Measure::of_programs(
+        "undercut_mm",
+        MM,
+        From::Entered { code: IntoOwnFaces::RULE.code, under: "most", keys: &["faces"] },
+        t(
+            "Cuánto entran las fresas en las propias caras del álabe, como mucho: el álabe queda más delgado",
+            "How far the tools enter the blade's own faces, at most: the blade gets thinner",
         ),
     ),
     Measure::of_programs(
@@ -85,4 +95,7 @@ pub(super) static SUGGESTED: Suggested = Suggested {
         ("a_p", Varied::Steps(1.0, 3.0, 0.5)),
     ],
     objectives: "time_s min; clearance_mm max",
+    // The published passes always enter their own faces, which their clearance does not count; blocks of a part that is cut clear come
+    // nearer than 0 to a face, within tol.
+    constraints: "undercut_mm <= 0.05; clearance_mm >= -0.01",
 };

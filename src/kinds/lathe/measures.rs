@@ -33,4 +33,5 @@ pub(super) static SUGGESTED: Suggested = Suggested {
         ("G_Z", Varied::Values("6000; 10000; 14000")),
     ],
     objectives: "t min; V_r min",
+    constraints: "",
 };

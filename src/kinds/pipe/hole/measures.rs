@@ -45,4 +45,5 @@ pub(super) static SUGGESTED: Suggested = Suggested {
         ("d0", Varied::Values("4; 5; 6")),
     ],
     objectives: "time_s min; clearance_mm max",
+    constraints: "",
 };

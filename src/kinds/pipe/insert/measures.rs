@@ -46,4 +46,5 @@ pub(super) static SUGGESTED: Suggested = Suggested {
         ("arc_tolerance", Varied::Values("0.01; 0.02; 0.05; 0.1")),
     ],
     objectives: "time_s min; deviation_mm min",
+    constraints: "",
 };
