@@ -456,7 +456,7 @@ fn swept(kind: &str, bytes: &[u8]) -> Vec<Finding> {
 fn raised(rule: &Rule, known: &mut Known) -> Option<Vec<Finding>> {
     let read = |bytes: &[u8]| {
         told(workbook::read(bytes, &KINDS.iter().map(|kind| kind.form()).collect::<Vec<_>>()), |filled| {
-            filled.findings.into_iter().chain(filled.stale).chain(stamp::others(&bytes).unwrap()).collect()
+            filled.findings.into_iter().chain(filled.stale).chain(stamp::others(bytes).unwrap()).collect()
         })
     };
     match rule.example {
