@@ -25,7 +25,7 @@ use crate::kinds::impeller::clear::lane::OwnNormal;
 use crate::kinds::impeller::clear::pass::{Cutting, Pass};
 use crate::kinds::impeller::clear::rests::Rests;
 use crate::kinds::impeller::clear::round::Round;
-use crate::kinds::impeller::clear::told::{FaceError, NoSplitter, Told};
+use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, NoSplitter, Told};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clear::uncut;
 use crate::kinds::impeller::gap::{RUN_OUT, gap};
@@ -121,6 +121,8 @@ impl Plan {
         // The corners are those that stay without the leaning pass: it takes no more than they tell.
         let Rests { floor, root, unfinished } = draft.rests(floor_lanes, faces);
         let floor = draft.lean(&finish, floor);
+        // Where nothing but ridges is left of the floor, the lanes beside have cut what one did not come to.
+        let whole = finish_from == 0.0 && floor.most <= cut.scallop + cut.tolerance;
         let told = Told {
             gap: gap(part, job.N, cut.finish.d).width,
             rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels),
@@ -136,7 +138,7 @@ impl Plan {
             rough_from,
             finish_from,
             uncut: if finish_from > 0.0 { uncut::share(part, &finish, Some(finish_from)) } else { 0.0 },
-            dropped: draft.dropped,
+            dropped: lost(draft.dropped, &draft.passes, whole),
         };
         Ok(Self { passes: draft.passes, channels: job.N, Z_r: draft.Z_r, told })
     }
@@ -163,6 +165,21 @@ impl Plan {
     pub fn all_blocks(&self, tool: Which) -> usize {
         self.blocks(tool) * self.channels as usize
     }
+}
+
+/// Of the stretches that are not run, those whose metal no other pass takes or tells of.
+///
+/// What a splitter stands in the way of is cut by the passes round it, what the roughing tool leaves beside it by the passes
+/// over the rest; and what these do not come to, the floor passes of the same tool cut, or tell.
+fn lost(dropped: Vec<Dropped>, passes: &[Pass], whole: bool) -> Vec<Dropped> {
+    let rest = passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. }));
+    let is_lost = |one: &Dropped| match one.by {
+        By::Splitter => false,
+        By::Blade | By::Ends if rest && one.tool == Which::Rough => false,
+        By::Blade => true,
+        By::Ends => !whole && !matches!(one.cutting, Cutting::Rest { .. }),
+    };
+    dropped.into_iter().filter(is_lost).collect()
 }
 
 /// How deep a tool of the cut goes below the tops.
@@ -312,7 +329,6 @@ fn face_error(ways: &[FlankWay]) -> FaceError {
 mod tests {
     use super::*;
     use crate::geometry::torus::Torus;
-    use crate::kinds::impeller::clear::told::By;
     use crate::machine::rotary::Rotary;
 
     fn job(r: f64, e: f64) -> Job {
@@ -337,6 +353,20 @@ mod tests {
         let lost: Vec<_> = told.dropped.iter().filter(|one| one.by == By::Ends).collect();
         assert!(lost.iter().any(|one| matches!(one.cutting, Cutting::Floor { .. })), "{:?}", told.dropped);
         assert!(lost.iter().all(|one| one.v[0] >= HUB && one.v[0] < one.v[1] && one.v[0] < v_s));
+    }
+
+    #[test]
+    fn stretches_that_other_passes_cut_are_not_lost() {
+        let v = [HUB, RIM];
+        let of = |tool, cutting, by| Dropped { cutting, tool, v, by };
+        let lane = Cutting::Floor { lane: 3 };
+        let all = vec![
+            of(Which::Finish, lane, By::Blade),
+            of(Which::Finish, lane, By::Ends),
+            of(Which::Finish, lane, By::Splitter),
+        ];
+        let by = |whole: bool| lost(all.clone(), &[], whole).iter().map(|one| one.by).collect::<Vec<_>>();
+        assert_eq!((by(false), by(true)), (vec![By::Blade, By::Ends], vec![By::Blade]));
     }
 
     #[test]

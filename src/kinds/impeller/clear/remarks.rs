@@ -6,7 +6,6 @@ use crate::kinds::impeller::clear::asked::{Asked, rounding};
 use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
 use crate::kinds::impeller::clear::holder::Blank;
-use crate::kinds::impeller::clear::pass::Cutting;
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::root::largest;
 use crate::kinds::impeller::clear::rules::*;
@@ -282,15 +281,8 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     } else if told.floor.most > 0.0 {
         findings.push(RidgesOfTheFloor { most, beside, share: here }.at(floor));
     }
-    // What a splitter stands in the way of is cut by the passes round it, what the roughing tool leaves beside it by the other.
-    let rest = plan.passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. }));
-    let cut = |one: &Dropped| rest && one.tool == Which::Rough;
-    // Where nothing but ridges is left of the floor, the lanes beside have cut what one did not come to.
-    let whole = told.finish_from == 0.0 && told.floor.most <= asked.cut.scallop + asked.tolerance;
-    for by in if whole { &[By::Blade][..] } else { &[By::Blade, By::Ends] } {
-        // What a pass over the rest does not come to, the floor passes of the same tool cut, or tell.
-        let later = |one: &Dropped| *by == By::Ends && matches!(one.cutting, Cutting::Rest { .. });
-        let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == *by && !cut(one) && !later(one)).collect();
+    for by in [By::Blade, By::Ends] {
+        let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by).collect();
         let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])));
         if let Some(longest) = longest {
             let [from, to] = longest.v.map(|v| share(v, 0));

@@ -99,6 +99,6 @@ pub struct Told {
     pub finish_from: f64,
     /// The share of the channels, from 0 to 1, that is left uncut on the hub's side of it.
     pub uncut: f64,
-    /// What is not run of the passes.
+    /// What is not run of the passes, and no other pass takes or tells of.
     pub dropped: Vec<Dropped>,
 }
