@@ -2,6 +2,7 @@
 
 use crate::finding::rule::{book, rules};
 use crate::finding::{Bare, Example, Size, Typed};
+use crate::kinds::impeller::clear::rules::Largest;
 use crate::text::{Text, t};
 
 rules! {
@@ -310,9 +311,9 @@ rules! {
         why "El flanco de una fresa cilíndrica no sigue una cara alabeada: lo que entra en ella reduce el espesor.",
             "The side of a cylindrical cutter does not follow a twisted face: where it enters the face, the blade gets thinner.";
         example book!("impeller --case full");
-    "P1045" ToolDoesNotPass Caution { tool: Size, gap: Size, at: Size, blades: Text, thickness: Text }
-        es "la herramienta de {tool} no pasa entre los álabes: la mayor que pasa es de {gap}; el paso más estrecho está al {at} del camino del cubo al borde; {blades}; {thickness}"
-        en "the tool of {tool} does not pass between the blades: the largest that passes is {gap}; the narrowest place is {at} of the way from hub to rim; {blades}; {thickness}"
+    "P1045" ToolDoesNotPass Caution { tool: Size, largest: Largest, at: Size, blades: Text, thickness: Text }
+        es "la herramienta de {tool} no pasa entre los álabes; la mayor que pasa: {largest}; el paso más estrecho está al {at} del camino del cubo al borde; {blades}; {thickness}"
+        en "the tool of {tool} does not pass between the blades; the largest that does: {largest}; the narrowest place is {at} of the way from hub to rim; {blades}; {thickness}"
         remedy "use menos álabes, álabes más delgados o una herramienta menor; los límites publicados miden a lo largo del paralelo, que no es por donde pasa la herramienta",
             "use fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not where the tool passes";
         why "Una herramienta más ancha que el canal corta los dos álabes.",

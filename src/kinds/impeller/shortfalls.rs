@@ -1,7 +1,7 @@
 //! What the plan of an impeller leaves or spoils, reported with figures and places: for a person to judge before the work.
 
 use crate::finding::{Finding, Raise, Said, Size};
-use crate::kinds::impeller::clear::rules::GapBelowRule;
+use crate::kinds::impeller::clear::rules::{GapBelowRule, Largest};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::floor_depth::{self, deepest};
@@ -93,6 +93,7 @@ pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
     }
     let (gap, least, tool) = (Size::mm(limits.gap.width), Size::mm(limits.least), Size::mm(design.d_t));
     let station = Size::percent(limits.gap.station * 100.0, 1);
+    let largest = Largest((gap.value >= 0.001).then_some(gap));
     let blades = match limits.N_max {
         Some(N) => Text::new(
             format!("N_max real = {N} (publicado: {})", published(design)),
@@ -114,14 +115,14 @@ pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
     };
     let place = at([form::N.key(), form::E.key(), form::D_T.key()]);
     let told = if limits.gap.width < design.d_t {
-        ToolDoesNotPass { tool, gap, at: station, blades, thickness }.at(place)
+        ToolDoesNotPass { tool, largest, at: station, blades, thickness }.at(place)
     } else if design.clear.is_some() {
         // Whether the tools of a clear cut pass is judged of their own passes.
         GapBelowRule { gap, tool, least }.at(place)
     } else {
         GapBelowPublished { gap, tool, least, at: station, blades, thickness }.at(place)
     };
-    Some(told.with(gap.said(Language::En), least.said(Language::En)))
+    Some(told.with(largest.said(Language::En), least.said(Language::En)))
 }
 
 fn published(design: &Design) -> String {

@@ -128,7 +128,8 @@ fn stick_outs() -> [(Which, Key); 2] {
 pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
     if let Some(NoSplitter { largest }) = plan.told.no_splitter {
-        let (d, largest) = (Size::mm(asked.cut.finish.d), Largest(largest));
+        let largest = Largest(largest.map(|d| Size { decimals: 2, ..Size::mm(d) }));
+        let d = Size::mm(asked.cut.finish.d);
         let told = NoRoomForClearSplitter { d, s: Size::mm(asked.cut.s), largest };
         let place = at([
             form::SPLITTERS.key(),

@@ -8,18 +8,18 @@ use crate::text::{Language, Text, t};
 
 /// The diameter of the largest tool that passes, mm; none where none does.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Largest(pub Option<f64>);
+pub struct Largest(pub Option<Size>);
 
 impl Said for Largest {
     fn said(&self, language: Language) -> Cow<'_, str> {
         match self.0 {
-            Some(d) => Size { decimals: 2, ..Size::mm(d) }.said(language).into_owned().into(),
+            Some(d) => d.said(language).into_owned().into(),
             None => t("ninguna", "none").get(language).to_owned().into(),
         }
     }
 
     fn datum(&self) -> Datum {
-        Datum::Number { value: self.0, unit: "mm" }
+        Datum::Number { value: self.0.map(|d| d.value), unit: "mm" }
     }
 }
 
