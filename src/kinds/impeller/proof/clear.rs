@@ -27,7 +27,7 @@ use crate::kinds::impeller::floor_depth::within;
 use crate::kinds::impeller::part::Part;
 use crate::kinds::impeller::proof::nose::Nose;
 use crate::kinds::impeller::proof::rules::{
-    ClearCutsBlade, ClearCutsSplitter, ClearMayCut, ClearPassesDiffer, FloorUnder,
+    AxisInBlade, ClearCutsBlade, ClearCutsSplitter, ClearMayCut, ClearPassesDiffer, FloorUnder,
 };
 use crate::kinds::impeller::sweep::Sweep;
 use crate::machine::axis::{Axis, Pose, Position};
@@ -40,6 +40,8 @@ use crate::text::{Text, t};
 const OVER: f64 = 0.001;
 /// Cells that are evaluated at most for a way when another one has taken all of its work; a usual one takes some hundreds.
 const LESS: usize = WORK / 40;
+/// Nearer to a face than this part of the radius the axis is taken to reach it.
+const AT_AXIS: f64 = 0.02;
 /// A whole turn, thousandths of a degree.
 const WHOLE: i32 = 360_000;
 /// How close the bounds are brought to each other, mm.
@@ -323,7 +325,10 @@ impl Judge for ClearCutting<'_> {
                 .measuring(bounds.lower);
             checks.push(asked.holds(bounds.lower >= -limit, |place: Place| {
                 let (line, program) = (at.line, program.title.clone());
-                if bounds.upper < -limit {
+                // The search for a face that the axis reaches ends at a hundredth of the radius.
+                if bounds.upper < self.turned() - (1.0 - AT_AXIS) * mill.d / 2.0 {
+                    AxisInBlade { line, program }.at(place)
+                } else if bounds.upper < -limit {
                     ClearCutsBlade { depth: size(-bounds.upper), limit: size(limit), line, program }.at(place)
                 } else {
                     ClearMayCut { limit: size(limit), line, program }.at(place)

@@ -1,5 +1,6 @@
 //! What the judges of an impeller say beside the common rows: V0101 to V0199 of the milling, V0401 to V0499 of the turned blank.
 
+use crate::finding::rule::book;
 use crate::finding::{Example, Size};
 use crate::text::{Text, t};
 
@@ -172,6 +173,13 @@ crate::finding::rule::rules! {
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "Con la otra fresa la misma trayectoria corta las caras o deja metal.", "With the other tool the same path cuts into faces or leaves metal.";
         example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N30 T2 D2", to: "N30 T1 D2" };
+    "V0131" AxisInBlade Stop { line: usize, program: Text }
+        es "el eje de la herramienta atraviesa la cara de un álabe, en la línea {line} de «{program}»: ahí el diseño no deja sitio a ninguna herramienta"
+        en "the axis of the tool goes through the face of a blade, in line {line} of \"{program}\": there the design leaves no room for any tool"
+        remedy "use álabes más delgados o menos, o un fondo menos profundo (a_p)", "use thinner or fewer blades, or a shallower floor (a_p)";
+        why "Si el cubo es más estrecho que el álabe, las caras pasan el eje de la pieza y llegan a los canales del otro lado.",
+            "Where the hub is narrower than the blade, the faces pass the axis of the part and come into the channels on the other side.";
+        example book!("impeller", "r" = "16.5", "N" = "2", "e" = "5.4", "a_p" = "5.4", "d_t" = "4", "d_f" = "", "splitters" = "no", "c_s" = "0.2", "tol" = "0.03");
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} {found} is in force, but the form asks for {wanted}"
