@@ -103,7 +103,7 @@ impl Default for Styles {
             input_line: input(Format::new().set_num_format("@").set_font_name("Consolas").set_font_size(10)),
             fixed: ruled(top().set_align(FormatAlign::Right).set_indent(1).set_font_color(FAINT)),
             number: ruled(top().set_align(FormatAlign::Right).set_indent(1)),
-            number_header: header().set_align(FormatAlign::Right),
+            number_header: header().set_align(FormatAlign::Right).set_indent(1),
             number_unit: ruled(Format::new().set_font_color(FAINT).set_align(FormatAlign::Right)),
             index: Format::new().set_num_format("0").set_font_color(FAINT).set_align(FormatAlign::Right),
             text_header: header().set_indent(1),

@@ -231,7 +231,7 @@ fn what_the_plan_leaves_and_spoils_is_told_with_figures_and_places() {
     assert_eq!(faces.value, "0.077 mm");
     assert!(faces.what.en.contains("(point 2.5)"), "{}", faces.what.en);
     assert!(!outcome.programs.is_empty(), "told, not refused");
-    assert_eq!(caution(&common::outcome("tfg-2021", &deep), "into the blade's own faces").unwrap().value, "0.273 mm");
+    assert_eq!(caution(&common::outcome("tfg-2021", &deep), "into the blade's own faces").unwrap().value, "0.274 mm");
 }
 
 #[test]

@@ -164,7 +164,7 @@ fn r_of_a_hole_is_what_the_option_says_before_the_workbook() {
         let canon = run(folder.path(), &[&given[..], more, &["--canon"]].concat()).out;
         let first = canon.lines().filter(|line| line.contains("\"rapid\"")).nth(1).unwrap().to_owned();
         let motion: Json = serde_json::from_str(&first).unwrap();
-        (motion["to"]["Z"].as_f64().unwrap(), said.out.contains("the meaning of R in G81 to G83 is not given"))
+        (motion["to"]["Z"].as_f64().unwrap(), said.err.contains("the meaning of R in G81 to G83 is not given"))
     };
     assert_eq!(rapid(&[]), (-4.0, true));
     assert_eq!(rapid(&["--hole-r", "absolute"]), (-4.0, false));

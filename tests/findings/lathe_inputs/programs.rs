@@ -119,7 +119,7 @@ fn tools_and_offsets_that_do_not_fit_are_told() {
         case("D36 T0", "T0000|G1 X40. F0.1", 3, "stop 7 181 There is no tool in place 0 of the turret"),
         case("D36 offset", "T0177", 3, "stop 6:1 offset 77 is not in the tool table"),
         case("D36 negative", "T-1", 3, "stop 6:2 negative T: -1"),
-        case("D36 fraction", "T1.5", 3, "stop 6:1 T1.5 is not a turret place with its offset"),
+        case("D36 fraction", "T1.5", 3, "stop 6:1 T1.5 has a decimal point, which T does not allow"),
         case("D36 none", "T0100|G1 X48. F0.1", 0, "caution 7 183 Cutting motion without a tool offset"),
         case("D36 other", "T0102|G1 X51. F0.1", 0, "caution 7 183 The offset in force is not the tool's own"),
         case("D37 arc", "G42 G2 X50. Z0. R5. F0.1", 3, "stop 6 G41 or G42 begins on an arc"),
