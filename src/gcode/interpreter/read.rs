@@ -131,7 +131,11 @@ impl Reader<'_, '_> {
     fn read_m(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         let column = cursor.column();
         cursor.pass();
-        let value = self.value(cursor)?.value;
+        let number = self.value(cursor)?;
+        if self.memory.control.lexis.point.by_setting() {
+            self.see_point(b'm' - b'a', &number, column)?;
+        }
+        let value = number.value;
         let number = whole(value).and_then(|number| u32::try_from(number).ok());
         let found = number.and_then(|number| Some((number, (self.memory.control.machine_code)(number)?)));
         match found {

@@ -1,4 +1,4 @@
-%P,MX,
 ;expected: 4:1 '%' is not allowed here
+%P,MX,
 N10 G71 G90 G0 X1
 %

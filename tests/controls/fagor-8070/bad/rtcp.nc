@@ -1,5 +1,5 @@
-%P
 ;expected: 3:1 statements of Fagor's high-level language are not supported
+%P
 #RTCP ON
 G71 G90 G94 F100
 G1 X10
