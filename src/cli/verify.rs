@@ -294,7 +294,10 @@ fn extents(extents: &Option<Extents>, told: impl Fn(Axis) -> bool) -> Value {
 }
 
 fn document(read: &Read) -> Value {
-    let (account, told) = (&read.account, |axis| read.told(axis));
+    // Behind a rejected block no figure is that of the program.
+    let (account, told) = (&read.account, |axis| !read.rejected && read.told(axis));
+    let path =
+        if read.rejected { json!({}) } else { json!({ "feed": account.feed_path, "rapid": account.rapid_path }) };
     json!({
         "program": read.verdict.workbook.to_string_lossy(),
         "sha256": read.verdict.sha256,
@@ -308,8 +311,8 @@ fn document(read: &Read) -> Value {
         "extents": { "program": extents(&account.program, told), "machine": extents(&account.machine, told) },
         "end": { "program": pose(&account.end[0], told), "machine": pose(&account.end[1], told) },
         "net_travel": pose(&Pose(read.net), told),
-        "path_mm": { "feed": account.feed_path, "rapid": account.rapid_path },
-        "feed_time_s": (!account.untimed).then_some(account.seconds),
+        "path_mm": path,
+        "feed_time_s": (!account.untimed && !read.rejected).then_some(account.seconds),
         "findings": read.verdict.findings,
     })
 }

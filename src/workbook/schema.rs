@@ -148,7 +148,12 @@ fn verified(
     values: &Values,
     written: &Written,
 ) -> Result<(Option<Finding>, Vec<NamedFile>), Refusal> {
-    let named = |entry: &&SheetEntry| entry.name.starts_with(guard::SHEET);
+    // The sheet that the workbook's own names lead to, whatever it is called now; a copy of it is none.
+    let own = book.gated.names.get(guard::STALE).and_then(|formula| names::cell(formula));
+    let named = |entry: &&SheetEntry| match &own {
+        Some((sheet, _)) => entry.name.to_lowercase() == sheet.to_lowercase(),
+        None => entry.name.starts_with(guard::SHEET),
+    };
     let sheets: Vec<SheetEntry> = book.gated.sheets.iter().filter(named).cloned().collect();
     let (mut stale, mut named_files) = (None, Vec::new());
     for entry in sheets {

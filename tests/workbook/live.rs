@@ -355,12 +355,18 @@ fn the_form_computes_its_limits_and_names_the_one_that_is_broken() {
         let said = |book: &mut Book| range(book, data).get_value((0, 2)).map(ToString::to_string).unwrap_or_default();
         let told = books.iter_mut().map(said).collect::<Vec<_>>();
         let words = match language {
-            Language::En => {
-                ["rodete check checks the rest", "red cells: 3", "no numbers: 1", "R must be larger than r"]
-            }
-            Language::Es => {
-                ["rodete check comprueba lo demás", "celdas rojas: 3", "no son números: 1", "R ha de ser mayor que r"]
-            }
+            Language::En => [
+                "rodete check checks the rest",
+                "gap: too narrow for the tool (+2)",
+                "no numbers: 1",
+                "R must be larger than r",
+            ],
+            Language::Es => [
+                "rodete check comprueba lo demás",
+                "gap: demasiado estrecha para la herramienta (+2)",
+                "no son números: 1",
+                "R ha de ser mayor que r",
+            ],
         };
         for (told, words) in told.iter().zip(words) {
             assert!(told.contains(words), "{told}");
