@@ -6,11 +6,11 @@ use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::store::sha256;
 use crate::workbook::gate;
-use crate::workbook::guard::STALE;
 use crate::workbook::limits;
 use crate::workbook::listing::SheetKind;
 use crate::workbook::names::Present;
 use crate::workbook::stamp::NAME as STAMP;
+use crate::workbook::stamp::STALE;
 
 use super::book::Book;
 use super::marks::{self, Mark};

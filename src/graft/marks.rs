@@ -2,7 +2,8 @@
 
 use crate::escape::excerpt;
 use crate::text::{Text, t};
-use crate::workbook::names::{cell, quoted};
+use crate::workbook::address::cell;
+use crate::workbook::names::quoted;
 
 use super::book::Name;
 use super::sheet::Title;

@@ -5,9 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use quick_xml::escape::escape;
 
 use crate::finding::Refusal;
-use crate::workbook::guard::{self, STALE};
-use crate::workbook::names::{Role, cell, slug};
+use crate::workbook::address::cell;
+use crate::workbook::guard;
+use crate::workbook::names::{Role, slug};
 use crate::workbook::stamp;
+use crate::workbook::stamp::STALE;
 
 use super::book::{Book, Name};
 use super::donor::{self, Donor, Opened};

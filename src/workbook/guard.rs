@@ -19,6 +19,7 @@ use super::cell::{CELL, shortened, write_text};
 use super::error::WriteError;
 use super::sheet_cells::{Content, SheetCells};
 use super::stamp;
+use super::stamp::STALE;
 use super::style::Styles;
 use crate::kind::NamedFile;
 use crate::parameter::{Form, Parameter, Value, Values};
@@ -30,8 +31,6 @@ pub const SHEET: &str = "Verified";
 pub const KEY: &str = "verified";
 /// Its name, in both languages.
 pub static NAME: Text = t(SHEET, SHEET);
-/// The defined name of how many inputs differ.
-pub const STALE: &str = "stale_inputs";
 /// The cell of the guard's sheet that it leads to.
 pub const COUNT: &str = "C1";
 /// The row and the column, from 0, of the build's stamp on that sheet.

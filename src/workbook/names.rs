@@ -44,24 +44,6 @@ pub struct Made {
     pub role: Role,
 }
 
-/// The sheet and the cell that a formula names alone, as `'Annex 1'!$A$1`; `None` for any other formula.
-#[must_use]
-pub fn cell(formula: &str) -> Option<(String, String)> {
-    let formula = formula.trim().trim_start_matches('=');
-    let (sheet, cell) = formula.rsplit_once('!')?;
-    let cell: String = cell.chars().filter(|one| *one != '$').collect();
-    let plain = cell.chars().skip_while(char::is_ascii_alphabetic).collect::<String>();
-    if plain.is_empty() || plain.len() == cell.len() || !plain.bytes().all(|one| one.is_ascii_digit()) {
-        return None;
-    }
-    let sheet = match sheet.strip_prefix('\'').and_then(|sheet| sheet.strip_suffix('\'')) {
-        Some(quoted) => quoted.replace("''", "'"),
-        // LibreOffice may mark the sheet as absolute.
-        None => sheet.trim_start_matches('$').to_owned(),
-    };
-    (!sheet.is_empty() && !sheet.starts_with('#')).then_some((sheet, cell))
-}
-
 /// A sheet's name as formulas write it.
 #[must_use]
 pub fn quoted(sheet: &str) -> String {
@@ -120,18 +102,7 @@ fn fitted(text: &str, most: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{SheetNames, cell};
-
-    #[test]
-    fn a_formula_that_is_one_cell_is_told_from_others() {
-        let own = |sheet: &str, cell: &str| Some((sheet.to_owned(), cell.to_owned()));
-        assert_eq!(cell("'It''s 1'!$A$1"), own("It's 1", "A1"));
-        assert_eq!(cell("DATA!$C$7"), own("DATA", "C7"));
-        assert_eq!(cell("$Data.A1!$C$7"), own("Data.A1", "C7"));
-        for other in ["#REF!$A$1", "'A'!$A$1:$B$2", "1+1", "'A'!#REF!", "\"text\"", "A1", "'A'!name"] {
-            assert_eq!(cell(other), None, "{other}");
-        }
-    }
+    use super::SheetNames;
 
     #[test]
     fn every_name_taken_is_one_that_a_workbook_allows() {

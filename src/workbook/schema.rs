@@ -24,9 +24,9 @@ use super::gate::{Gated, gate};
 use super::guard::{self, Written};
 use super::list_rows;
 use super::listing::{self, SheetEntry};
-use super::names;
 use super::rules::form::*;
 use super::sheet_cells::{Content, SheetCells};
+use super::stamp;
 use super::survey::COLUMNS;
 use super::value::{self, expected, named};
 use super::words;
@@ -149,7 +149,7 @@ fn verified(
     written: &Written,
 ) -> Result<(Option<Finding>, Vec<NamedFile>), Refusal> {
     // The sheet that the workbook's own names lead to, whatever it is called now; a copy of it is none.
-    let own = book.gated.names.get(guard::STALE).and_then(|formula| names::cell(formula));
+    let own = book.gated.names.get(stamp::STALE).and_then(|formula| address::cell(formula));
     let named = |entry: &&SheetEntry| match &own {
         Some((sheet, _)) => entry.name.to_lowercase() == sheet.to_lowercase(),
         None => entry.name.starts_with(guard::SHEET),
@@ -216,7 +216,7 @@ fn led(gated: &Gated<'_>, described: &'static Sheet) -> Option<Led> {
 
 /// Where the defined name of a parameter leads.
 fn leads(gated: &Gated<'_>, parameter: &'static Parameter) -> Option<Led> {
-    let (sheet, cell) = names::cell(gated.names.get(&parameter.name.to_lowercase())?)?;
+    let (sheet, cell) = address::cell(gated.names.get(&parameter.name.to_lowercase())?)?;
     let entry = gated.sheets.iter().find(|entry| entry.name.to_lowercase() == sheet.to_lowercase())?;
     let at = address::parse(&cell).filter(|at| at.1 < MOVED)?;
     (entry.kind == listing::SheetKind::Cells).then(|| Led { entry: entry.clone(), at, symbol: parameter.symbol() })

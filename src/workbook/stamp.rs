@@ -12,7 +12,6 @@ use super::book::Book;
 use super::gate::gate;
 use super::limits;
 use super::listing::SheetKind;
-use super::names;
 use super::rules::form::SheetsOfAnotherBuild;
 use super::xml;
 use crate::escape::excerpt;
@@ -20,6 +19,8 @@ use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::kind::Outcome;
 use crate::parameter::Value;
 
+/// The defined name of how many inputs differ.
+pub const STALE: &str = "stale_inputs";
 /// The defined name of the workbook's stamp.
 pub const NAME: &str = "build_stamp";
 /// Its digits: those of the beginning of a SHA-256, in hexadecimal.
@@ -77,8 +78,12 @@ fn stamps(text: &str) -> impl Iterator<Item = &str> {
 /// What the gate refuses.
 pub fn others(bytes: &[u8]) -> Result<Option<Finding>, Refusal> {
     let gated = gate(bytes)?;
-    let Some(formula) = gated.names.get(NAME) else { return Ok(None) };
-    let guard = names::cell(formula);
+    let guard = match gated.names.get(NAME) {
+        Some(formula) => address::cell(formula),
+        // Results that have lost the name: whatever carries a stamp is told.
+        None if gated.names.contains_key(STALE) => None,
+        None => return Ok(None),
+    };
     let mut book = Book::open(gated)?;
     let sheets: Vec<_> = book.gated.sheets.iter().filter(|one| one.kind == SheetKind::Cells).cloned().collect();
     // The name may lead nowhere, or into another workbook, whose sheet was copied.

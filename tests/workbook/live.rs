@@ -12,8 +12,9 @@ use rodete::kinds::KINDS;
 use rodete::parameter::Value;
 use rodete::table::{Entry, Index, Table};
 use rodete::text::Language;
-use rodete::workbook::guard::{SHEET, STALE};
+use rodete::workbook::guard::SHEET;
 use rodete::workbook::results::{self, Tables};
+use rodete::workbook::stamp::STALE;
 use rodete::workbook::{self, template};
 
 /// What LibreOffice keeps of a number in its file, beside what its arithmetic differs by.

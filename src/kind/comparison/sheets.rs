@@ -182,7 +182,7 @@ fn program(one: &ProgramPair) -> Vec<Line> {
     for axis in Axis::ALL {
         let end = one.end.map(|end| end.map(|end| settled(end.get(axis))));
         let what = Text::new(format!("final {}", axis.letter()), format!("end {}", axis.letter()));
-        if end[0] != end[1] || end[0].is_some_and(|at| at != 0.0) {
+        if end.iter().flatten().any(|at| *at != 0.0) {
             line(what, end.map(number), number(apart(end)), end[0] != end[1]);
         }
     }

@@ -123,7 +123,7 @@ rules! {
     "W0520" SheetsOfAnotherBuild Caution { sheets: String }
         es "estas hojas no son de la última generación del libro: {sheets}; sus cifras son de otra"
         en "these sheets are not of the workbook's last build: {sheets}; their figures are of another one"
-        remedy "bórrelas, o guarde las copias en otro libro", "delete them, or keep the copies in another workbook";
+        remedy "genere el libro otra vez; lo que sea copia, bórrelo o guárdelo en otro libro", "build the workbook again; delete what is a copy, or keep it in another workbook";
         why "Una copia de una hoja de resultados conserva las cifras del día en que se hizo.",
             "A copy of a sheet of results keeps the figures of the day that it was made.";
         example made!("copied-results", "un libro de resultados con una hoja copiada de otro, hecho con otro R",

@@ -19,6 +19,7 @@ use crate::kinds::impeller::clear::link::{End, link, up};
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
 use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
+use crate::kinds::impeller::clear::root::BESIDE;
 use crate::kinds::impeller::clear::round::Round;
 use crate::kinds::impeller::clear::scallop::Ridge;
 use crate::kinds::impeller::clear::told::{By, Dropped, ToolTold};
@@ -32,8 +33,6 @@ use crate::number::trig::{atan2, hypot, sin_cos};
 
 /// The feed into the full.
 const SLOT_FEED: f64 = 0.5;
-/// The rest of the floor is told farther from the walls than this and the corner radius, mm.
-pub const BESIDE: f64 = 0.4;
 /// The part of its width by which a tool steps from lane to lane at most.
 const LAPPED: f64 = 0.9;
 /// Pairs of lanes that are looked at side by side.

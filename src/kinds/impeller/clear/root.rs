@@ -28,13 +28,15 @@ use nalgebra::Vector3;
 use crate::kinds::impeller::clear::body::turn;
 use crate::kinds::impeller::clear::contact::Beside;
 use crate::kinds::impeller::clear::cut::Job;
-use crate::kinds::impeller::clear::draft::BESIDE;
 use crate::kinds::impeller::clear::flank::FlankWay;
 use crate::kinds::impeller::clear::lane::OwnNormal;
 use crate::kinds::impeller::clear::poses::{Pose, Poses};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM, Ruling};
 use crate::number::trig::{hypot, sin_cos};
+
+/// The rest of the floor is told farther from the walls than this and the corner radius, mm.
+pub const BESIDE: f64 = 0.4;
 
 /// Lines of a face, and of a half-round nose, that are looked at.
 const LINES: u16 = 160;

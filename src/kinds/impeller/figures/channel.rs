@@ -75,16 +75,15 @@ fn arrow(ink: Ink, points: Vec<[f64; 2]>) -> Stroke {
     Stroke { arrow: true, ..line(ink, points) }
 }
 
-/// Puts a number beyond the end of a way that is farther out; ways that end near one another have their numbers in one place.
+/// Puts a number beyond the end of a way that is farther out, or beyond the other one where both are in the channel; ways that
+/// end near one another have their numbers in one place.
 fn number_at_end(design: &Design, points: &[[f64; 2]], number: usize, places: &mut Vec<([f64; 2], Vec<String>)>) {
     let far = |[x, y]: &[f64; 2]| x * x + y * y;
-    let [end, before] = match points {
-        [first, second, .., last] if far(first) > far(last) => [first, second],
-        [.., before, last] => [last, before],
-        _ => return,
-    };
-    let long = hypot(end[0] - before[0], end[1] - before[1]).max(1e-9);
+    let [first, second, .., before, last] = points else { return };
     let R = design.torus.R;
+    let out = far(first).max(far(last)) >= R * R;
+    let [end, before] = if (far(first) > far(last)) == out { [first, second] } else { [last, before] };
+    let long = hypot(end[0] - before[0], end[1] - before[1]).max(1e-9);
     let at = [0, 1].map(|axis| end[axis] + (end[axis] - before[axis]) * OFF * R / long);
     let near = |(other, _): &&mut ([f64; 2], Vec<String>)| hypot(at[0] - other[0], at[1] - other[1]) < APART * R;
     match places.iter_mut().find(near) {
