@@ -147,7 +147,7 @@ pub struct Guard {
 const LISTS: ColNum = 6;
 
 impl Guard {
-    /// The guard of a build with a [stamp](super::stamp).
+    /// The guard of a build with a [stamp].
     #[must_use]
     pub fn new(stamp: String) -> Self {
         Self { stamp, ..Self::default() }

@@ -84,7 +84,9 @@ fn number_at_end(design: &Design, points: &[[f64; 2]], number: usize, places: &m
     let out = far(first).max(far(last)) >= R * R;
     let [end, before] = if (far(first) > far(last)) == out { [first, second] } else { [last, before] };
     let long = hypot(end[0] - before[0], end[1] - before[1]).max(1e-9);
-    let at = [0, 1].map(|axis| end[axis] + (end[axis] - before[axis]) * OFF * R / long);
+    // From the hub on, clear of the blade.
+    let off = if out { OFF } else { 4.0 * OFF };
+    let at = [0, 1].map(|axis| end[axis] + (end[axis] - before[axis]) * off * R / long);
     let near = |(other, _): &&mut ([f64; 2], Vec<String>)| hypot(at[0] - other[0], at[1] - other[1]) < APART * R;
     match places.iter_mut().find(near) {
         Some((_, numbers)) => numbers.push(number.to_string()),
