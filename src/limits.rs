@@ -94,7 +94,7 @@ pub const ARC_CHORDS: f64 = 100_000.0;
 /// its bounds.
 pub const FLOOR_BOXES: usize = 40_000;
 /// Boxes that are looked at for an undercut. It bounds the time; what is not decided by then is reported with its bounds.
-pub const UNDERCUT_BOXES: usize = 160_000;
+pub const UNDERCUT_BOXES: usize = 40_000;
 /// Halvings of a piece of a hole's curve, to hold the torch to it. It bounds the blocks: a millionth of a piece is far below
 /// the grid.
 pub const CUT_HALVINGS: u32 = 20;
