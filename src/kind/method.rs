@@ -6,11 +6,12 @@ use std::sync::LazyLock;
 
 use super::live_form::LiveForm;
 use super::measure::{Limits, Measure, Suggested};
+use super::rules::NotNumbered;
 use super::{
     Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Wants, not_finite, staging,
 };
 use crate::figure::Figure;
-use crate::finding::{Exit, Finding, Refusal, Rule};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
@@ -189,6 +190,21 @@ pub fn judged<M: Method>(
     proof::of(text, setting, plan, judges, M::due(design, program), M::rapids(design, program))
 }
 
+/// The programs of a design. Their blocks have no numbers where those would exceed what the control reads, and that is told.
+fn written<M: Method>(design: &M::Design, model: &M::Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+    let mut written = M::programs(design, model, origin)?;
+    for program in &mut written.programs {
+        let greatest = program.control.text.greatest_number;
+        let last = program.blocks().saturating_mul(program.block_step.unwrap_or(0).into());
+        if last > greatest.into() {
+            program.block_step = None;
+            let place = Place::Block { program: program.key, line: 1 };
+            written.findings.push(NotNumbered { greatest }.at(place));
+        }
+    }
+    Ok(written)
+}
+
 /// The kind of a method.
 pub struct Of<M>(PhantomData<fn() -> M>);
 
@@ -250,7 +266,7 @@ impl<M: Method> Kind for Of<M> {
         let design = M::design(fields).map_err(refused)?;
         let model = M::model(&design).map_err(refused)?;
         let origin = Origin { workbook: "", sha256: "", version: "", language: fields.language() };
-        let Written { findings, .. } = M::programs(&design, &model, &origin).map_err(refused)?;
+        let Written { findings, .. } = written::<M>(&design, &model, &origin).map_err(refused)?;
         Ok(Limits { quantities: M::quantities(&design, &model, &[]), findings })
     }
 
@@ -273,7 +289,7 @@ impl<M: Method> Kind for Of<M> {
             version: source.version,
             language: fields.language(),
         };
-        let Written { programs, mut findings } = M::programs(&design, &model, &origin).map_err(refused)?;
+        let Written { programs, mut findings } = written::<M>(&design, &model, &origin).map_err(refused)?;
         findings.extend(M::shortfalls(&design, &model));
         let (mut memo, mut verification) = (M::memo(&design, &model, wants), Verification::default());
         let mut accounts = Vec::new();

@@ -1,7 +1,7 @@
 //! Findings about the programs of every kind of workbook: one row each.
 
 use crate::finding::Example;
-use crate::finding::rule::rules;
+use crate::finding::rule::{book, rules};
 use crate::text::{Text, t};
 
 rules! {
@@ -16,4 +16,10 @@ rules! {
             "The control reads five digits before the point and would lose the rest.";
         example Example::Never(t(
             "los límites de las celdas impiden posiciones así", "the limits of the cells prevent such positions"));
+    "P1028" NotNumbered Note { greatest: u32 }
+        es "los bloques van sin número: pasarían de N{greatest}"
+        en "the blocks have no numbers: they would exceed N{greatest}"
+        remedy "", "";
+        why "El control se para en un número con demasiadas cifras.", "The control stops at a number with too many digits.";
+        example book!("impeller --case full", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "", "block_step" = "1000");
 }

@@ -10,6 +10,7 @@ use rodete::gcode::control::MILLING;
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::Program;
 use rodete::geometry::pipe_pair::Side;
+use rodete::kind::rules::NotNumbered;
 use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;
 use rodete::kinds::pipe::hole;
@@ -182,6 +183,25 @@ fn a_move_of_a_fiftieth_of_a_millimetre_takes_its_time() {
         let speed = way(motion) * 60.0 / motion.seconds.expect("a time");
         // A word within a billionth of one of three decimals is that one.
         assert!((0.9999 * F..=F * (1.0 + 2e-9)).contains(&speed), "{speed} {motion:?}");
+    }
+}
+
+/// LinuxCNC reads N up to 99999.
+#[test]
+fn pipes_have_no_block_numbers_where_these_would_exceed_what_the_control_reads() {
+    let kinds = [
+        (&insert::parameters::FORM, insert::cases::CASES[0].values(Language::En)),
+        (&hole::parameters::FORM, hole::cases::CASES[0].values(Language::En)),
+    ];
+    for (form, case) in kinds {
+        for (step, numbered) in [(10, true), (1000, false)] {
+            let mut values = Values { language: Language::En, ..Values::default() };
+            values.values.extend(case.iter().cloned().chain([("block_step", Value::Whole(step))]));
+            let outcome = run(form, values).expect("a pipe");
+            assert_eq!(outcome.exit(), Exit::Done, "{step} {:?}", outcome.findings);
+            assert_eq!(outcome.programs[0].program.block_step.is_some(), numbered, "{step}");
+            assert_eq!(outcome.findings.iter().any(|one| one.is(NotNumbered::RULE)), !numbered, "{step}");
+        }
     }
 }
 

@@ -163,8 +163,6 @@ pub struct Programs {
     pub programs: Vec<Program>,
     /// Moves whose feed was limited.
     pub limited: Limited,
-    /// Block numbers left out, as they would exceed the dialect's greatest.
-    pub unnumbered: Vec<&'static str>,
 }
 
 /// Makes the programs of a design.
@@ -190,13 +188,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
     }
     milled.push(impeller(design, tracks, &cuts)?);
 
-    let mut unnumbered = Vec::new();
     for program in &mut milled {
-        let numbers = program.blocks().saturating_mul(u64::from(design.block_step));
-        if numbers > u64::from(program.control.text.greatest_number) {
-            program.block_step = None;
-            unnumbered.push(program.key);
-        }
         if design.style == Style::Full {
             let full_from = tracks.full_from.filter(|_| program.key != Operation::Blade.key());
             let mut parts = header(design, program, Which::Rough, full_from, origin);
@@ -210,7 +202,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
         limited.by_format += pass.limited.by_format;
     }
     milled.push(blank(design, origin)?);
-    Ok(Programs { programs: milled, limited, unnumbered })
+    Ok(Programs { programs: milled, limited })
 }
 
 /// N blades, then N splitters, with the C turns between; closes in every axis, in C to whole turns.

@@ -8,8 +8,8 @@ use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::programs::Programs;
 use crate::kinds::impeller::rules::{
     AnnexIsRepeated, AnnexStartsAnywhere, AnnexWithoutFeed, BlankForFagor, CalibrationAgrees, CalibrationDiffers,
-    FeedReduced, FeedWordAtItsEnd, LengthByOffset, NoRoomForSplitter, NotNumbered, NothingCrosses, SlotsContradict,
-    SpeedNotChecked, SplitterWithoutPoint, TravelNotChecked,
+    FeedReduced, FeedWordAtItsEnd, LengthByOffset, NoRoomForSplitter, NothingCrosses, SlotsContradict, SpeedNotChecked,
+    SplitterWithoutPoint, TravelNotChecked,
 };
 use crate::kinds::impeller::splitter::NoSplitter;
 use crate::kinds::impeller::start::start;
@@ -73,10 +73,6 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
         let told = FeedWordAtItsEnd { moves, longer }.at(at([form::F.key(), key]));
         let greatest = shown(design.control.feed.law.greatest(), 3);
         findings.push(told.with(moves.to_string(), format!("0.0001 … {greatest}")));
-    }
-    for key in &made.unnumbered {
-        let told = NotNumbered { greatest: design.control.text.greatest_number };
-        findings.push(told.at(Place::Block { program: key, line: 1 }));
     }
     findings.push(BlankForFagor {}.at(Place::Block { program: Operation::Blank.key(), line: 1 }));
     findings.extend(calibrated.map(|axis| calibration_remark(design, axis)));

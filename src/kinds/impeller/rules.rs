@@ -188,12 +188,6 @@ rules! {
         why "El formato no permite escribir la F necesaria, y el bloque dura otro tiempo.",
             "The format cannot hold the F needed, so the block takes another time.";
         example book!("impeller --case full", "F" = "50000", "F_max" = "", "n" = "100");
-    "P1028" NotNumbered Note { greatest: u32 }
-        es "los bloques van sin número: pasarían de N{greatest}"
-        en "the blocks have no numbers: they would exceed N{greatest}"
-        remedy "", "";
-        why "El control se para en un número con demasiadas cifras.", "The control stops at a number with too many digits.";
-        example book!("impeller --case full", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "", "block_step" = "1000");
     "P1029" BlankForFagor Note {}
         es "el programa del bruto es para un torno con Fagor 8055 T, sea cual sea el control de la fresadora"
         en "the blank's program is for a lathe with a Fagor 8055 T, whatever the mill's control"

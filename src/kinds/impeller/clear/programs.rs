@@ -123,7 +123,7 @@ pub const BACK: &str = "back";
 /// # Errors
 /// For a position or feed that no program may carry.
 pub fn programs(design: &Design, plan: &Plan, origin: &Origin<'_>) -> Result<Programs, OutOfFormat> {
-    let (mut made, mut unnumbered, mut limited) = (Vec::new(), Vec::new(), Limited::default());
+    let (mut made, mut limited) = (Vec::new(), Limited::default());
     for which in [Which::Rough, Which::Finish] {
         let placed: Vec<Placed> =
             plan.of(which).map(|pass| Placed::new(design, which, pass, &mut limited)).collect::<Result<_, _>>()?;
@@ -140,16 +140,11 @@ pub fn programs(design: &Design, plan: &Plan, origin: &Origin<'_>) -> Result<Pro
             Which::Finish => (Operation::Finish, t("Acabado del rodete", "Finishing of the impeller")),
         };
         let mut program = assembly.finish(operation, title);
-        let numbers = program.blocks().saturating_mul(u64::from(design.block_step));
-        if numbers > u64::from(program.control.text.greatest_number) {
-            program.block_step = None;
-            unnumbered.push(program.key);
-        }
         let mut parts = header(design, &program, which, None, origin);
         parts.append(&mut program.parts);
         program.parts = parts;
         made.push(program);
     }
     made.push(blank(design, origin)?);
-    Ok(Programs { programs: made, limited, unnumbered })
+    Ok(Programs { programs: made, limited })
 }
