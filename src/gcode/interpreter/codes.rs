@@ -11,7 +11,7 @@ use crate::gcode::motion::{FeedMode, MotionKind};
 use crate::gcode::rules::modes::{
     DwellNegative, DwellTwice, DwellWithoutTime, NoSpeedLimit, SurfaceSpeedMissing, UnitsChange,
 };
-use crate::gcode::rules::words::DwellNotWhole;
+use crate::gcode::rules::words::{DwellNotWhole, OrientWord};
 use crate::gcode::turning::pace::Pace;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
@@ -116,6 +116,7 @@ impl Reader<'_, '_> {
                 self.state.modal.spindle = Spindle::Stopped
             }
             Some((code @ (M::SaveState(_) | M::ForgetState | M::RestoreState), _)) => self.context_code(code)?,
+            Some((M::SpindleOrient, _)) => self.orient_words()?,
             _ => {}
         }
         if let Some((M::Coolant(on), _)) = self.block.m(8)
@@ -124,6 +125,20 @@ impl Reader<'_, '_> {
             self.state.modal.coolant = on;
         }
         Ok(())
+    }
+
+    /// M19: the angle R, the way round P and the longest wait Q, as LinuxCNC has them.
+    fn orient_words(&self) -> Result<()> {
+        let block = &self.block;
+        let wrong = |letter: usize, range: &'static str, fits: &dyn Fn(f64) -> bool| {
+            let value = block.get(letter).filter(|&value| !fits(value))?;
+            let row = OrientWord { letter: char::from(b'A' + u8::try_from(letter).unwrap_or(0)), value, range };
+            Some(Refused::of(&row, &[block.column(letter)]))
+        };
+        let fault = wrong(letter::R, "0 … 360", &|R| (0.0..=360.0).contains(&R))
+            .or_else(|| wrong(letter::P, "0, 1, 2", &|P| P == 0.0 || P == 1.0 || P == 2.0))
+            .or_else(|| wrong(letter::Q, "> 0", &|Q| Q > 0.0));
+        fault.map_or(Ok(()), Err)
     }
 
     /// What a lathe does after the motion of the block: spindle and coolant off.

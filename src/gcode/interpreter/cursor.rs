@@ -99,6 +99,11 @@ impl<'l> Cursor<'l> {
         if self.parentheses && self.line.get(column) == Some(&b'(') { Err(comment_inside(column)) } else { Ok(()) }
     }
 
+    /// The column of the first comment in parentheses before a column.
+    pub(super) fn comment_before(&self, column: usize) -> Option<usize> {
+        if self.parentheses { memchr::memchr(b'(', self.line.get(..column)?) } else { None }
+    }
+
     /// Passes the character that [`Cursor::peek`] has shown.
     pub(super) const fn pass(&mut self) {
         self.at += 1;

@@ -18,6 +18,7 @@ use crate::gcode::rules::modes::{
     FeedPerTurnWithoutSpeed, InverseTimeWithoutF, InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutMotion,
     NoFeed, SetPositionWithoutAxes, SpindleStill, ThreadStartAngle, WordWithoutUse,
 };
+use crate::gcode::rules::words::DwellBesideArc;
 use crate::machine::axis::{Axis, Pose};
 
 /// The axis words.
@@ -118,6 +119,7 @@ impl Reader<'_, '_> {
             Some(G::MachineCoordinates) if self.state.modal.incremental => {
                 return Err(Refused::of(&MachineMoveIncremental {}, &[self.block.g_column(Group::NonModal)]));
             }
+            Some(G::MachineCoordinates) => self.no_rotary_length(false)?,
             _ => {}
         }
         if let Some(code) = self.block.g(Group::SetPosition) {
@@ -191,6 +193,12 @@ impl Reader<'_, '_> {
         }
         let shifts = self.shifts_system();
         let takes_axes = takes_axes || shifts;
+        if dwell & (1 << letter::P) != 0
+            && matches!(explicit, Some(G::Arc(_)))
+            && self.memory.control.arcs.letters.mask() & (1 << letter::P) != 0
+        {
+            return Err(Refused::of(&DwellBesideArc {}, &[block.g_column(Group::NonModal)]));
+        }
         let motion = match explicit {
             // G80 ends a cycle; the motion code that was in force before it is so again.
             Some(G::Cancel) if self.memory.control.cancel.restores() && axes != 0 && !takes_axes => {
@@ -295,7 +303,7 @@ impl Reader<'_, '_> {
             Some((M::AnalogOutput, _)) => Letters::of("EQ").mask(),
             _ => 0,
         };
-        if let Some((M::Override, _)) = self.block.m(9) {
+        if let Some((M::Override, 50..)) = self.block.m(9) {
             used |= Letters::of("P").mask();
         }
         if let Some((M::SetTool, _)) = self.block.m(6) {

@@ -7,12 +7,14 @@ use crate::finding::Exit;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, no_number};
+use crate::gcode::interpreter::flow::VALUES;
 use crate::gcode::interpreter::parameters::COUNT;
 use crate::gcode::interpreter::refused::{Refused, Result};
+use crate::gcode::interpreter::system_parameters::OF_THE_MACHINE;
 use crate::gcode::rules::expressions::{
     AtanWithoutSlash, BracketMissing, DivisionByZero, EqualsMissing, Exists, ExpressionOpen, FunctionUndefined,
-    FunctionUnknown, InputUsed, NameUnset, NegativePower, NotFinite, OperatorUnknown, ParameterOutOfRange,
-    ParameterReadOnly, ParameterUnset, TooDeep, TwoSigns, ValueMissing,
+    FunctionUnknown, InputUsed, NameOfMachine, NameUnset, NegativePower, NotFinite, OperatorUnknown,
+    ParameterOutOfRange, ParameterReadOnly, ParameterUnset, TooDeep, TwoSigns, ValueMissing,
 };
 use crate::limits::NESTED_BRACKETS;
 use crate::number::trig;
@@ -234,7 +236,10 @@ impl Reader<'_, '_> {
         }
         let found = if cursor.peek() == b'<' {
             let name = cursor.name()?;
-            self.memory.parameters.named(&name).is_some() || self.system_name(&name).is_some()
+            self.memory.parameters.named(&name).is_some()
+                || self.system_name(&name).is_some()
+                || OF_THE_MACHINE.contains(&name.as_str())
+                || VALUES.contains(&name.as_str())
         } else {
             (1..COUNT).contains(&self.parameter_number(cursor)?)
         };
@@ -258,6 +263,9 @@ impl Reader<'_, '_> {
             let axis = name.strip_prefix("_abs_").or_else(|| name.strip_prefix('_'));
             if axis.is_some_and(|axis| matches!(axis.as_bytes(), [b'a'..=b'c' | b'u'..=b'z'])) {
                 self.position_is_known(column)?;
+            }
+            if OF_THE_MACHINE.contains(&name.as_str()) {
+                return Err(Refused::of(&NameOfMachine { name }, &[column]));
             }
             return self.memory.parameters.named(&name).or_else(|| self.system_name(&name)).ok_or_else(|| {
                 let doubt = self.doubt_of(&format!("<{name}>"));
@@ -291,7 +299,8 @@ impl Reader<'_, '_> {
         cursor.pass();
         let parameter = if cursor.peek() == b'<' {
             let name = cursor.name()?;
-            if self.system_name(&name).is_some() {
+            let kept = OF_THE_MACHINE.contains(&name.as_str()) || VALUES.contains(&name.as_str());
+            if kept || self.system_name(&name).is_some() {
                 return Err(read_only(column, &format!("#<{name}>")));
             }
             Parameter::Name(name)

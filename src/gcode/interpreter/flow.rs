@@ -1,6 +1,6 @@
 //! Subprograms, loops and branches.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::CallBy;
@@ -15,14 +15,15 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::interpreter::structure::{OWord, Structure, Word, label, shown, word};
 use crate::gcode::rules::flow::{
-    ArgumentsTooMany, BehindOWord, CallWithWords, CallWithoutP, CallsTooDeep, LabelNotWhole, MainReturns, NotCalled,
-    OWordUnknown, ProgramMissing, RepeatsTooMany, ReturnInsideSub, SubprogramBefore, SubprogramMissing,
-    SubprogramOutside, SubprogramTooLarge, SubprogramUnreadable, WithoutCounterpart,
+    ArgumentsTooMany, BehindOWord, CallNotFirst, CallWithWords, CallWithoutP, CallsTooDeep, DefinedBehindCall,
+    LabelNotWhole, MainReturns, NotCalled, OWordUnknown, ProgramMissing, RepeatsTooMany, ReturnInsideSub,
+    SubprogramBefore, SubprogramMissing, SubprogramOutside, SubprogramTooLarge, SubprogramUnreadable,
+    WithoutCounterpart,
 };
 use crate::limits::{CALL_REPEATS, SUBPROGRAM_BYTES};
 
-/// REPEAT loops in hand: the O-word and how many rounds are left.
-type Loops = Vec<(usize, i64)>;
+/// What the last subprogram gave back, and whether it gave a value.
+pub(super) const VALUES: [&str; 2] = ["_value", "_value_returned"];
 
 /// A call that has not returned.
 #[derive(Debug)]
@@ -34,8 +35,6 @@ pub(super) struct Call {
     /// How often M98 still runs it, and where it begins.
     again: i64,
     start: Mark,
-    /// The loops in it.
-    loops: Loops,
     /// What M70 or M73 has kept in it.
     context: Context,
 }
@@ -43,7 +42,7 @@ pub(super) struct Call {
 impl Call {
     /// A call that shares its parameters with the caller and runs some times.
     pub(super) fn of(label: String, back: Mark, times: i64, start: Mark) -> Self {
-        Self { label, back, own: false, again: times - 1, start, loops: Vec::new(), context: Context::default() }
+        Self { label, back, own: false, again: times - 1, start, context: Context::default() }
     }
 
     /// Where it begins once more, if it does; that is counted.
@@ -59,10 +58,13 @@ pub(super) struct Flow {
     /// Where the next line begins.
     pub(super) next: Mark,
     pub(super) frames: Vec<Call>,
-    /// The loops outside of all calls.
-    loops: Loops,
+    /// How many rounds are left to a REPEAT that has begun, by text and O-word: whatever call it stands in, one left by RETURN
+    /// goes on where it was.
+    rounds: BTreeMap<(usize, usize), i64>,
     /// The line in hand was reached as the next clause of an IF.
     clause: bool,
+    /// The line in hand ends the SUB that the control has just passed over.
+    passed: bool,
     /// The subprograms that the control has met, by text and O-word.
     met: BTreeSet<(usize, usize)>,
     /// What M70 or M73 has kept outside of all calls.
@@ -70,11 +72,6 @@ pub(super) struct Flow {
 }
 
 impl Flow {
-    /// The loops of the call in hand, or of the program where there is none.
-    fn loops(&mut self) -> &mut Loops {
-        self.frames.last_mut().map_or(&mut self.loops, |call| &mut call.loops)
-    }
-
     /// What the call in hand has kept, or the program where there is none.
     pub(super) fn context(&mut self) -> &mut Context {
         self.frames.last_mut().map_or(&mut self.main, |call| &mut call.context)
@@ -136,6 +133,7 @@ impl Reader<'_, '_> {
         let mark = self.mark(index)?;
         match kind {
             Word::Sub => self.pass_subprogram(cursor, (index, &mark), &name),
+            Word::EndSub if std::mem::take(&mut self.memory.flow.passed) => self.end_passed(cursor),
             Word::EndSub => self.give_back(cursor, &name),
             Word::Return => {
                 // It ends the subprogram that it stands in, whatever label it names.
@@ -159,7 +157,12 @@ impl Reader<'_, '_> {
                 Ok(())
             }
             Word::Repeat => self.repeat(cursor, &mark, index),
-            Word::EndRepeat => self.end_repeat(cursor, mark.opens),
+            Word::EndRepeat => {
+                self.nothing_more(cursor)?;
+                let start = self.mark(mark.opens)?;
+                self.go_to(start.at);
+                Ok(())
+            }
             Word::Break | Word::Continue => {
                 self.nothing_more(cursor)?;
                 self.leave_round(&mark, kind == Word::Break)
@@ -186,9 +189,39 @@ impl Reader<'_, '_> {
         if !self.memory.flow.frames.is_empty() {
             return Err(Refused::of(&NotCalled { label: shown(name) }, &[]));
         }
-        self.memory.flow.met.extend(index.map(|index| (self.block.spot.text, index)));
-        self.go_to(end.after);
+        let known = |index| !self.memory.flow.met.insert((self.block.spot.text, index));
+        if index.is_some_and(known) {
+            return Err(Refused::of(&DefinedBehindCall { label: shown(name) }, &[]));
+        }
+        // The control reads what the end gives back even here.
+        self.memory.flow.passed = true;
+        self.go_to(end.at);
         Ok(())
+    }
+
+    /// ENDSUB of a SUB that is passed over: its value is kept like that of a call. Where it cannot be computed here, what is kept
+    /// is not known.
+    fn end_passed(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
+        if cursor.peek() != b'[' {
+            self.nothing_more(cursor)?;
+            self.keep_value(None);
+            return Ok(());
+        }
+        match self.expression(cursor) {
+            Ok(value) => {
+                self.nothing_more(cursor)?;
+                self.keep_value(Some(value));
+            }
+            Err(_) => VALUES.into_iter().for_each(|name| self.memory.parameters.forget_named(name)),
+        }
+        Ok(())
+    }
+
+    /// What `#<_value>` and `#<_value_returned>` hold from here on.
+    fn keep_value(&mut self, value: Option<f64>) {
+        for (name, held) in VALUES.into_iter().zip([value.unwrap_or(0.0), f64::from(u8::from(value.is_some()))]) {
+            self.memory.parameters.set_named(name.to_owned(), held);
+        }
     }
 
     /// The condition of an IF or ELSEIF.
@@ -211,22 +244,6 @@ impl Reader<'_, '_> {
             (None, false) => {
                 let end = self.mark(mark.next)?;
                 self.go_to(end.after);
-            }
-        }
-        Ok(())
-    }
-
-    /// The end of a REPEAT: another round, or the lines behind it.
-    fn end_repeat(&mut self, cursor: &mut Cursor<'_>, opens: Option<usize>) -> Result<()> {
-        self.nothing_more(cursor)?;
-        match self.memory.flow.loops().last_mut() {
-            Some((open, left)) if Some(*open) == opens && *left > 1 => {
-                *left -= 1;
-                let start = self.mark(opens)?;
-                self.go_to(start.after);
-            }
-            _ => {
-                self.memory.flow.loops().pop();
             }
         }
         Ok(())
@@ -268,36 +285,26 @@ impl Reader<'_, '_> {
     fn repeat(&mut self, cursor: &mut Cursor<'_>, mark: &OWord, index: Option<usize>) -> Result<()> {
         let value = self.expression(cursor)?;
         self.nothing_more(cursor)?;
+        let Some(index) = index else { return Ok(()) };
+        // As the control rounds: halves to the even number.
         #[expect(clippy::cast_possible_truncation, reason = "clamped; the budget ends more rounds than that")]
-        let rounds = value.round().clamp(0.0, 1e12) as i64;
-        if rounds == 0 {
-            let end = self.mark(mark.next)?;
-            self.go_to(end.after);
+        let asked = value.round_ties_even().clamp(0.0, 1e12) as i64;
+        let place = (self.block.spot.text, index);
+        let left = self.memory.flow.rounds.entry(place).or_insert(asked);
+        if *left > 0 {
+            *left -= 1;
             return Ok(());
         }
-        if let Some(index) = index {
-            self.memory.flow.loops().push((index, rounds));
-        }
+        self.memory.flow.rounds.remove(&place);
+        let end = self.mark(mark.next)?;
+        self.go_to(end.after);
         Ok(())
     }
 
-    /// BREAK and CONTINUE of a WHILE or DO; REPEAT loops inside it are left.
+    /// BREAK and CONTINUE of a WHILE or DO.
     fn leave_round(&mut self, mark: &OWord, leave: bool) -> Result<()> {
         let opens = self.mark(mark.opens)?;
         let closes = self.mark(opens.next)?;
-        let start = opens.at.lines;
-        let structure = self.structure()?;
-        let inside: Vec<bool> = {
-            let loops: Vec<usize> = structure.words.iter().map(|mark| mark.at.lines).collect();
-            self.memory
-                .flow
-                .loops()
-                .iter()
-                .map(|(index, _)| loops.get(*index).is_some_and(|&line| line > start))
-                .collect()
-        };
-        let keep = inside.iter().position(|&inside| inside).unwrap_or(inside.len());
-        self.memory.flow.loops().truncate(keep);
         if !leave && opens.word != Word::Do {
             self.round_again()?;
         }
@@ -332,17 +339,12 @@ impl Reader<'_, '_> {
         let found = self.structure()?.sub(name);
         let start = match found {
             Some(index) => self.sought(index, back)?,
-            None => self.file_of(name)?,
+            None => {
+                let found = self.file_of(name, Structure::sub)?;
+                found.ok_or_else(|| Refused::of(&SubprogramMissing { label: shown(name) }, &[]))?
+            }
         };
-        self.enter(Call {
-            label: name.to_owned(),
-            back,
-            own: true,
-            again: 0,
-            start,
-            loops: Vec::new(),
-            context: Context::default(),
-        })?;
+        self.enter(Call { label: name.to_owned(), back, own: true, again: 0, start, context: Context::default() })?;
         self.memory.parameters.enter(&arguments);
         self.open(start);
         Ok(())
@@ -357,12 +359,12 @@ impl Reader<'_, '_> {
             return Err(Refused::ended(&CallsTooDeep { most, stack }));
         }
         self.memory.flow.frames.push(call);
+        self.memory.parameters.enter_names();
         Ok(())
     }
 
-    /// Where the subprogram of a file of its own begins.
-    fn file_of(&mut self, name: &str) -> Result<Mark> {
-        let unknown = || Refused::of(&SubprogramMissing { label: shown(name) }, &[]);
+    /// Where the subprogram or the program of a file of its own begins, if there is one.
+    fn file_of(&mut self, name: &str, sought: fn(&Structure, &str) -> Option<usize>) -> Result<Option<Mark>> {
         let plain =
             !name.starts_with('.') && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"_-.".contains(&byte));
         if !plain {
@@ -377,7 +379,7 @@ impl Reader<'_, '_> {
                         self.memory.setting.files.find(name).map_err(|reason| {
                             Refused::of(&SubprogramUnreadable { name: name.to_owned(), reason }, &[])
                         })?;
-                    let bytes = bytes.ok_or_else(unknown)?;
+                    let Some(bytes) = bytes else { return Ok(None) };
                     if bytes.len() > SUBPROGRAM_BYTES {
                         return Err(Refused::ended(&SubprogramTooLarge { name: name.to_owned() }));
                     }
@@ -385,10 +387,10 @@ impl Reader<'_, '_> {
                 }
             };
         let structure = self.memory.library.structure(text, &self.memory.control.lexis)?;
-        let sub = structure.sub(name).and_then(|index| Some((index, structure.o_word(index)?.after)));
-        let (index, line) = sub.ok_or_else(unknown)?;
+        let sub = sought(structure, name).and_then(|index| Some((index, structure.o_word(index)?.after)));
+        let Some((index, line)) = sub else { return Ok(None) };
         self.memory.flow.met.insert((text, index));
-        Ok(Mark { text, line })
+        Ok(Some(Mark { text, line }))
     }
 
     /// ENDSUB and RETURN, with their value.
@@ -400,8 +402,7 @@ impl Reader<'_, '_> {
             return Err(Refused::of(&NotCalled { label: shown(name) }, &[]));
         }
         self.leave();
-        self.memory.parameters.set_named("_value".to_owned(), value.unwrap_or(0.0));
-        self.memory.parameters.set_named("_value_returned".to_owned(), if value.is_some() { 1.0 } else { 0.0 });
+        self.keep_value(value);
         Ok(())
     }
 
@@ -410,6 +411,7 @@ impl Reader<'_, '_> {
         if call.own {
             self.memory.parameters.leave();
         }
+        self.memory.parameters.leave_names();
         self.open(call.back);
         self.leave_context(&call.context);
     }
@@ -448,11 +450,14 @@ impl Reader<'_, '_> {
             return Ok(());
         }
         let back = self.memory.flow.next;
-        let found = self.structure()?.program(&name);
-        let Some(index) = found else {
-            return Err(Refused::of(&ProgramMissing { number: name }, &[self.block.column(letter::P)]));
+        let start = match self.structure()?.program(&name) {
+            Some(index) => self.sought(index, back)?,
+            None => {
+                let found = self.file_of(&name, Structure::program)?;
+                let (number, column) = (name.clone(), self.block.column(letter::P));
+                found.ok_or_else(|| Refused::of(&ProgramMissing { number }, &[column]))?
+            }
         };
-        let start = self.sought(index, back)?;
         self.enter(Call::of(name, back, repeats, start))?;
         self.open(start);
         Ok(())
@@ -478,15 +483,44 @@ impl Reader<'_, '_> {
                     // Each round keeps its own state.
                     let context = std::mem::take(&mut call.context);
                     self.leave_context(&context);
+                    self.memory.parameters.leave_names();
+                    self.memory.parameters.enter_names();
+                    self.keep_value(None);
                     self.open(start);
                     Ok(())
                 }
                 None => {
                     self.leave();
+                    self.keep_value(None);
                     Ok(())
                 }
             },
         }
+    }
+
+    /// Refuses M98 and M99 where the control, which looks for them in the text of the line, does not see them or sees more: they
+    /// stand first, in three characters, and no parameter is set beside them.
+    pub(super) fn calls_spelled(&self, line: &[u8], start: usize) -> Result<()> {
+        if self.memory.control.calls.by != CallBy::Label {
+            return Ok(());
+        }
+        let Some((code @ (M::Call | M::Return), _)) = self.block.m(4) else { return Ok(()) };
+        if !self.block.settings.is_empty() {
+            return Err(Refused::of(&CallWithWords {}, &[self.block.m_column(4)]).fatal());
+        }
+        let number: &[u8] = if code == M::Call { b"98" } else { b"99" };
+        let [before, text] = [&line[..start], &line[start..]];
+        let text: Vec<u8> = text.iter().copied().filter(|byte| !matches!(byte, b' ' | b'\t')).collect();
+        let rest = match &text[..] {
+            [b'm' | b'M', b'#', digit, rest @ ..] if digit.is_ascii_digit() => Some(rest),
+            [b'm' | b'M', rest @ ..] => rest.strip_prefix(number),
+            _ => None,
+        };
+        let whole = rest.is_some_and(|rest| !rest.first().is_some_and(|next| next.is_ascii_digit() || *next == b'.'));
+        if whole && !before.contains(&b'(') {
+            return Ok(());
+        }
+        Err(Refused::of(&CallNotFirst {}, &[self.block.m_column(4)]).fatal())
     }
 
     /// Refuses words beside M98 and M99 that are not theirs.
@@ -521,6 +555,27 @@ mod tests {
             let text = "o<before> sub\nG0 Y1\no<before> endsub\no<deep> sub\nG0 X#1\no1 if [#1 GT 1]\no<deep> call [#1-1]\n\
                         o1 endif\no2 if [#1 LT 0]\no<before> call\no2 endif\no<deep> endsub\n";
             Ok((name == "deep").then(|| text.as_bytes().to_vec()))
+        }
+    }
+
+    /// A folder with `50.ngc`, which holds the program O50.
+    struct Fifty;
+
+    impl Files for Fifty {
+        fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text> {
+            Ok((name == "50").then(|| b"O50\nG0 X5\nM99\n".to_vec()))
+        }
+    }
+
+    #[test]
+    fn m98_finds_a_program_in_a_file_of_its_number() {
+        for (called, expected) in [(50, Ok(vec![5.0, 6.0])), (51, Err("there is no subprogram O51"))] {
+            let program = format!("G21 G90\nM98 P{called}\nG0 X6\nM2\n");
+            let mut setting = Setting::new(&LINUXCNC);
+            setting.files = Box::new(Fifty);
+            let read: Result<Vec<f64>, Box<Refused>> =
+                Interpreter::over(program.as_bytes(), setting).map(|item| item.map(|motion| motion.to.0[0])).collect();
+            assert_eq!(read.map_err(|fault| fault.what.en.into_owned()), expected.map_err(str::to_owned));
         }
     }
 

@@ -105,7 +105,9 @@ impl Reader<'_, '_> {
                 self.program_number(&mut cursor, opening)
             };
         }
+        let start = cursor.column();
         self.read_words(&mut cursor)?;
+        self.calls_spelled(line, start)?;
         for (parameter, value) in self.block.settings.drain(..) {
             match parameter {
                 Parameter::Number(number) => self.memory.parameters.set(number, value),

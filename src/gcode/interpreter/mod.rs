@@ -209,7 +209,7 @@ impl<'a> Interpreter<'a> {
             parameters.set(number as usize, value);
         }
         // What the last subprogram returned; 0 before any has.
-        for name in ["_value", "_value_returned"] {
+        for name in flow::VALUES {
             parameters.set_named(name.to_owned(), 0.0);
         }
         parameters.set(ACTIVE as usize, f64::from(offsets.active.number()));

@@ -13,8 +13,9 @@ use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::MotionKind;
 use crate::gcode::rules::geometry::{
-    AxesOrSpeed, OffsetsPNotWhole, OffsetsPTooGreat, OffsetsRotation, OffsetsWithTurning, OffsetsWithoutL,
-    OffsetsWithoutP, RotationWithG92, SetPositionLeft, SetPositionLeftOfLathe, ToolTableLoaded,
+    AxesOrSpeed, LengthOfRotaryAxis, OffsetsPNotWhole, OffsetsPTooGreat, OffsetsRotation, OffsetsWithTurning,
+    OffsetsWithoutL, OffsetsWithoutP, RotationWithG92, SetPositionLeft, SetPositionLeftOfLathe, ToolTableLoaded,
+    ToolTableWithTool,
 };
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::{
@@ -60,6 +61,9 @@ impl Reader<'_, '_> {
         let column = self.block.g_column(crate::gcode::code::Group::NonModal);
         let L = self.block.get(letter::L).and_then(whole);
         if L == Some(0) {
+            if self.state.modal.tool != 0 {
+                return Err(Refused::of(&ToolTableWithTool { tool: self.state.modal.tool }, &[column]));
+            }
             self.memory.remarks.row(&ToolTableLoaded {}, self.block.spot, Some(column));
             self.memory.tools = self.memory.setting.tools.clone().unwrap_or_default();
             return Ok(());
@@ -158,10 +162,11 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// G28 and G30: over the point of the axis words to the reference point, in the axes named or in all. LinuxCNC 2.9 ends
-    /// off it, by the tool's offset, in A, B and C; its reference promises the point itself.
+    /// G28 and G30: over the point of the axis words to the reference point, in the axes named or in all. Refused where the tool
+    /// has an offset in A, B or C: LinuxCNC 2.9 ends off the point by it, and its reference promises the point itself.
     fn go_to_reference(&mut self, second: bool) -> Result<()> {
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|&axis| self.block.has(AXES[axis as usize])).collect();
+        self.no_rotary_length(named.is_empty())?;
         if !named.is_empty() {
             let over = self.end_point();
             self.emit(MotionKind::Rapid, over, None);
@@ -175,6 +180,18 @@ impl Reader<'_, '_> {
         }
         self.emit(MotionKind::Rapid, to, None);
         Ok(())
+    }
+
+    /// Refuses G28, G30 and G53 with a tool that has an offset in a rotary axis of the block, or in any of them.
+    pub(super) fn no_rotary_length(&self, any: bool) -> Result<()> {
+        let turned = |axis: &Axis| {
+            axis.rotary() && self.state.frame.tool.get(*axis) != 0.0 && (any || self.block.has(AXES[*axis as usize]))
+        };
+        let column = self.block.g_column(crate::gcode::code::Group::NonModal);
+        Axis::ALL
+            .into_iter()
+            .find(turned)
+            .map_or(Ok(()), |axis| Err(Refused::of(&LengthOfRotaryAxis { axis: axis.letter() }, &[column])))
     }
 
     /// G28.1 and G30.1: this is the reference point.

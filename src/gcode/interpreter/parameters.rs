@@ -7,12 +7,11 @@ pub(super) const COUNT: usize = 5602;
 /// How many parameters belong to each call of a subprogram.
 pub(super) const LOCAL: usize = 30;
 
-/// What a call of a subprogram has of its own: #1 to #30, and names.
+/// What a call of a subprogram with arguments has of its own: #1 to #30.
 #[derive(Debug, Default)]
 struct Own {
     values: [f64; LOCAL],
     known: [bool; LOCAL],
-    names: BTreeMap<String, f64>,
 }
 
 /// The parameters of a program.
@@ -23,6 +22,8 @@ pub(super) struct Parameters {
     globals: BTreeMap<String, f64>,
     /// Those of the program, and of each call in it; those in force last.
     own: Vec<Own>,
+    /// The names of the program, and of each call in it; those in force last.
+    names: Vec<BTreeMap<String, f64>>,
     /// How often a parameter has got another value.
     changes: u64,
 }
@@ -34,6 +35,7 @@ impl Parameters {
             known: vec![false; COUNT],
             globals: BTreeMap::new(),
             own: vec![Own::default()],
+            names: vec![BTreeMap::new()],
             changes: 0,
         }
     }
@@ -92,14 +94,13 @@ impl Parameters {
 
     /// A named parameter: global if its name begins with `_`, else of the call in hand.
     pub(super) fn named(&self, name: &str) -> Option<f64> {
-        let names = if name.starts_with('_') { &self.globals } else { &self.own.last()?.names };
+        let names = if name.starts_with('_') { &self.globals } else { self.names.last()? };
         names.get(name).copied()
     }
 
     /// Sets a named parameter.
     pub(super) fn set_named(&mut self, name: String, value: f64) {
-        let own = self.own.last_mut().map(|own| &mut own.names);
-        let names = if name.starts_with('_') { Some(&mut self.globals) } else { own };
+        let names = if name.starts_with('_') { Some(&mut self.globals) } else { self.names.last_mut() };
         if let Some(names) = names {
             self.changes += u64::from(names.insert(name, value).map(f64::to_bits) != Some(value.to_bits()));
         }
@@ -108,10 +109,27 @@ impl Parameters {
     /// Begins a call with its arguments as #1, #2, …; those that it does not give are 0.
     pub(super) fn enter(&mut self, arguments: &[f64]) {
         let values = std::array::from_fn(|at| arguments.get(at).copied().unwrap_or(0.0));
-        self.own.push(Own { values, known: [true; LOCAL], names: BTreeMap::new() });
+        self.own.push(Own { values, known: [true; LOCAL] });
     }
 
-    /// Ends a call: the caller's #1 to #30 and names are in force again.
+    /// Begins a call's names.
+    pub(super) fn enter_names(&mut self) {
+        self.names.push(BTreeMap::new());
+    }
+
+    /// Ends a call's names: the caller's are in force again.
+    pub(super) fn leave_names(&mut self) {
+        if self.names.len() > 1 {
+            self.names.pop();
+        }
+    }
+
+    /// What a name holds is not known any more.
+    pub(super) fn forget_named(&mut self, name: &str) {
+        self.globals.remove(name);
+    }
+
+    /// Ends a call with arguments: the caller's #1 to #30 are in force again.
     pub(super) fn leave(&mut self) {
         if self.own.len() > 1 {
             self.own.pop();

@@ -14,7 +14,8 @@ use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
 use crate::gcode::interpreter::{block_number, pass_fraction};
 use crate::gcode::rules::flow::{
-    ClauseBehindElse, LabelMissing, LabelReused, LabelTwice, NotClosed, OWordsTooMany, Stray, SubprogramInside,
+    ClauseBehindElse, CommentInOWord, LabelMissing, LabelReused, LabelTwice, NotClosed, OWordUnknown, OWordsTooMany,
+    Stray, SubprogramInside,
 };
 use crate::limits::O_WORDS;
 use crate::text::Text;
@@ -73,6 +74,14 @@ impl Word {
     /// The word in capitals.
     fn name(self) -> String {
         Self::ALL.into_iter().find(|&(_, word)| word == self).map(|(text, _)| text.to_uppercase()).unwrap_or_default()
+    }
+
+    /// The column up to which no comment may stand: where its expression begins, or behind the word.
+    fn end(self, cursor: &mut Cursor<'_>) -> usize {
+        let behind = cursor.column();
+        let computes =
+            matches!(self, Self::If | Self::ElseIf | Self::While | Self::Repeat | Self::EndSub | Self::Return);
+        if computes && cursor.peek() == b'[' { cursor.column() } else { behind }
     }
 
     /// What it stands in.
@@ -151,6 +160,12 @@ fn refused(line: usize, row: &dyn Raise) -> Box<Refused> {
     fault
 }
 
+fn at_column(line: usize, column: usize, row: &dyn Raise) -> Box<Refused> {
+    let mut fault = Refused::of(row, &[column]).fatal();
+    fault.line = line;
+    fault
+}
+
 /// A word that stands in nothing it belongs to, with what is open around it.
 fn stray(mark: &OWord, open: Option<&OWord>) -> Box<Refused> {
     let (label, word, home) = (shown(&mark.label), mark.word.name(), mark.word.belongs_to());
@@ -207,9 +222,18 @@ impl Structure {
             if !cursor.accept(b'o') {
                 continue;
             }
-            // What is wrong inside a line is refused when it is executed.
+            let place = cursor.column();
+            // What else is wrong inside a line is refused when it is executed.
             let Ok(Some(label)) = label(&mut cursor) else { continue };
-            let Some(word) = word(&mut cursor) else { continue };
+            let behind_label = cursor.column();
+            let Some(word) = word(&mut cursor) else {
+                return Err(at_column(behind.lines, behind_label, &OWordUnknown {}));
+            };
+            // Behind the number of a program a comment may stand.
+            let end = if word == Word::Program { place } else { word.end(&mut cursor) };
+            if let Some(column) = cursor.comment_before(end) {
+                return Err(at_column(behind.lines, column, &CommentInOWord {}));
+            }
             let mark = OWord { word, label, at, after: behind, next: None, opens: None };
             structure.add(mark, &mut open)?;
             if structure.words.len() > O_WORDS {

@@ -1,7 +1,7 @@
 //! Parameters that the control itself keeps: position, modes, offsets.
 
 use crate::gcode::code::G;
-use crate::gcode::in_force::Spindle;
+use crate::gcode::in_force::{Compensation, Spindle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::axis::{Axis, Pose};
@@ -11,6 +11,23 @@ use crate::machine::length_unit::LengthUnit;
 const POSITION: usize = 5420;
 /// The tool in the spindle, then its offsets and its diameter.
 const TOOL: usize = 5400;
+
+/// Names that the control itself keeps and that depend on the machine and its operator, or are not followed here.
+pub(super) const OF_THE_MACHINE: [&str; 13] = [
+    "_vmajor",
+    "_vminor",
+    "_lathe_diameter_mode",
+    "_lathe_radius_mode",
+    "_mist",
+    "_flood",
+    "_speed_override",
+    "_feed_override",
+    "_adaptive_feed",
+    "_feed_hold",
+    "_current_pocket",
+    "_selected_pocket",
+    "_remap_level",
+];
 
 fn flag(on: bool) -> f64 {
     if on { 1.0 } else { 0.0 }
@@ -58,7 +75,8 @@ impl Reader<'_, '_> {
                 let diameter = self.memory.tools.get(&self.state.modal.tool).map_or(0.0, |tool| tool.diameter);
                 Some(self.memory.setting.unit.from_mm(diameter))
             }
-            5411..=5413 => Some(0.0),
+            // The last two tell what the tool changer has reported.
+            5411..=5413 | 5600..=5601 => Some(0.0),
             _ => None,
         }
     }
@@ -105,7 +123,11 @@ impl Reader<'_, '_> {
             "_spindle_rpm_mode" => flag(!modal.constant_surface_speed),
             "_spindle_css_mode" => flag(modal.constant_surface_speed),
             "_ijk_absolute_mode" => flag(modal.centre_absolute),
-            "_ccomp" => 400.0,
+            "_ccomp" => match modal.compensation {
+                Compensation::Off => 400.0,
+                Compensation::Left => 410.0,
+                Compensation::Right => 420.0,
+            },
             "_motion_mode" => match modal.motion {
                 G::Rapid => 0.0,
                 G::Linear => 10.0,

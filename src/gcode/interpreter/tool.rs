@@ -108,11 +108,6 @@ impl Reader<'_, '_> {
                 let added = self.offset_of(number);
                 Pose(std::array::from_fn(|axis| self.state.frame.tool.0[axis] + added.0[axis]))
             }
-            (_, None) if axes => {
-                let mut tool = self.state.frame.tool;
-                self.each_axis_word(|axis, value| tool.set(axis, tool.get(axis) + value));
-                tool
-            }
             _ => {
                 return Err(Refused::of(&AddedLength {}, &[column]));
             }

@@ -196,4 +196,11 @@ rules! {
         why "No se sabe de antemano cuánto tarda la entrada.",
             "Nobody knows beforehand how long the input takes.";
         example Example::program("linuxcnc", "G21 G90 F100|M66 P0 L3 Q1|M2", "2:1");
+    "G0228" NameOfMachine Stop { name: String }
+        es "#<{name}> depende de la máquina: rodete no lo conoce"
+        en "#<{name}> depends on the machine: rodete does not know it"
+        remedy "quítelo, o compruebe el programa con el valor escrito en su lugar", "leave it out, or verify the program with its value in place of it";
+        why "El valor lo ponen la máquina, su operario o la versión del control.",
+            "The machine, its operator or the control's version gives the value.";
+        example Example::program("linuxcnc", "G21 G90 F100|G1 X#<_flood>|M2", "2:5");
 }

@@ -172,7 +172,8 @@ rules! {
     "G0324" ProgramMissing Stop { number: String }
         es "no hay subprograma O{number}"
         en "there is no subprogram O{number}"
-        remedy "defínalo después del programa, con su O y M99", "define it after the program, with its O and M99";
+        remedy "defínalo después del programa, con su O y M99, o, en LinuxCNC, en un archivo con ese número en la misma carpeta",
+            "define it after the program, with its O and M99, or, on LinuxCNC, in a file with that number in the same folder";
         why "El control no encuentra a qué llamar.",
             "The control finds nothing to call.";
         example Example::program("linuxcnc", "G21 G90 F100|M98 P5|M2", "2:5");
@@ -365,4 +366,25 @@ rules! {
         why "No se sabe si el control saltaría el bloque.",
             "It is not clear whether the control would skip the block.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|/4 G1 X10|M30", "2:1");
+    "G0352" DefinedBehindCall Stop { label: String }
+        es "{label} SUB está detrás de una llamada a {label}, y el control se para al llegar a él"
+        en "{label} SUB is behind a call of {label}, and the control stops when it comes to it"
+        remedy "ponga los SUB al principio del programa, o detrás de M2", "put the SUBs at the beginning of the program, or behind M2";
+        why "La llamada busca el SUB hacia delante y lo recuerda; si el programa llega después a él, es para el control un segundo SUB del mismo nombre.",
+            "The call looks ahead for the SUB and remembers it; if the program comes to it later, it is for the control a second SUB of the same name.";
+        example Example::program("linuxcnc", "G21 G90 F100|O<s> CALL|O<s> SUB|G1 X1|O<s> ENDSUB|M2", "3");
+    "G0353" CommentInOWord Stop {}
+        es "hay un comentario delante de la palabra O o dentro de ella"
+        en "a comment stands before the O-word or inside it"
+        remedy "ponga el comentario al final del bloque", "put the comment at the end of the block";
+        why "El control busca la O al principio del bloque y su palabra justo detrás de la etiqueta: con un comentario en medio lee otra cosa.",
+            "The control looks for the O at the beginning of the block and for its word right behind the label: with a comment between them it reads something else.";
+        example Example::program("linuxcnc", "G21 G90 F100|O1 REPEAT (twice) [2]|O1 ENDREPEAT|M2", "2:11");
+    "G0354" CallNotFirst Stop {}
+        es "M98 y M99 van al principio del bloque, escritos así, sin nada delante"
+        en "M98 and M99 must stand first in the block, written so, with nothing before them"
+        remedy "escriba M98 P… o M99 al principio", "write M98 P… or M99 first";
+        why "El control los busca en el texto del bloque: escritos de otra forma, o detrás de otra palabra o de un comentario, no los ve.",
+            "The control looks for them in the text of the block: written in another way, or behind another word or a comment, it does not see them.";
+        example Example::program("linuxcnc", "G21 G90 F100|P2 M98|M2|O2|M99", "2:4");
 }

@@ -408,4 +408,18 @@ rules! {
         why "Junto a medio círculo, un redondeo decide si el arco existe y dónde está su centro.",
             "Near half a circle, rounding decides whether the arc exists and where its centre is.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X20. Z0.|G3 X20. Z-10. R5.|M30", "3:15");
+    "G0458" LengthOfRotaryAxis Stop { axis: char }
+        es "la herramienta tiene un corrector en {axis}: con G28, G30 y G53 el control no lo cuenta y termina fuera del punto"
+        en "the tool has an offset in {axis}: with G28, G30 and G53 the control leaves it out and ends off the point"
+        remedy "anule antes el corrector con G49", "cancel the offset with G49 before it";
+        why "Se ha visto en LinuxCNC 2.9; su manual promete el punto.",
+            "LinuxCNC 2.9 was seen to do so; its manual promises the point.";
+        example Example::program("linuxcnc", "G21 G90 F100|G43.1 A3|G28|M2", "3:1");
+    "G0459" ToolTableWithTool Stop { tool: u32 }
+        es "G10 L0 con la herramienta T{tool} en el husillo"
+        en "G10 L0 with tool T{tool} in the spindle"
+        remedy "deje el husillo sin herramienta con T0 M6", "leave the spindle without a tool with T0 M6";
+        why "El control no recarga la tabla mientras hay una herramienta en el husillo.",
+            "The control does not reload the table while a tool is in the spindle.";
+        example Example::program("linuxcnc", "G21 G90 F100|T1 M6|G10 L0|M2", "3:1");
 }

@@ -183,4 +183,18 @@ rules! {
         why "Un decimal suele venir de un programa en segundos, y el control esperaría la centésima parte.",
             "A decimal often comes from a program in seconds, and the control would dwell a hundredth of it.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|G4 K0.5|M30", "2:4");
+    "G0126" DwellBesideArc Stop {}
+        es "G4 con G2 o G3 en un bloque: los dos usan P"
+        en "G4 with G2 or G3 in one block: both use P"
+        remedy "póngalos en bloques distintos", "put them into blocks of their own";
+        why "El control no sabe si P es el tiempo o las vueltas del arco, y se para.",
+            "The control cannot know whether P is the time or the turns of the arc, and stops.";
+        example Example::program("linuxcnc", "G21 G90 F100|G4 G2 X1 Y1 I1 J0 P1|M2", "2:1");
+    "G0127" OrientWord Stop { letter: char, value: f64, range: &'static str }
+        es "M19 con {letter}{value}: {letter} es {range}"
+        en "M19 with {letter}{value}: {letter} is {range}"
+        remedy "corrija {letter}", "correct {letter}";
+        why "El control se para ante un ángulo, un sentido o un tiempo de espera que no hay.",
+            "The control stops at an angle, a direction or a time limit that does not exist.";
+        example Example::program("linuxcnc", "G21 G90 F100|M19 R361|M2", "2:5");
 }

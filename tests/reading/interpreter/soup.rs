@@ -51,16 +51,6 @@ fn block(mut roll: Roll) -> String {
             roll.of(&['X', 'Y', 'Z', 'A', 'I', 'J', 'K', 'R', 'P', 'Q', 'L', 'F', 'S', 'H', 'D', 'T', 'E', 'N']);
         word(&mut line, letter, &mut roll);
     }
-    // LinuxCNC leaves the tool's offset in A in with G28, G30 and G53.
-    if line.contains("G43.")
-        && let Some((front, back)) = line.clone().split_once(" A")
-    {
-        line = front.to_owned() + back.find(' ').map_or("", |end| &back[end..]);
-    }
-    // rs274 2.9.0~pre1 looks for a tool even where G43.2 has axis words.
-    if line.contains("G43.2") && !line.contains('H') {
-        line.push_str(" H1");
-    }
     if matches!(code, "1" | "93" | "95") && !line.contains('F') && roll.one_in(2) {
         word(&mut line, 'F', &mut roll);
     }

@@ -151,11 +151,12 @@ rules! {
         why "La palabra del eje da la longitud.", "The axis word gives the length.";
         example Example::program("linuxcnc", "; expected: 4:1 G43.1 without axis words|; rs274: accepts: it changes nothing, so that the axis word has been forgotten|G21 G90 F100|G43.1|M2", "4:1");
     "G0827" AddedLength Stop {}
-        es "G43.2 necesita H o palabras de eje"
-        en "G43.2 needs either H or axis words"
-        remedy "dé uno de los dos", "give one of the two";
-        why "La longitud está en la tabla o en el bloque, no en los dos.", "The length is either in the table or in the block.";
-        example Example::program("linuxcnc", "; expected: 4:1 G43.2 needs either H or axis words|; rs274: refuses|G21 G90 F100|G43.2|M2", "4:1");
+        es "G43.2 necesita H, sin palabras de eje"
+        en "G43.2 needs H, without axis words"
+        remedy "dé H, o la longitud con G43.1", "give H, or the length with G43.1";
+        why "LinuxCNC 2.9 busca una herramienta aunque haya palabras de eje; versiones posteriores las suman.",
+            "LinuxCNC 2.9 looks for a tool even beside axis words; later versions add them.";
+        example Example::program("linuxcnc", "G21 G90 F100|G43.2|M2", "2:1");
     "G0828" ToolTableNotKnown Stop {}
         es "G10 cambia una tabla de herramientas que rodete no conoce"
         en "G10 changes a tool table that rodete does not know"
