@@ -76,6 +76,18 @@ impl LiveRow {
     }
 }
 
+/// True as a formula where a cell holds a word, in small letters, as `rodete check` reads it: capitals and blanks around it do not
+/// count, and a number is its digits.
+#[must_use]
+pub fn says(cell: &str, word: &str) -> String {
+    // TRIM makes two blanks between words one, and those count.
+    if word.contains(' ') {
+        format!("AND(TRIM({cell})=\"{word}\",ISNUMBER(FIND(\"{word}\",LOWER({cell}))))")
+    } else {
+        format!("TRIM({cell})=\"{word}\"")
+    }
+}
+
 /// A limit that is broken.
 #[derive(Clone, Debug)]
 pub struct Wrong {

@@ -6,6 +6,7 @@ use super::cell::shortened;
 use super::style::Styles;
 use super::value::DATE;
 use super::words::fold;
+use crate::kind::live_form::says;
 use crate::parameter::{Choice, FieldKind, Parameter};
 use crate::text::{Language, Text, t};
 
@@ -70,11 +71,8 @@ pub(super) fn spellings(choices: &[Choice]) -> Vec<String> {
 pub(super) fn unknown(kind: &FieldKind, cell: &str) -> Option<String> {
     match kind {
         FieldKind::Choice(choices) => {
-            // Blanks between words count, and TRIM takes them away.
-            let is = |word: &String| {
-                if word.contains(' ') { format!("{cell}=\"{word}\"") } else { format!("TRIM({cell})=\"{word}\"") }
-            };
-            Some(format!("NOT(OR({}))", spellings(choices).iter().map(is).collect::<Vec<_>>().join(",")))
+            let is = spellings(choices).iter().map(|word| says(cell, word)).collect::<Vec<_>>();
+            Some(format!("NOT(OR({}))", is.join(",")))
         }
         FieldKind::Line { max } => Some(format!("LEN({cell})>{max}")),
         FieldKind::Date => Some(format!("LEN({cell})>{DATE}")),

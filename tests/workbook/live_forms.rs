@@ -353,12 +353,14 @@ fn the_sizes_of_a_form_are_those_of_the_standard() {
         .map(|at| format!("xl/worksheets/sheet{at}.xml"))
         .filter(|part| parts.has(part))
         .map(|part| parts.text(&part))
-        .find(|text| text.contains(" / Sch 160"))
+        .find(|text| text.contains(" / 160"))
         .expect("the hidden sheet");
     for (nps, schedule) in [("3", "40"), ("48", "XS"), ("1/8", "10"), ("1-1/2", "XXS")] {
         let (outside, wall) = rodete::kinds::pipe::size::wall(nps, schedule).expect("a pipe");
-        let schedule = if schedule.starts_with('X') { schedule.to_owned() } else { format!("Sch {schedule}") };
-        let row = plan.split("<row ").find(|row| row.contains(&format!("\"{nps} in / {schedule}\""))).expect("its row");
+        let row = plan
+            .split("<row ")
+            .find(|row| row.contains(&format!("\"{nps} / {}\"", schedule.to_lowercase())))
+            .expect("its row");
         assert!(row.contains(&format!("<f>{outside}</f>")) && row.contains(&format!("<f>{wall}</f>")), "{row}");
     }
 }
@@ -488,6 +490,67 @@ fn the_plan_of_a_lathe_has_turret_and_tools_where_the_simulation_has_them() {
                 "{place}: {tip:?}, {wanted:?}"
             );
         }
+    }
+}
+
+/// A text in a cell, blanks and all.
+fn text(text: &str) -> String {
+    format!(" t=\"inlineStr\"><is><t xml:space=\"preserve\">{text}</t></is>")
+}
+
+/// The code of the stop with which `rodete check` rejects a form; none where it takes it.
+fn rejected(bytes: &[u8], kind: &str) -> Option<&'static str> {
+    let read = rodete::workbook::read(bytes, &[kind_of(kind).form()]);
+    let run = |filled: Filled| rodete::kinds::run(filled.form, filled.values, common::source());
+    match read.and_then(run) {
+        Err(refusal) => Some(refusal.findings.first().map_or("", Finding::code)),
+        Ok(_) => None,
+    }
+}
+
+/// Words as a number, as a text, with blanks about them, in capitals: the form and `check` take the same ones.
+#[test]
+fn a_form_takes_the_words_that_check_takes_and_no_others() {
+    if !libreoffice() {
+        return;
+    }
+    let number = |number: &str| format!("><v>{number}</v>");
+    let sizes = |names: [&'static str; 2], size: String, schedule: String| {
+        names.into_iter().zip([size, schedule]).collect::<Vec<_>>()
+    };
+    let (branch, header) = (["branch_size", "branch_schedule"], ["header_size", "header_schedule"]);
+    let cases: Vec<(&str, &str, Vec<(&str, String)>, bool)> = vec![
+        ("pipe-insert", "square", sizes(branch, number("3"), number("40")), true),
+        ("pipe-insert", "square", sizes(header, number("4"), number("40")), true),
+        ("pipe-hole", "set-in", sizes(branch, number("3"), number("40")), true),
+        ("pipe-hole", "set-in", sizes(header, text("6"), number("40")), true),
+        ("pipe-insert", "square", sizes(branch, text("3"), text("40")), true),
+        ("pipe-insert", "square", sizes(branch, text(" 3 in "), text(" sch 40")), true),
+        ("pipe-insert", "square", sizes(branch, text("3 IN"), text("xs ")), true),
+        ("pipe-insert", "square", sizes(branch, text(" 3  in"), text("Sch 40")), false),
+        ("pipe-insert", "square", sizes(branch, text("3in"), text("Sch 40")), false),
+        ("pipe-insert", "square", sizes(branch, number("3"), number("41")), false),
+        ("pipe-insert", "square", sizes(branch, number("0.5"), number("40")), false),
+        ("pipe-insert", "square", vec![("style", text(" full ")), ("feed_F", ">".to_owned())], false),
+        ("impeller", "clear", vec![("method", text(" clear"))], true),
+    ];
+    let folder = tempfile::tempdir().expect("a folder");
+    let books: Vec<(String, Vec<u8>)> = cases
+        .iter()
+        .enumerate()
+        .map(|(at, (kind, case, changes, _))| {
+            let change =
+                |bytes: Vec<u8>, (name, inner): &(&str, String)| with_on(&bytes, "DATA", &cell_of(&bytes, name), inner);
+            (format!("words-{at}"), changes.iter().fold(form(kind, case, Language::En), change))
+        })
+        .collect();
+    for ((kind, _, changes, taken), ((_, bytes), mut book)) in
+        cases.iter().zip(books.iter().zip(recalculated(folder.path(), false, &books)))
+    {
+        let told = range(&mut book, "DATA").get_value((0, 2)).map(ToString::to_string).unwrap_or_default();
+        assert_eq!(rejected(bytes, kind).is_none(), *taken, "{kind} {changes:?}: {:?}", rejected(bytes, kind));
+        assert_eq!(told.contains("rodete check"), *taken, "{kind} {changes:?}: {told}");
+        assert_eq!(told.starts_with("method = clear:"), *kind == "impeller", "{changes:?}: {told}");
     }
 }
 

@@ -5,7 +5,7 @@ use crate::table::{Formula, Unit};
 use crate::text::t;
 
 /// True where the part is cut clear: then the published limits decide nothing, and no formula tells whether the tools pass.
-const CLEAR: &str = "method=\"clear\"";
+const CLEAR: &str = "TRIM(method)=\"clear\"";
 
 /// The points of one face of a blade in the view, less one.
 const STEPS: usize = 8;
@@ -59,7 +59,7 @@ pub fn live() -> LiveForm {
 fn rows() -> Vec<LiveRow> {
     let row = LiveRow::length;
     let told = t("regla publicada; con clear, rodete check", "published rule; for clear, rodete check");
-    let published = |wrong: &str| format!("AND(method<>\"clear\",{wrong})");
+    let published = |wrong: &str| format!("AND(TRIM(method)<>\"clear\",{wrong})");
     vec![
         row("L", "live_L", t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H").wrong(
             "live_L<=MAX(torus_R,meridian_r)",
@@ -95,7 +95,7 @@ fn rows() -> Vec<LiveRow> {
             "tool_diameter_d_t",
         )
         .wrong(
-            format!("AND({CLEAR},cut_partly<>\"yes\",cut_partly<>\"sí\",live_gap<tool_diameter_d_t)"),
+            format!("AND({CLEAR},TRIM(cut_partly)<>\"yes\",TRIM(cut_partly)<>\"sí\",TRIM(cut_partly)<>\"si\",live_gap<tool_diameter_d_t)"),
             t("más estrecha que la herramienta", "narrower than the tool"),
             "tool_diameter_d_t",
         )
@@ -182,7 +182,7 @@ fn machine() -> Vec<LiveRow> {
 fn program() -> Vec<LiveRow> {
     let given = |symbol, name, meaning, input: &'static str| {
         LiveRow::length(symbol, name, meaning, format!("IF(ISNUMBER({input}),{input},\"\")")).always().wrong(
-            format!("AND(style=\"full\",NOT(ISNUMBER({input})))"),
+            format!("AND(TRIM(style)=\"full\",NOT(ISNUMBER({input})))"),
             t("style = full lo necesita", "style = full needs it"),
             input,
         )
@@ -198,18 +198,18 @@ fn program() -> Vec<LiveRow> {
             .always()
             .unit(Unit::None)
             .wrong(
-                format!("AND({CLEAR},style=\"annex\")"),
+                format!("AND({CLEAR},TRIM(style)=\"annex\")"),
                 t("clear necesita style = full", "clear needs style = full"),
                 "style",
             )
             .wrong(
-                "AND(style=\"annex\",dialect=\"linuxcnc\")",
+                "AND(TRIM(style)=\"annex\",TRIM(dialect)=\"linuxcnc\")",
                 t("annex no lleva avance, y LinuxCNC lo necesita", "annex has no feed, and LinuxCNC needs one"),
                 "style",
             )
             // Left empty, the axes count as those of the control do.
             .wrong(
-                "AND(style=\"full\",distance=\"G90\",OR(rotary_axes=\"rollover\",AND(LEN(rotary_axes)=0,LEFT(dialect,10)=\"fagor-8055\")))",
+                "AND(TRIM(style)=\"full\",TRIM(distance)=\"G90\",OR(TRIM(rotary_axes)=\"rollover\",AND(LEN(TRIM(rotary_axes))=0,LEFT(TRIM(dialect),10)=\"fagor-8055\")))",
                 t("G90 con ejes rollover: B y C darían la vuelta", "G90 with rollover axes: B and C would turn the long way"),
                 "distance",
             ),
@@ -345,7 +345,7 @@ fn view() -> LiveView {
         to[0].push(format!("IF({when},{x},0)").into());
         to[1].push(format!("IF({when},{y},0)").into());
     };
-    let wanted = "AND(live_ok,OR(splitters=\"yes\",splitters=\"sí\"))";
+    let wanted = "AND(live_ok,OR(TRIM(splitters)=\"yes\",TRIM(splitters)=\"sí\",TRIM(splitters)=\"si\"))";
     for k in 0..BLADES {
         turns.push(ok(format!("2*PI()/blades_N*MIN({k},blades_N-1)")));
         let turn = cell('F', k);

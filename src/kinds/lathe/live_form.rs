@@ -248,7 +248,7 @@ fn view() -> LiveView {
     let single: Vec<Formula> = vec![
         format!("IF(live_ok,IF({referred},reference_R_X/2,{free_x}),0)").into(),
         format!("IF(live_ok,IF({referred},reference_R_Z,{free_z}),0)").into(),
-        "IF(OR(turret=\"rear\",turret=\"trasera\"),1,-1)".into(),
+        "IF(OR(TRIM(turret)=\"rear\",TRIM(turret)=\"trasera\"),1,-1)".into(),
         format!("MIN({})", all(0)).into(),
         format!("MAX({})", all(0)).into(),
         format!("MIN({})", all(1)).into(),
@@ -257,7 +257,7 @@ fn view() -> LiveView {
         format!("IF($G$5>$G$4,1/MAX(($G$5-$G$4)/2,($G$7-$G$6)/2/{HEIGHT}),0)").into(),
         "COUNT([tools.T])".into(),
         format!(
-            "IF(live_ok,OR(tailstock=\"yes\",tailstock=\"sí\",AND(NOT(tailstock=\"no\"),stock_L-held_L4>{}*stock_D)),FALSE)",
+            "IF(live_ok,OR(TRIM(tailstock)=\"yes\",TRIM(tailstock)=\"sí\",TRIM(tailstock)=\"si\",AND(NOT(TRIM(tailstock)=\"no\"),stock_L-held_L4>{}*stock_D)),FALSE)",
             tailstock.beyond
         )
         .into(),

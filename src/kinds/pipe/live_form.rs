@@ -1,7 +1,8 @@
-//! What the live cells of both pipe workbooks share: the standard's sizes, looked up in a form as they are chosen.
+//! What the live cells of both pipe workbooks share: the standard's sizes, looked up in a form as they are chosen. As in the form's
+//! values, `3` and `40`, texts or numbers, are the size `3 in` and the schedule `Sch 40`.
 
 use crate::kind::live_form::{LiveRow, Wrong};
-use crate::kinds::pipe::size::{NPS, SCHEDULES, SIZES};
+use crate::kinds::pipe::size::SIZES;
 use crate::table::Formula;
 use crate::text::{Text, t};
 
@@ -33,11 +34,23 @@ pub(super) const HEADER: Names = Names {
     found: "Plan!$D$2",
 };
 
+impl Names {
+    /// The key of the size that is chosen, as a formula in small letters: without the unit of its label.
+    fn size_key(&self) -> String {
+        format!("SUBSTITUTE(LOWER(TRIM({})),\" in\",\"\")", self.size)
+    }
+
+    /// The key of the schedule that is chosen.
+    fn schedule_key(&self) -> String {
+        format!("SUBSTITUTE(LOWER(TRIM({})),\"sch \",\"\")", self.schedule)
+    }
+}
+
 /// The formula of the outside diameter of a pipe: the one that is typed, else that of the nominal size it was built with. Of another
 /// size it is not known: #N/A, not a figure of before.
 pub(super) fn diameter(pipe: &Names, D: f64) -> String {
     let of = |one: &&super::size::Size| same(one.outside, D);
-    let named = SIZES.iter().filter(of).map(|one| format!("TRIM({})=\"{}\"", pipe.size, label(NPS, one.nps)));
+    let named = SIZES.iter().filter(of).map(|one| format!("{}=\"{}\"", pipe.size_key(), one.nps));
     typed_or(pipe.diameter, named.collect(), D)
 }
 
@@ -46,8 +59,8 @@ pub(super) fn thickness(pipe: &Names, [D, t]: [f64; 2]) -> String {
     let of = SIZES.iter().filter(|one| same(one.outside, D)).flat_map(|one| {
         let walls = one.walls.iter().filter(|(_, wall)| same(*wall, t));
         walls.map(|(schedule, _)| {
-            let [size, schedule] = [label(NPS, one.nps), label(SCHEDULES, schedule)];
-            format!("AND(TRIM({})=\"{size}\",TRIM({})=\"{schedule}\")", pipe.size, pipe.schedule)
+            let (size, key) = (pipe.size_key(), pipe.schedule_key());
+            format!("AND({size}=\"{}\",{key}=\"{}\")", one.nps, schedule.to_lowercase())
         })
     });
     typed_or(pipe.wall, of.collect(), t)
@@ -66,16 +79,12 @@ fn same(one: f64, other: f64) -> bool {
     (one - other).abs() < 1e-9
 }
 
-fn label(choices: &[crate::parameter::Choice], key: &str) -> String {
-    choices.iter().find(|choice| choice.key == key).map_or(String::new(), |choice| choice.label.en.to_string())
-}
-
-/// Columns A to C of the hidden sheet: size and schedule, outside diameter, wall.
+/// Columns A to C of the hidden sheet: size and schedule by their keys, outside diameter, wall.
 pub(super) fn sizes() -> [Vec<Formula>; 3] {
     let [mut words, mut diameters, mut walls] = [Vec::new(), Vec::new(), Vec::new()];
     for size in SIZES {
         for (schedule, wall) in size.walls {
-            words.push(format!("\"{} / {}\"", label(NPS, size.nps), label(SCHEDULES, schedule)).into());
+            words.push(format!("\"{} / {}\"", size.nps, schedule.to_lowercase()).into());
             diameters.push(size.outside.to_string().into());
             walls.push(wall.to_string().into());
         }
@@ -86,7 +95,7 @@ pub(super) fn sizes() -> [Vec<Formula>; 3] {
 /// The first cells of column D: where branch and header stand among the sizes.
 pub(super) fn found() -> Vec<Formula> {
     let found = |pipe: &Names| {
-        let row = format!("MATCH(TRIM({})&\" / \"&TRIM({}),$A$1:$A${},0)", pipe.size, pipe.schedule, count());
+        let row = format!("MATCH({}&\" / \"&{},$A$1:$A${},0)", pipe.size_key(), pipe.schedule_key(), count());
         format!("IF(ISNUMBER({row}),{row},0)").into()
     };
     vec![found(&BRANCH), found(&HEADER)]
@@ -125,11 +134,11 @@ fn pipe(pipe: &Names, symbols: [&'static str; 2], meanings: &[Text; 2]) -> Vec<L
     let Names { size, schedule, diameter, wall, live: [D, own_t], found } = *pipe;
     let value = |column: char, typed: &str| {
         format!(
-            "IF({found}>0,INDEX(Plan!${column}$1:${column}${},{found}),IF(AND(LEN({size})=0,LEN({schedule})=0,ISNUMBER({diameter}),ISNUMBER({wall})),{typed},\"\"))",
+            "IF({found}>0,INDEX(Plan!${column}$1:${column}${},{found}),IF(AND(LEN(TRIM({size}))=0,LEN(TRIM({schedule}))=0,ISNUMBER({diameter}),ISNUMBER({wall})),{typed},\"\"))",
             count()
         )
     };
-    let named = format!("AND(LEN({size})>0,LEN({schedule})>0)");
+    let named = format!("AND(LEN(TRIM({size}))>0,LEN(TRIM({schedule}))>0)");
     let other = |typed: &str, own: &str| format!("IF(ISNUMBER({typed}),ABS({typed}-{own})>0.000000001,FALSE)");
     let [of_D, of_t] = meanings.clone();
     let Wrong { when, words, input } = thick(pipe);

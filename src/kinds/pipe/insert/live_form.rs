@@ -34,8 +34,8 @@ pub fn live() -> LiveForm {
 
 /// A radius of the branch: the one that is typed, else that of a surface, in the words of either language.
 fn radius(typed: &str, choice: &str) -> String {
-    let inside = format!("OR({choice}=\"inside\",{choice}=\"interior\",{})", enveloped(choice));
-    let mean = format!("OR({choice}=\"mean\",{choice}=\"media\")");
+    let inside = format!("OR(TRIM({choice})=\"inside\",TRIM({choice})=\"interior\",{})", enveloped(choice));
+    let mean = format!("OR(TRIM({choice})=\"mean\",TRIM({choice})=\"media\")");
     format!("IF(ISNUMBER({typed}),{typed},live_branch_D/2-IF({inside},live_branch_t,IF({mean},live_branch_t/2,0)))")
 }
 
@@ -100,24 +100,24 @@ fn rows() -> Vec<LiveRow> {
         LiveRow::length("F", "live_F", t("Velocidad de corte", "Cutting speed"), "IF(ISNUMBER(feed_F),feed_F,\"\")")
             .unit(Unit::MillimetrePerMinute)
             .wrong(
-                "AND(style=\"full\",NOT(ISNUMBER(feed_F)))",
+                "AND(TRIM(style)=\"full\",NOT(ISNUMBER(feed_F)))",
                 t("style = full necesita F", "style = full needs F"),
                 "feed_F",
             ),
         LiveRow::length("style", "live_style", t("Estilo del programa", "Style of the program"), "style&\"\"")
             .unit(Unit::None)
             .wrong(
-                "AND(style=\"annex\",OR(mode=\"rotary\",mode=\"giratorio\"))",
+                "AND(TRIM(style)=\"annex\",OR(TRIM(mode)=\"rotary\",TRIM(mode)=\"giratorio\"))",
                 t("annex es en chapa plana", "annex is on flat sheet"),
                 "style",
             )
             .wrong(
-                "AND(style=\"annex\",dialect=\"linuxcnc\")",
+                "AND(TRIM(style)=\"annex\",TRIM(dialect)=\"linuxcnc\")",
                 t("annex no lleva avance, y LinuxCNC lo necesita", "annex has no feed, and LinuxCNC needs one"),
                 "style",
             ),
         LiveRow::length("kerf", "live_kerf", t("Ancho de corte", "Kerf"), "IF(ISNUMBER(kerf),kerf,\"\")").wrong(
-            "AND(style=\"full\",OR(mode=\"rotary\",mode=\"giratorio\"),ISNUMBER(kerf),kerf>live_branch_D/2-live_branch_t)",
+            "AND(TRIM(style)=\"full\",OR(TRIM(mode)=\"rotary\",TRIM(mode)=\"giratorio\"),ISNUMBER(kerf),kerf>live_branch_D/2-live_branch_t)",
             t("mayor que el radio interior del injerto", "larger than the inside radius of the branch"),
             "kerf",
         ),

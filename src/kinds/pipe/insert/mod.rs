@@ -241,14 +241,14 @@ fn no_room(error: OutOfFormat) -> Vec<Finding> {
 /// The formula of a radius of the branch: the one that is typed, else that of a surface, in the words of either language.
 fn radius(design: &Design, typed: &str, choice: &str) -> String {
     let (D, t) = (diameter(&BRANCH, design.branch.D), thickness(&BRANCH, [design.branch.D, design.branch.t]));
-    let inside = format!("OR({choice}=\"inside\",{choice}=\"interior\",{})", enveloped(choice));
-    let mean = format!("OR({choice}=\"mean\",{choice}=\"media\")");
+    let inside = format!("OR(TRIM({choice})=\"inside\",TRIM({choice})=\"interior\",{})", enveloped(choice));
+    let mean = format!("OR(TRIM({choice})=\"mean\",TRIM({choice})=\"media\")");
     format!("IF(ISNUMBER({typed}),{typed},{D}/2-IF({inside},{t},IF({mean},{t}/2,0)))")
 }
 
 /// Whether a choice is the envelope, in the words of either language.
 fn enveloped(choice: &str) -> String {
-    format!("{choice}=\"envelope\",{choice}=\"envolvente\"")
+    format!("TRIM({choice})=\"envelope\",TRIM({choice})=\"envolvente\"")
 }
 
 /// Derived lengths, angles and times.
