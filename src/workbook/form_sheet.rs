@@ -149,12 +149,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
     fn live_part(&self) -> Option<LivePart<'_>> {
         let [width, _] = self.sketch.map_or([0, 0], |sketch| sketch.size());
         let column = SKETCH + ColNum::try_from(width / PLAIN).unwrap_or_default() + 2;
-        self.live.map(|form| LivePart {
-            form,
-            sheet: self.sheet.name.get(self.language),
-            column,
-            language: self.language,
-        })
+        self.live.map(|form| LivePart { form, sheet: self.sheet, column, language: self.language })
     }
 
     /// True for a section that may stay empty, and is: it comes folded.

@@ -13,9 +13,9 @@ use super::error::WriteError;
 use super::list_sheet;
 use super::live_ranges;
 use super::style::{Styles, digits};
-use crate::kind::live_form::{LiveForm, LiveLook, LiveRow, LiveView};
-use crate::parameter::Form;
+use crate::kind::live_form::{LiveForm, LiveLook, LiveRow, LiveView, Wrong};
 use crate::parameter::list::List;
+use crate::parameter::{Form, Sheet};
 use crate::text::{Language, Text, t};
 
 /// The hidden sheet of the view.
@@ -34,8 +34,8 @@ const WIDTHS: [f64; 4] = [11.0, 12.0, 7.0, 42.0];
 pub struct LivePart<'a> {
     /// What is computed.
     pub form: &'a LiveForm,
-    /// The sheet's name.
-    pub sheet: &'a str,
+    /// The sheet of the form that it stands on.
+    pub sheet: &'static Sheet,
     /// Its first column.
     pub column: ColNum,
     /// The language.
@@ -107,10 +107,12 @@ impl LivePart<'_> {
         if let Some((when, words)) = &self.form.undecided {
             hold = format!("IF({when},\"{}\",{hold})", words.get(language));
         }
-        let unsound =
-            self.form.unsound.iter().rev().fold("\"\"".to_owned(), |rest, one| {
-                format!("IF({},\"{}\",{rest})", one.when, one.words.get(language))
-            });
+        let unsound = self
+            .form
+            .unsound
+            .iter()
+            .rev()
+            .fold("\"\"".to_owned(), |rest, one| format!("IF({},{},{rest})", one.when, self.told(one, "")));
         let formula = format!(
             "IF(live_outside>0,{outside}&IF(live_outside>1,\" (+\"&(live_outside-1)&\")\",\"\"),IF(live_wrong>0,{broken}&IF(live_wrong>1,\" (+\"&(live_wrong-1)&\")\",\"\"),IF(live_missing>0,\"{}\"&live_missing&\" (\"&{missing}&\")\",IF(live_ok,{hold},{unsound}))))",
             MISSING.get(language),
@@ -156,7 +158,7 @@ impl LivePart<'_> {
             sheet.set_column_width(column, width)?;
             write_text(sheet, first, column, heading.get(language), &styles.header)?;
         }
-        let quoted = quote_sheet_name(self.sheet);
+        let quoted = quote_sheet_name(self.sheet.name.get(language));
         let letter = rust_xlsxwriter::utility::column_number_to_name(self.column + 1);
         let place = |row: RowNum| format!("={quoted}!${letter}${}", row + 1);
         let mut names = Vec::new();
@@ -193,6 +195,17 @@ impl LivePart<'_> {
         let chart = self.chart();
         sheet.insert_chart(row + 2, self.column, &chart)?;
         Ok(names)
+    }
+
+    /// What the line says of a broken limit, as a formula: the input that is to be changed with its cell, where there is one; else the
+    /// symbol of the row.
+    fn told(&self, wrong: &Wrong, symbol: &str) -> String {
+        let words = wrong.words.get(self.language);
+        let mut own = self.sheet.sections.iter().flat_map(|section| section.parameters);
+        match own.find(|one| one.name == wrong.input) {
+            Some(input) => format!("{}&\": {words}\"", live_ranges::placed(input, None)),
+            None => format!("\"{symbol}: {words}\""),
+        }
     }
 
     /// What the other formulas ask, by defined names, with the formulas that answer.
@@ -260,7 +273,13 @@ impl LivePart<'_> {
     /// # Errors
     /// For more cells than a sheet has.
     pub fn write_hidden(&self, workbook: &mut Workbook, form: &Form) -> Result<(), WriteError> {
-        let told = |row: &LiveRow| Some((row.broken()?, format!("\"{}: \"&{}", row.symbol, row.words(self.language))));
+        let told = |row: &LiveRow| {
+            let first =
+                row.wrong.iter().rev().fold("\"\"".to_owned(), |rest, one| {
+                    format!("IF({},{},{rest})", one.when, self.told(one, row.symbol))
+                });
+            Some((row.broken()?, row.once(&first, "\"\"")))
+        };
         let broken: Vec<_> = self.form.rows.iter().filter_map(told).collect();
         let answers = self.answers().map(|(_, answer)| answer);
         live_ranges::write(workbook, (form, self.form), &broken, answers, self.language)?;

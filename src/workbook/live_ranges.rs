@@ -12,7 +12,7 @@ use super::list_sheet;
 use super::validation::{beyond, range, spellings, unknown};
 use crate::kind::live_form::LiveForm;
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{FieldKind, Form, Parameter};
+use crate::parameter::{FieldKind, Form, Parameter, Sheet};
 use crate::text::{Language, Text, t};
 
 /// The hidden sheet: what is asked for, its state, and the words for it where it is not right. The inputs that must be there
@@ -77,7 +77,13 @@ pub fn first_missing() -> String {
     format!("INDEX({SHEET}!$A:$A,MATCH({NO_NUMBER},{SHEET}!$B:$B,0))")
 }
 
-/// An input that is asked for.
+/// The symbol of an input with its cell, as a formula: `N (C11)`, on the sheet of the form that is named where it is not the first.
+pub fn placed(input: &Parameter, sheet: Option<&str>) -> String {
+    let (symbol, name, sheet) = (input.symbol(), input.name, sheet.map_or_else(String::new, |name| format!("{name}!")));
+    format!("\"{symbol} ({sheet}\"&ADDRESS(ROW({name}),COLUMN({name}),4)&\")\"")
+}
+
+/// An input that is asked for: its symbol, and the formulas of its state and of the words for it.
 struct Asked {
     symbol: String,
     state: String,
@@ -85,8 +91,8 @@ struct Asked {
 }
 
 impl Asked {
-    /// What stands in a cell with a defined name.
-    fn cell(parameter: &Parameter, wanted: bool, language: Language) -> Option<Self> {
+    /// What stands in a cell with a defined name; on which sheet, where it is not the first.
+    fn cell(parameter: &Parameter, sheet: Option<&str>, wanted: bool, language: Language) -> Option<Self> {
         let (name, empty) = (parameter.name, if wanted { NO_NUMBER } else { 0 });
         let state = match (beyond(&parameter.kind, name), unknown(&parameter.kind, name)) {
             (Some(beyond), _) => {
@@ -97,7 +103,7 @@ impl Asked {
         Some(Self {
             symbol: parameter.symbol().to_owned(),
             state: format!("IF(ISERROR({name}),{NO_NUMBER},{state})"),
-            words: words(parameter.symbol(), parameter, language),
+            words: words(&placed(parameter, sheet), parameter, language),
         })
     }
 
@@ -112,7 +118,7 @@ impl Asked {
                 let cells = cells()?;
                 let known =
                     spellings(choices).iter().map(|word| format!("-COUNTIF({cells},\"{word}\")")).collect::<String>();
-                let words = words(&symbol, parameter, language);
+                let words = words(&format!("\"{symbol}\""), parameter, language);
                 return Some(Self { symbol, state: format!("IF(COUNTA({cells}){known}<>0,{OUTSIDE},0)"), words });
             }
             _ => return None,
@@ -126,42 +132,47 @@ impl Asked {
         };
         Some(Self {
             state: format!("IF({broken}>0,{OUTSIDE},IF(COUNTA({cells})>COUNT({cells}),{NO_NUMBER},0))"),
-            words: words(&symbol, parameter, language),
+            words: words(&format!("\"{symbol}\""), parameter, language),
             symbol,
         })
     }
 }
 
-/// What is said of an input that is not allowed.
+/// What is said of an input that is not allowed, as a formula; `symbol` is one.
 fn words(symbol: &str, parameter: &Parameter, language: Language) -> String {
     static OUT: Text = t("fuera del intervalo admitido", "outside the allowed range");
     static LISTED: Text = t("no es de la lista", "not one of the list");
     match parameter.kind {
         FieldKind::Real { .. } | FieldKind::Whole { .. } => {}
-        FieldKind::Choice(_) => return format!("{symbol}: {}", LISTED.get(language)),
-        _ => return format!("{symbol}: {}", range(parameter).get(language)),
+        FieldKind::Choice(_) => return format!("{symbol}&\": {}\"", LISTED.get(language)),
+        _ => return format!("{symbol}&\": {}\"", range(parameter).get(language)),
     }
     let (range, unit) = (range(parameter), parameter.unit.label());
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-    format!("{symbol}: {} ({}{unit})", OUT.get(language), range.get(language))
+    format!("{symbol}&\": {} ({}{unit})\"", OUT.get(language), range.get(language))
 }
 
 /// What is asked for: what the live form needs, then every other input of the form, and numbers and choices of its lists.
 fn asked(form: &Form, live: &LiveForm, language: Language) -> Vec<Asked> {
+    let other = |sheet: &'static Sheet| {
+        let first = form.sheets.first().is_some_and(|first| first.name == sheet.name);
+        (!first).then(|| sheet.name.get(language))
+    };
     let wanted = |name: &str| {
         let own = form.parameters().find(|(_, parameter)| parameter.name == name);
-        own.and_then(|(_, parameter)| Asked::cell(parameter, true, language)).unwrap_or_else(|| {
+        own.and_then(|(sheet, parameter)| Asked::cell(parameter, other(sheet), true, language)).unwrap_or_else(|| {
             let symbol = live.rows.iter().find(|row| row.name == name).map_or(name, |row| row.symbol);
             Asked {
                 symbol: symbol.to_owned(),
                 state: format!("IF(ISNUMBER({name}),0,{NO_NUMBER})"),
-                words: symbol.to_owned(),
+                words: format!("\"{symbol}\""),
             }
         })
     };
     let others = form.parameters().filter(|(_, parameter)| !live.inputs.contains(&parameter.name));
-    let others =
-        others.filter_map(|(sheet, parameter)| Asked::cell(parameter, parameter.required && !sheet.optional, language));
+    let others = others.filter_map(|(sheet, parameter)| {
+        Asked::cell(parameter, other(sheet), parameter.required && !sheet.optional, language)
+    });
     let listed = form.lists.iter().flat_map(|list| {
         let sheet = match &list.naming {
             Naming::One(name) => name.get(language),
@@ -189,7 +200,7 @@ pub fn write<const N: usize>(
     for (row, one) in (0..).zip(asked(form, live, language)) {
         sheet.write_string(row, 0, &one.symbol)?;
         sheet.write_formula(row, 1, uncomputed(&one.state))?;
-        sheet.write_string(row, 2, &one.words)?;
+        sheet.write_formula(row, 2, uncomputed(&one.words))?;
     }
     for (row, (broken, told)) in (0..).zip(broken) {
         sheet.write_formula(row, BROKEN, uncomputed(&format!("IF({broken},1,0)")))?;

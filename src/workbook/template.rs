@@ -152,8 +152,8 @@ fn write_all<W: Write + Seek + Send>(
     if let Some(variants) = variants {
         made.extend(sweep_sheet::write(&mut workbook, variants, &look)?);
     }
-    if let Some(live) = &live {
-        LivePart { form: live, sheet: "", column: 0, language }.write_hidden(&mut workbook, form)?;
+    if let (Some(live), Some(sheet)) = (&live, form.sheets.first()) {
+        LivePart { form: live, sheet, column: 0, language }.write_hidden(&mut workbook, form)?;
     }
     save(&mut workbook, additions, out)?;
     Ok(made)

@@ -358,15 +358,15 @@ fn the_form_computes_its_limits_and_names_the_one_that_is_broken() {
         let words = match language {
             Language::En => [
                 "rodete check checks the rest",
-                "gap: too narrow for the tool (+2)",
+                "): the gap is too narrow for the tool (+2)",
                 "no numbers: 1",
-                "R must be larger than r",
+                "): R must be larger than r",
             ],
             Language::Es => [
                 "rodete check comprueba lo demás",
-                "gap: demasiado estrecha para la herramienta (+2)",
+                "): la separación es demasiado estrecha para la herramienta (+2)",
                 "no son números: 1",
-                "R ha de ser mayor que r",
+                "): R debe ser mayor que r",
             ],
         };
         for (told, words) in told.iter().zip(words) {

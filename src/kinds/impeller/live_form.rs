@@ -35,12 +35,12 @@ pub fn live() -> LiveForm {
         unsound: vec![
             Wrong::new(
                 "meridian_r>=torus_R*(1-0.000001)",
-                t("R ha de ser mayor que r", "R must be larger than r"),
+                t("R debe ser mayor que r", "R must be larger than r"),
                 "meridian_r",
             ),
             Wrong::new(
                 "depth_a_p>=torus_R-meridian_r",
-                t("a_p ha de ser menor que R − r", "a_p must be less than R − r"),
+                t("a_p debe ser menor que R − r", "a_p must be less than R − r"),
                 "depth_a_p",
             ),
         ],
@@ -63,7 +63,7 @@ fn rows() -> Vec<LiveRow> {
     vec![
         row("L", "live_L", t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H").wrong(
             "live_L<=MAX(torus_R,meridian_r)",
-            t("debe ser mayor que R", "must be larger than R"),
+            t("L debe ser mayor que R", "L must be larger than R"),
             "height_H",
         ),
         row("k", "live_k", t("√(R² − r²)", "√(R² − r²)"), "SQRT((torus_R-meridian_r)*(torus_R+meridian_r))"),
@@ -91,12 +91,12 @@ fn rows() -> Vec<LiveRow> {
         )
         .wrong(
             published("live_gap<live_d"),
-            t("demasiado estrecha para la herramienta", "too narrow for the tool"),
+            t("la separación es demasiado estrecha para la herramienta", "the gap is too narrow for the tool"),
             "tool_diameter_d_t",
         )
         .wrong(
             format!("AND({CLEAR},TRIM(cut_partly)<>\"yes\",TRIM(cut_partly)<>\"sí\",TRIM(cut_partly)<>\"si\",live_gap<tool_diameter_d_t)"),
-            t("más estrecha que la herramienta", "narrower than the tool"),
+            t("la separación es más estrecha que la herramienta", "the gap is narrower than the tool"),
             "tool_diameter_d_t",
         )
         .wrong(
@@ -210,7 +210,7 @@ fn program() -> Vec<LiveRow> {
             // Left empty, the axes count as those of the control do.
             .wrong(
                 "AND(TRIM(style)=\"full\",TRIM(distance)=\"G90\",OR(TRIM(rotary_axes)=\"rollover\",AND(LEN(TRIM(rotary_axes))=0,LEFT(TRIM(dialect),10)=\"fagor-8055\")))",
-                t("G90 con ejes rollover: B y C darían la vuelta", "G90 with rollover axes: B and C would turn the long way"),
+                t("con G90 y ejes rollover B y C darían la vuelta", "G90 with rollover axes turns B and C the long way"),
                 "distance",
             ),
     ]
@@ -273,7 +273,7 @@ fn blank() -> Vec<LiveRow> {
         )
         .wrong(
             "AND(ISNUMBER(blank_length_L_b),blank_length_L_b<=meridian_r)",
-            t("L_b ha de ser mayor que r", "L_b must be larger than r"),
+            t("L_b debe ser mayor que r", "L_b must be larger than r"),
             "blank_length_L_b",
         ),
         LiveRow::length(

@@ -39,7 +39,7 @@ fn rows() -> Vec<LiveRow> {
         ends.into_iter().fold(travel(symbol, name, meaning, ends), |row, end| {
             row.wrong(
                 format!("AND(COUNT(body_BX_min,body_BX_max,body_BZ_min,body_BZ_max)>0,NOT(ISNUMBER({end})))"),
-                t("falta: el cuerpo lleva sus cuatro medidas", "missing: the body needs all four sizes"),
+                t("el cuerpo lleva sus cuatro medidas", "the body needs all four sizes"),
                 end,
             )
         })
@@ -112,7 +112,7 @@ fn rows() -> Vec<LiveRow> {
         )
         .wrong(
             "AND(ISNUMBER(reference_R_Z),NOT(ISNUMBER(reference_R_X)))",
-            t("falta: con R_Z va R_X", "missing: R_Z needs R_X"),
+            t("con R_Z va R_X", "R_Z needs R_X"),
             "reference_R_X",
         ),
         LiveRow::length(
@@ -123,7 +123,7 @@ fn rows() -> Vec<LiveRow> {
         )
         .wrong(
             "AND(ISNUMBER(reference_R_X),NOT(ISNUMBER(reference_R_Z)))",
-            t("falta: con R_X va R_Z", "missing: R_X needs R_Z"),
+            t("con R_X va R_Z", "R_X needs R_Z"),
             "reference_R_Z",
         ),
         LiveRow::length(

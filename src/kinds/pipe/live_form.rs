@@ -152,7 +152,7 @@ fn pipe(pipe: &Names, symbols: [&'static str; 2], meanings: &[Text; 2]) -> Vec<L
             )
             .wrong(
                 format!("AND(NOT({named}),NOT(ISNUMBER({D})))"),
-                t("falta: tamaño y cédula, o D y t", "missing: size and schedule, or D and t"),
+                t("faltan tamaño y cédula, o D y t", "size and schedule are missing, or D and t"),
                 size,
             )
             .wrong(

@@ -115,7 +115,7 @@ fn rows() -> Vec<LiveRow> {
         )
         .wrong(
             "IF(ISNUMBER(live_D_most),live_D_most>greatest_height_D_max,FALSE)",
-            t("pasa de D_max: γ es demasiado grande", "above D_max: γ is too large"),
+            t("D pasa de D_max, γ es demasiado grande", "D is above D_max, γ is too large"),
             "groove_gamma",
         )
         .wrong(
@@ -131,7 +131,7 @@ fn rows() -> Vec<LiveRow> {
         LiveRow::length(
             "r − kerf/2",
             "live_lead_in_most",
-            t("La entrada ha de ser menor", "The lead-in must be less"),
+            t("La entrada debe ser menor", "The lead-in must be less"),
             "live_hole_r-live_kerf/2",
         )
         .wrong(
@@ -148,12 +148,12 @@ fn rows() -> Vec<LiveRow> {
         .unit(Unit::None)
         .wrong(
             "AND(LEN(TRIM(hold_on))=0,LEN(TRIM(hold_off))>0)",
-            t("falta: con hold_off va hold_on", "missing: hold_off needs hold_on"),
+            t("con hold_off va hold_on", "hold_off needs hold_on"),
             "hold_on",
         )
         .wrong(
             "AND(LEN(TRIM(hold_on))>0,LEN(TRIM(hold_off))=0)",
-            t("falta: con hold_on va hold_off", "missing: hold_on needs hold_off"),
+            t("con hold_on va hold_off", "hold_on needs hold_off"),
             "hold_off",
         ),
     ]);

@@ -72,7 +72,7 @@ fn rows() -> Vec<LiveRow> {
         )
         .wrong(
             "AND(live_e_max>=0,ABS(eccentricity_e)-live_e_max>0.000000001*live_header_R)",
-            t("e es demasiado grande: el injerto sobresale", "e is too large: the branch overhangs"),
+            t("e es demasiado grande, el injerto sobresale", "e is too large, the branch overhangs"),
             "eccentricity_e",
         ),
         LiveRow::length(
