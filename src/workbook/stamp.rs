@@ -7,12 +7,13 @@ use std::fmt::Write;
 
 use sha2::{Digest, Sha256};
 
-use super::address;
+use super::address::{self, Position};
 use super::book::Book;
 use super::gate::gate;
 use super::limits;
 use super::listing::SheetKind;
 use super::rules::form::SheetsOfAnotherBuild;
+use super::sheet_cells::{Content, SheetCells};
 use super::xml;
 use crate::escape::excerpt;
 use crate::finding::{Finding, Place, Raise, Refusal};
@@ -58,15 +59,19 @@ pub fn of(outcome: &Outcome) -> String {
     sum.iter().take(DIGITS / 2).map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// True, as a formula, where the workbook's stamp is another, or none.
+/// True, as a formula, where the workbook's stamp is another, or none, or is not the text of a cell, as it was written: what a formula
+/// shows may follow the sheet. A spreadsheet without ISFORMULA does not see that.
 pub(super) fn differs(stamp: &str) -> String {
-    format!("IF(ISERROR({NAME}),TRUE,{NAME}<>\"{stamp}\")")
+    let formula = format!("_xlfn.ISFORMULA({NAME})");
+    format!(
+        "IF(ISTEXT({NAME}),IF(ISREF({NAME}),IF(EXACT({NAME},\"{stamp}\"),IF(ISERROR({formula}),FALSE,{formula}),TRUE),TRUE),TRUE)"
+    )
 }
 
-/// The stamps that the formulas of a sheet's part compare with the workbook's.
+/// The stamps that the formulas of a sheet's part compare with the workbook's; `<>` is how sheets of before compare them.
 fn stamps(text: &str) -> impl Iterator<Item = &str> {
     text.split(NAME).skip(1).filter_map(|rest| {
-        let rest = rest.strip_prefix("&lt;&gt;")?;
+        let rest = rest.strip_prefix(',').or_else(|| rest.strip_prefix("&lt;&gt;"))?;
         let rest = rest.strip_prefix('"').or_else(|| rest.strip_prefix("&quot;"))?;
         rest.get(..DIGITS).filter(|stamp| stamp.bytes().all(|one| one.is_ascii_hexdigit()))
     })
@@ -92,7 +97,7 @@ pub fn others(bytes: &[u8]) -> Result<Option<Finding>, Refusal> {
         Some((entry, address::parse(&cell)?))
     });
     let present = match present {
-        Some((entry, at)) => book.read(entry, at.1 + 1)?.text(at).map(str::to_owned),
+        Some((entry, at)) => written(&book.read(entry, at.1 + 1)?, at),
         None => None,
     };
     let mut found = Vec::new();
@@ -111,6 +116,14 @@ pub fn others(bytes: &[u8]) -> Result<Option<Finding>, Refusal> {
     Ok(Some(SheetsOfAnotherBuild { sheets: found.join(", ") + more }.at(Place::File)))
 }
 
+/// The text of a cell, blanks and all, as the sheets' formulas compare it; none of a formula.
+fn written(sheet: &SheetCells, at: Position) -> Option<String> {
+    match &sheet.cell(at)?.content {
+        Content::Text(text, _) if !sheet.survey.formulas.contains(&at) => Some(text.clone()),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{differs, stamps};
@@ -119,7 +132,8 @@ mod tests {
     #[test]
     fn the_stamp_of_a_sheet_is_read_out_of_its_formulas() {
         let formula = differs("0123456789abcdef");
-        for text in [escape(&formula).into_owned(), escape(&formula).replace("&quot;", "\"")] {
+        let before = escape("build_stamp<>\"0123456789abcdef\"").into_owned();
+        for text in [escape(&formula).into_owned(), escape(&formula).replace("&quot;", "\""), before] {
             assert_eq!(stamps(&text).collect::<Vec<_>>(), ["0123456789abcdef"], "{text}");
         }
         assert_eq!(stamps("build_stamp&lt;&gt;\"short\"").count(), 0);

@@ -160,6 +160,49 @@ fn a_sheet_of_another_build_says_so() {
     }
 }
 
+/// The stamp counts as it was written, in a cell of its own: whatever else shows the same is no stamp, for `check` and for the sheets.
+#[test]
+fn only_the_stamp_that_was_written_is_one() {
+    let new = results_of("impeller", "full");
+    let parts = Parts::of(&new);
+    let stamp = {
+        let mut book: Xlsx<_> = open_workbook_from_rs(Cursor::new(new.clone())).expect("the results");
+        book.worksheet_range(SHEET).expect("the guard").get_value((0, 1)).expect("the stamp").to_string()
+    };
+    let capitals = stamp.to_uppercase();
+    assert_ne!(capitals, stamp, "a stamp without letters shows nothing");
+    let typed = |inner: &str| with_on(&new, SHEET, "B1", inner);
+    let listed = parts.text("xl/workbook.xml");
+    let (before, rest) = listed.split_once("<definedName name=\"build_stamp\">").expect("the stamp's name");
+    let (_, after) = rest.split_once('<').expect("its end");
+    let constant = format!("{before}<definedName name=\"build_stamp\">\"{stamp}\"<{after}");
+    let books = [
+        ("capitals", typed(&text(&capitals))),
+        ("blank", typed(&text(&format!("{stamp} ")))),
+        ("number", typed("><v>1234567890123456</v>")),
+        ("formula", typed(&format!(" t=\"str\"><f>\"{stamp}\"</f><v>{stamp}</v>"))),
+        ("uncalculated", typed(&format!("><f>\"{stamp}\"</f>"))),
+        ("constant", parts.put("xl/workbook.xml", constant).zip()),
+    ];
+    assert_eq!(of_another(&typed(&text(&stamp))), None);
+    for (name, book) in &books {
+        let told = of_another(book).unwrap_or_default();
+        assert!(told.contains("Annex 2") || told.contains(", …"), "{name}: {told}");
+    }
+    if !libreoffice() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut files = books.map(|(name, book)| (name.to_owned(), book)).to_vec();
+    files.push(("same".to_owned(), typed(&text(&stamp))));
+    for ((name, _), mut book) in files.iter().zip(recalculated(folder.path(), false, &files)) {
+        for sheet in ["DATA", "Annex 2"] {
+            let line = range(&mut book, sheet).get_value((1, 0)).map(ToString::to_string).unwrap_or_default();
+            assert_eq!(line.starts_with("NOT VERIFIED: this sheet"), name != "same", "{name}, {sheet}: {line}");
+        }
+    }
+}
+
 /// Row and column of an address, from 0.
 fn place(address: &str) -> (u32, u32) {
     let split = address.find(|one: char| one.is_ascii_digit()).expect("a row");
