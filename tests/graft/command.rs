@@ -68,6 +68,22 @@ fn a_sheet_of_the_owner_is_not_taken_for_the_form_by_its_name() {
         .stderr(predicate::str::contains("W0505").and(predicate::str::contains("rename").not()));
 }
 
+/// A sheet of the owner has the name of the form's: what `check` says to do helps.
+#[test]
+fn beside_a_sheet_of_the_owner_with_the_name_of_the_form_one_is_put_in() {
+    let folder = folder();
+    let mut own = rust_xlsxwriter::Workbook::new();
+    own.add_worksheet().set_name("DATA").expect("a name").write(0, 0, "Prices").expect("a cell");
+    own.save(folder.path().join("own.xlsx")).expect("a book");
+    rodete(&folder)
+        .args(["check", "own.xlsx"])
+        .assert()
+        .code(3)
+        .stderr(predicate::str::contains("W0511").and(predicate::str::contains("rodete new KIND --into BOOK")));
+    rodete(&folder).args(["new", "impeller", "--into", "own.xlsx"]).assert().code(0);
+    rodete(&folder).args(["check", "own.xlsx"]).assert().code(0);
+}
+
 #[test]
 fn a_form_and_its_results_go_into_every_hard_book_twice() {
     for name in BOOKS {

@@ -64,8 +64,8 @@ rules! {
     "W0511" SchemaRowMissing Stop { symbol: Key, known: String }
         es "falta la fila \"{symbol}\", que indica el esquema del libro (rodete lee {known})"
         en "the row \"{symbol}\", which names the workbook's schema, is missing (rodete reads {known})"
-        remedy "cree un libro nuevo con \"rodete new\" y pase a él los valores",
-            "make a new workbook with \"rodete new\" and copy the values into it";
+        remedy "si la hoja es un formulario, cree un libro nuevo con \"rodete new\" y pase a él los valores; si es otra hoja suya, ponga un formulario en el libro con \"rodete new TIPO --into LIBRO\"",
+            "if the sheet is a form, make a new workbook with \"rodete new\" and copy the values into it; if it is another sheet of yours, put a form into the workbook with \"rodete new KIND --into BOOK\"";
         why "El esquema fija qué significa cada símbolo.", "The schema fixes what each symbol means.";
         example book!("impeller", "schema:symbol" = "");
     "W0512" SchemaRowTwice Stop { symbol: Key }
