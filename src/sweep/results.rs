@@ -4,7 +4,7 @@ use crate::kind::Kind;
 use crate::sweep::indices::LEAST;
 use crate::sweep::plan::Plan;
 use crate::sweep::ranking::Counts;
-use crate::sweep::sensitivity::{Effect, LOOKS, SHARES_LEAST};
+use crate::sweep::sensitivity::{Effect, LOOKS, NoRoom, SHARES_LEAST};
 use crate::sweep::table::{FRONT, Table};
 use crate::text::{Text, t};
 
@@ -143,9 +143,9 @@ impl Results<'_> {
         self.effects.iter().flat_map(|one| &one.shares).any(Option::is_some)
     }
 
-    /// What the effects of the inputs are, around the design of the workbook and over the plan.
+    /// What the effects of the inputs are, around the design of the workbook and over the plan; first, if that design is not good, why.
     #[must_use]
-    pub fn explained(&self) -> [Text; 2] {
+    pub fn explained(&self) -> Vec<Text> {
         let around = Text::new(
             format!(
                 "Alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción (≥: hasta donde se ha mirado), y cuánto cambia cada objetivo. Las tolerancias, redondeadas hacia cero. rodete mira a {LOOKS} distancias iguales a cada lado, hasta el ancho del intervalo, y más cerca que la primera a su mitad, su cuarto y así hasta 1/32; lo que hay entre dos de ellas no se ha mirado."
@@ -184,6 +184,10 @@ impl Results<'_> {
                 ),
             ),
         };
-        [around, over]
+        let own = self.effects.iter().find_map(|one| match &one.room {
+            Err(NoRoom::Design(why)) => Some(why.clone()),
+            _ => None,
+        });
+        own.into_iter().chain([around, over]).collect()
     }
 }

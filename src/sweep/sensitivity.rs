@@ -3,12 +3,14 @@
 use rayon::prelude::*;
 
 use crate::kind::Kind;
+use crate::number::decimal;
 use crate::parameter::{FieldKind, Value, Values};
 use crate::sweep::indices::Index;
 use crate::sweep::objective::Objective;
 use crate::sweep::plan::{Input, Levels, Method, Plan, slice};
 use crate::sweep::row::{Row, State};
 use crate::sweep::table::Table;
+use crate::text::{Text, t};
 
 /// The part of an input's range by which it is moved for its slope.
 const PART: f64 = 0.01;
@@ -26,6 +28,57 @@ const IN_SLICE: u64 = 8;
 pub const SHARES_LEAST: u32 = 64;
 const FEASIBLE_LEAST: f64 = 4.0;
 
+/// Why an input has no tolerance.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoRoom {
+    /// The workbook's own design is not good: what is said of it.
+    Design(Text),
+    /// Its cell is empty.
+    Empty,
+    /// It is no number.
+    NoNumber,
+    /// The plan has one value of it.
+    OneValue,
+}
+
+impl NoRoom {
+    /// The words for it in place of the tolerance.
+    #[must_use]
+    pub const fn words(&self) -> Text {
+        match self {
+            Self::Design(_) => t("no válido", "not feasible"),
+            Self::Empty => t("celda vacía", "empty cell"),
+            Self::NoNumber => t("no es número", "no number"),
+            Self::OneValue => t("un solo valor", "one value"),
+        }
+    }
+
+    /// Of a design that is not good, by its row.
+    fn of(row: &Row) -> Self {
+        let reason = row.reason.as_deref().unwrap_or_default();
+        let value =
+            row.value.map_or_else(String::new, |value| format!(" ({})", decimal((value * GRAINS).round() / GRAINS)));
+        Self::Design(match (row.state, row.limit) {
+            (State::Refused, _) => Text::new(
+                format!("Sin tolerancias: el propio diseño del libro se rechaza, {reason}."),
+                format!("No tolerances: the workbook's own design is refused, {reason}."),
+            ),
+            (State::Failed, _) => t(
+                "Sin tolerancias: rodete falla en el propio diseño del libro.",
+                "No tolerances: rodete fails on the workbook's own design.",
+            ),
+            (State::Done, Some(_)) => Text::new(
+                format!("Sin tolerancias: el propio diseño del libro incumple {reason}{value}."),
+                format!("No tolerances: the workbook's own design breaks {reason}{value}."),
+            ),
+            (State::Done, None) => Text::new(
+                format!("Sin tolerancias: el propio diseño del libro no da valor para {reason}."),
+                format!("No tolerances: the workbook's own design has no value for {reason}."),
+            ),
+        })
+    }
+}
+
 /// What an input does.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effect {
@@ -41,10 +94,10 @@ pub struct Effect {
     pub ends: Option<[f64; 2]>,
     /// How much each objective changes when this input alone goes there; `None` where the objective has no value there.
     pub changes: Vec<[Option<f64>; 2]>,
-    /// How far it may be smaller and larger until the design is refused or breaks a constraint, everything else unchanged; `None`
-    /// where the workbook's design is not good itself. As far as the plan's range is wide, at [`LOOKS`] even distances; what lies between
+    /// How far it may be smaller and larger until the design is refused or breaks a constraint, everything else unchanged; else why
+    /// it has no such tolerance. As far as the plan's range is wide, at [`LOOKS`] even distances; what lies between
     /// two of them is not looked at. Never more than what was judged good, to the digits that are shown.
-    pub room: Option<[f64; 2]>,
+    pub room: Result<[f64; 2], NoRoom>,
     /// The room ends at the width of the plan's range, not at a limit.
     pub open: [bool; 2],
     /// The share of each objective's variance that follows this input alone, over the feasible designs of the plan.
@@ -71,14 +124,19 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Valu
             slopes: vec![None; plan.objectives.len()],
             ends: None,
             changes: vec![[None; 2]; plan.objectives.len()],
-            room: None,
+            room: Err(NoRoom::Empty),
             open: [false; 2],
             shares: vec![None; plan.objectives.len()],
             indices: vec![None; plan.objectives.len()],
         };
         // Around a cell that is empty there is nothing to look at.
-        let value = base.values.get(input.parameter.key).and_then(number);
-        let (Some(value), Some(ends), Some([low, high])) = (value, span(input), limits(input)) else { return plain };
+        let Some(typed) = base.values.get(input.parameter.key) else { return plain };
+        let (Some(value), Some([low, high])) = (number(typed), limits(input)) else {
+            return Effect { room: Err(NoRoom::NoNumber), ..plain };
+        };
+        let Some(ends) = span(input) else {
+            return Effect { value: Some(value), room: Err(NoRoom::OneValue), ..plain };
+        };
         let moved = |to: f64| {
             let mut values = base.clone();
             // To a billionth: the number that a person would type.
@@ -108,13 +166,13 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Valu
             at_ends.each_ref().map(|row| of(row, objective).zip(of(&own, objective)).map(|(there, here)| there - here))
         };
         let changes = plan.objectives.iter().map(change).collect();
-        let (mut room, mut open) = (None, [false; 2]);
+        let (mut room, mut open) = (Err(NoRoom::of(&own)), [false; 2]);
         if good(&own) {
             let ends = [-1.0, 1.0].map(|side| {
                 let most = if side < 0.0 { value - low } else { high - value }.min(width);
                 farthest(most, input.whole(), &|by| good(&moved(value + side * by).1))
             });
-            room = Some(ends.map(|(by, _)| by));
+            room = Ok(ends.map(|(by, _)| by));
             open = ends.map(|(_, open)| open);
         }
         Effect { value: Some(value), slopes, ends: Some(ends), changes, room, open, ..plain }

@@ -36,7 +36,7 @@ impl SweepBook<'_> {
             t("hasta", "to"),
         ];
         let told = self.results.explained();
-        let told = told.each_ref().map(|one| self.text(one)).join(" ");
+        let told = told.iter().map(|one| self.text(one)).collect::<Vec<_>>().join(" ");
         self.head(sheet, styles, &SENSITIVITY, &TITLE, "")?;
         for (column, heading) in (0..).zip(&INPUTS) {
             write_text(sheet, HEADINGS, column, self.text(heading), &styles.header)?;
@@ -56,8 +56,17 @@ impl SweepBook<'_> {
             write_text(sheet, row, 0, &effect.symbol, &styles.symbol)?;
             write_text(sheet, row, 2, effect.unit, &styles.unit)?;
             let mut cells: Vec<(ColNum, Option<f64>, &Format)> = vec![(1, effect.value, &value)];
-            for ((column, by), ends) in (3..).zip(effect.room.iter().flatten()).zip(effect.open) {
-                cells.push((column, Some(*by), if ends { &open } else { &room }));
+            match &effect.room {
+                Ok(both) => {
+                    for ((column, by), ends) in (3..).zip(both).zip(effect.open) {
+                        cells.push((column, Some(*by), if ends { &open } else { &room }));
+                    }
+                }
+                Err(none) => {
+                    for column in 3..5 {
+                        write_text(sheet, row, column, self.text(&none.words()), &styles.faint)?;
+                    }
+                }
             }
             cells.extend((5..).zip(effect.ends.iter().flatten()).map(|(column, end)| (column, Some(*end), &room)));
             write_numbers(sheet, row, cells)?;

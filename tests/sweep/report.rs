@@ -116,6 +116,62 @@ fn a_report_that_cannot_be_set_keeps_nothing_else_from_being_written() {
     assert!(folder.path().join("s/a-sweep.pdf").is_file());
 }
 
+/// An empty cell of a tolerance could be taken for none that is needed: in its place stands why there is none.
+#[test]
+fn where_there_is_no_tolerance_it_says_why() {
+    let constrained = |constraints: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let settings = [("method", "factorial"), ("objectives", "time_s min"), ("constraints", constraints)];
+        let inputs =
+            [["N", "", "", "", "4; 5", ""], ["e", "", "", "", "2", ""], ["splitters", "", "", "", "yes; no", ""]];
+        let values = quick().values(Language::En);
+        fs::write(folder.path().join("a.xlsx"), with_variants_of(&values, &settings, &inputs, &[])).unwrap();
+        folder
+    };
+    let own = "No tolerances: the workbook's own design";
+    for (folder, language, sheet, told, words) in [
+        (
+            folder(&thick(quick())),
+            "en",
+            "SENSITIVITY",
+            format!("{own} is refused, P"),
+            ["not feasible", "not feasible", "no number"],
+        ),
+        (
+            constrained("time_s <= 1"),
+            "en",
+            "SENSITIVITY",
+            format!("{own} breaks time_s <= 1 ("),
+            ["not feasible", "one value", "no number"],
+        ),
+        (
+            constrained("time_s <= 1"),
+            "es",
+            "SENSIBILIDAD",
+            "Sin tolerancias: el propio diseño del libro incumple time_s <= 1 (".to_owned(),
+            ["no válido", "un solo valor", "no es número"],
+        ),
+    ] {
+        let output = sweep(folder.path(), Some(&keeps()), &format!("--lang {language}"));
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        let mut book: Xlsx<_> = open_workbook(folder.path().join("s/a-sweep.xlsx")).unwrap();
+        let cells = book.worksheet_range(sheet).unwrap();
+        let note = cells.get_value((2, 0)).unwrap().to_string();
+        assert!(note.starts_with(&told), "{note}");
+        let contents = contents(folder.path());
+        assert!(contents["chapters"][3]["paragraphs"][0].as_str().unwrap().starts_with(&told));
+        let head = (0..9).find(|row| {
+            cells.get_value((*row, 1)).is_some_and(|one| ["value", "valor"].contains(&one.to_string().as_str()))
+        });
+        for ((row, word), at) in (head.unwrap() + 1..).zip(words).zip(0..) {
+            let there =
+                [3, 4].map(|column| cells.get_value((row, column)).map(ToString::to_string).unwrap_or_default());
+            assert_eq!(there, [word, word], "{language} {row}");
+            assert_eq!(contents["chapters"][3]["tables"][0]["rows"][at][3], word);
+        }
+    }
+}
+
 #[cfg(feature = "embedded-typst")]
 #[test]
 fn the_compiler_inside_sets_the_report_in_both_languages() {

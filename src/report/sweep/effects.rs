@@ -30,9 +30,10 @@ impl Setter<'_> {
         let unit = self.heading(&t("unidad", "unit"), "", false);
         let row = |one: &Effect| {
             let short = |value: f64| number::trimmed(value, 4);
-            let room = |side: usize| {
-                let by = one.room.map(|room| short(room[side])).unwrap_or_default();
-                if one.room.is_some() && one.open[side] { format!("≥ {by}") } else { by }
+            let mut room = |side: usize| match &one.room {
+                Ok(both) if one.open[side] => format!("≥ {}", short(both[side])),
+                Ok(both) => short(both[side]),
+                Err(none) => self.words.text(&none.words()),
             };
             let end = |side: usize| one.ends.map(|ends| short(ends[side])).unwrap_or_default();
             let here = one.value.map(|value| number::trimmed(value, 6)).unwrap_or_default();
