@@ -1,4 +1,4 @@
-//! Text into cells: whatever a user typed stays text and fits; and formulas without a result.
+//! Text into cells: whatever a user typed stays text and fits; and formulas that are not worked out yet.
 
 use std::borrow::Cow;
 
@@ -10,10 +10,10 @@ pub(super) const CELL: usize = 32_767;
 /// The most UTF-16 units of a page header or footer that are kept of one text.
 const HEADER: usize = 80;
 
-/// The stored result of a formula that has none: it is taken out when the workbook is saved.
+/// The stored result of a formula that has none: what it comes to is put in its place when the workbook is saved.
 pub(super) const UNCOMPUTED: &str = "rodete:uncomputed";
 
-/// A formula that is computed when the workbook is opened.
+/// A formula that is worked out when the workbook is saved.
 pub(super) fn uncomputed(formula: &str) -> Formula {
     Formula::new(format!("={formula}")).set_result(UNCOMPUTED)
 }

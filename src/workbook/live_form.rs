@@ -1,7 +1,7 @@
 //! The live part of a form: beside the inputs what follows from them, with red and green, and a view that is drawn anew with
 //! every value that is typed. A line beside the title says whether the limits hold.
 //!
-//! Its cells hold no stored results: every spreadsheet computes them when it opens the form.
+//! What its formulas come to for the values as they are written is worked out when the form is saved.
 
 use rust_xlsxwriter::{
     Chart, ChartFont, ChartFormat, ChartLayout, ChartLine, ChartLineDashType, ChartMarker, ChartType, ColNum, Color,

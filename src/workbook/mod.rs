@@ -11,6 +11,7 @@
 
 pub mod address;
 mod book;
+mod calculated;
 pub mod cell;
 mod chart_sheet;
 pub mod charts;
@@ -20,6 +21,7 @@ mod curves;
 pub mod drawn;
 pub mod error;
 pub mod form_sheet;
+mod formula;
 pub mod gate;
 pub mod guard;
 pub mod limits;

@@ -8,7 +8,7 @@ use rust_xlsxwriter::Workbook;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-use super::cell::UNCOMPUTED;
+use super::calculated::Book;
 use super::drawn::{Drawn, sized};
 use super::error::WriteError;
 use super::long_rows::{LARGE, LongRows, Span, stream};
@@ -24,7 +24,7 @@ pub struct Additions<'a> {
     pub long: Vec<LongRows<'a>>,
     /// The figure of the workbook, where a place is kept for one.
     pub drawn: Option<Drawn<'a>>,
-    /// Formulas stand without results: they are computed when the workbook is opened.
+    /// Formulas were written without results: these are worked out.
     pub uncomputed: bool,
     /// The sizes of the charts in pixels, in their order; all stand on one sheet.
     pub charts: Vec<[u32; 2]>,
@@ -45,6 +45,7 @@ pub fn save<W: Write + Seek + Send>(
     workbook.set_zip_compression_level(LEVEL);
     let mut skeleton = ZipArchive::new(Cursor::new(workbook.save_to_buffer()?))?;
     let mut package = ZipWriter::new(out);
+    let book = if uncomputed { Some(Book::of(&mut skeleton)?) } else { None };
     let spans: Vec<Span> = long.iter().map(Span::of).collect();
     let part_of = |sheet: usize| format!("xl/worksheets/sheet{}.xml", sheet + 1);
     let mut long: Vec<(String, LongRows<'_>)> = long.into_iter().map(|rows| (part_of(rows.sheet), rows)).collect();
@@ -52,11 +53,12 @@ pub fn save<W: Write + Seek + Send>(
         let mut part = skeleton.by_index(index)?;
         let name = part.name()?.into_owned();
         let rows = long.iter().position(|(one, _)| *one == name).map(|at| long.swap_remove(at).1);
-        let chart = name.starts_with("xl/charts/") && !spans.is_empty();
+        let chart = name.starts_with("xl/charts/") && (!spans.is_empty() || uncomputed);
         let drawing = name.starts_with("xl/drawings/drawing");
-        let sheet = uncomputed && name.starts_with("xl/worksheets/sheet");
-        let book = name == "xl/workbook.xml" && !printed.is_empty();
-        if rows.is_none() && !chart && !drawing && !sheet && !book {
+        let number = name.strip_prefix("xl/worksheets/sheet").and_then(|one| one.strip_suffix(".xml")?.parse().ok());
+        let sheet = book.as_ref().zip(number.and_then(|number: usize| number.checked_sub(1)));
+        let list = name == "xl/workbook.xml" && !printed.is_empty();
+        if rows.is_none() && !chart && !drawing && sheet.is_none() && !list {
             package.raw_copy_file(part)?;
             continue;
         }
@@ -75,13 +77,14 @@ pub fn save<W: Write + Seek + Send>(
         }
         if chart {
             xml = spans.iter().fold(xml, |xml, span| span.stretch(&xml));
+            if let Some(book) = &book {
+                xml = book.charted(&xml);
+            }
         }
-        if sheet {
-            let [before, after] = [" t=\"str\"><f>", "</f><v>"];
-            xml = xml.replace(&format!("</f><v>{UNCOMPUTED}</v>"), "</f>").replace(before, "><f>");
-            debug_assert!(!xml.contains(after), "every formula of the sheet is without a result");
+        if let Some((book, sheet)) = sheet {
+            xml = book.filled(sheet, &xml);
         }
-        if book {
+        if list {
             xml = printed.iter().fold(xml, |xml, further| further.put_into(&xml));
         }
         if drawing {

@@ -88,7 +88,7 @@ fn misspelt(cell: &str, [codes, axes]: [&str; 2]) -> String {
     const DIGITS: usize = 4;
     let most = CODES as usize;
     let sign = |after: usize| {
-        format!("MID(\" \"&UPPER({cell})&REPT(\" \",{}),ROW($1:${})+{after},1)", most + DIGITS + 4, most + 2)
+        format!("MID(\" \"&UPPER({cell})&REPT(\" \",{}),ROW($A$1:$A${})+{after},1)", most + DIGITS + 4, most + 2)
     };
     let is = |after: usize, signs: &str| format!("ISNUMBER(FIND({},\"{signs}\"))", sign(after));
     let digit = |after| is(after, "0123456789");

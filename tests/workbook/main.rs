@@ -14,4 +14,5 @@ mod live_forms;
 mod offsets_workbook;
 mod report;
 mod results_workbook;
+mod stored;
 mod workbooks;
