@@ -401,7 +401,9 @@ fn a_greatest_thickness_below_nothing_is_not_named() {
     let findings = refused("tfg-2021", &[("N", Value::Whole(1)), real("e", 45.0)]);
     assert_eq!(
         findings[0].what.en,
-        "not even one blade fits with e = 45 mm and d_t = 6 mm: the hub measures 50.265 mm all round"
+        "not even one blade fits with e = 45 mm and d_t = 6 mm: it and its gap need 53 mm, and the hub measures 50.265 mm all round"
     );
+    // Value and limit are named in it: no number without a name is put behind it.
+    assert_eq!((&*findings[0].value, &*findings[0].limit), ("53 mm", "50.265 mm"));
     assert_eq!(findings[1].what.en, "blade thickness e is 45 mm; it must not exceed e_max = 42.265 mm for 1 blades");
 }

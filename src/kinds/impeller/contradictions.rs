@@ -67,10 +67,16 @@ impl Design {
     fn check_hub(&self, findings: &mut Vec<Finding>) {
         let around = hub_circumference(self.torus, self.a_p);
         if around > 0.0 && around < self.e + self.d_t {
-            let (e, tool, hub) = (Size::mm(self.e), Size::mm(self.d_t), Size::mm(around));
-            let told = NoBladeFits { e, tool, hub, gap: Size::mm((around - self.e).max(0.0)), least: tool };
-            findings.push(told.at(at([form::N.key(), form::E.key(), form::D_T.key()])).with(self.N.to_string(), ""));
+            let gap = Size::mm((around - self.e).max(0.0));
+            findings.push(self.no_blade_fits(around, gap, self.d_t));
         }
+    }
+
+    /// Blade and gap need more than there is all round.
+    fn no_blade_fits(&self, around: f64, gap: Size, least: f64) -> Finding {
+        let [e, tool, need, hub, least] = [self.e, self.d_t, self.e + least, around, least].map(Size::mm);
+        let told = NoBladeFits { e, tool, need, hub, gap, least };
+        told.at(at([form::N.key(), form::E.key(), form::D_T.key()])).with(mm(need.value), mm(around))
     }
 
     /// What the published method asks for beside: its own limits of blades and thickness, and safe points outside its passes.
@@ -88,8 +94,7 @@ impl Design {
         let least = Size::mm(least_gap(self.d_t));
         let place = at([form::N.key(), form::E.key(), form::D_T.key()]);
         if f64::from(N) > most && most < 1.0 {
-            let told = NoBladeFits { e, tool, hub: Size::mm(around), gap, least };
-            findings.push(told.at(place).with(N.to_string(), ""));
+            findings.push(self.no_blade_fits(around, gap, least_gap(self.d_t)));
         } else if f64::from(N) > most {
             let told = TooManyBlades { N, most: Size::number(most, 0), e, tool, gap, least };
             findings.push(told.at(place).with(N.to_string(), shown(most, 0)));

@@ -26,9 +26,9 @@ rules! {
         remedy "elija una herramienta menor", "choose a smaller tool";
         why "La herramienta quitaría más metal que el del hueco.", "The tool would remove more metal than the hollow.";
         example book!("impeller", "d_t" = "50");
-    "P1004" NoBladeFits Stop { e: Size, tool: Size, hub: Size, gap: Size, least: Size }
-        es "no cabe ni un álabe con e = {e} y d_t = {tool}: el contorno del cubo mide {hub}"
-        en "not even one blade fits with e = {e} and d_t = {tool}: the hub measures {hub} all round"
+    "P1004" NoBladeFits Stop { e: Size, tool: Size, need: Size, hub: Size, gap: Size, least: Size }
+        es "no cabe ni un álabe con e = {e} y d_t = {tool}: él y su separación necesitan {need}, y el contorno del cubo mide {hub}"
+        en "not even one blade fits with e = {e} and d_t = {tool}: it and its gap need {need}, and the hub measures {hub} all round"
         remedy "use menos álabes, álabes más delgados o una herramienta menor; entre álabes quedan {gap} y hacen falta {least}",
             "use fewer blades, thinner blades, or a smaller tool; the gap between blades is {gap}, and {least} is needed";
         why "La herramienta debe pasar entre dos álabes.", "The tool must pass between two blades.";
