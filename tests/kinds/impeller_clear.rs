@@ -186,6 +186,29 @@ fn a_tool_that_does_not_fit_at_the_hub_cuts_as_far_as_it_fits_where_the_form_adm
 }
 
 #[test]
+fn a_cut_made_partly_begins_where_its_passes_keep_clear_of_all_blades() {
+    // The straight end of the blade after the next reaches into the channel; with two blades, faces pass the axis of the part.
+    let designs = [
+        (3, [20.0, 10.0, 6.0, 6.0, 2.5, 2.5]),
+        (3, [20.0, 9.0, 7.0, 7.0, 2.5, 2.5]),
+        (2, [36.0, 22.0, 9.0, 11.0, 4.0, 3.3]),
+    ];
+    for (N, sizes) in designs {
+        let keys = ["R", "r", "e", "a_p", "d_t", "d_f"];
+        let mut cells: Vec<_> = keys.into_iter().zip(sizes.map(Value::Real)).collect();
+        cells.extend([("N", Value::Whole(N)), ("c_s", Value::Real(0.3)), ("L_b", Value::Real(60.0))]);
+        cells.push(("partly", Value::Choice("yes")));
+        let outcome = outcome(&cells);
+        assert_eq!(End::of(&outcome.findings, false), End::Whole, "{sizes:?} {:?}", outcome.findings);
+        let what = told(&outcome, "no tool reaches").unwrap();
+        let number =
+            |after: &str| -> f64 { what.split(after).nth(1).unwrap().split(' ').next().unwrap().parse().unwrap() };
+        let (from, share) = (number("from the rim to "), number("no tool reaches "));
+        assert!((10.0..60.0).contains(&from) && (5.0..60.0).contains(&share), "{what}");
+    }
+}
+
+#[test]
 fn programs_that_would_be_too_long_end_at_a_limit() {
     let changes = [("tol", Value::Real(0.0045)), ("delta", Value::Real(0.005)), ("c_s", Value::Real(0.0005))];
     let refusal = match kinds::run(&FORM, common::values("clear", &changes), common::source()) {

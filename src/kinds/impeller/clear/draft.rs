@@ -5,6 +5,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use crate::kinds::impeller::clear::body::{Body, Obstacles, turned};
@@ -84,8 +85,7 @@ fn highest(way: &FlankWay) -> f64 {
 }
 
 /// The station of a tool's tip.
-fn q_of(axis: &Axis, R: f64) -> f64 {
-    let tip = axis.foot + axis.along * axis.range[0];
+pub(super) fn station(tip: &Vector3<f64>, R: f64) -> f64 {
     let v = atan2(tip.z, hypot(tip.x, tip.y) - R);
     (if v < 0.0 { v + TAU } else { v } - HUB) / FRAC_PI_2
 }
@@ -98,6 +98,8 @@ pub(super) struct Draft<'a> {
     pub(super) v_s: Option<f64>,
     /// The station from which on the finishing tool cuts; 0 where it does all the way.
     pub(super) finish_from: f64,
+    /// Those from which on it runs along obverse and reverse.
+    pub(super) flanks_from: [f64; 2],
     pub(super) Z_r: f64,
     pub(super) passes: Vec<Pass>,
     /// How many blocks they take.
@@ -473,9 +475,13 @@ impl Draft<'_> {
                 return;
             }
             let face = way.face();
-            let turn = if face == Face::Obverse { 0.0 } else { -self.pitch };
+            let (turn, from) = match face {
+                Face::Obverse => (0.0, self.flanks_from[0]),
+                Face::Reverse => (-self.pitch, self.flanks_from[1]),
+            };
             let from_blade = |axis: &Axis| {
-                let long = self.finish_from <= 0.0 || q_of(axis, self.job.part.circle.torus.R) >= self.finish_from;
+                let tip = axis.foot + axis.along * axis.range[0];
+                let long = from <= 0.0 || station(&tip, self.job.part.circle.torus.R) >= from;
                 long && match face {
                     Face::Obverse => obstacles.keeps_reverse(axis, a),
                     Face::Reverse => obstacles.keeps_obverse(axis, a),

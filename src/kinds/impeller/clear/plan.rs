@@ -19,6 +19,7 @@ use crate::kinds::impeller::clear::contact::{Beside, Contacts};
 use crate::kinds::impeller::clear::contour;
 use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::draft::{Draft, LOOKS, begin, ridge, steps};
+use crate::kinds::impeller::clear::entered::Begins;
 use crate::kinds::impeller::clear::fit::Flank;
 use crate::kinds::impeller::clear::flank::FlankWay;
 use crate::kinds::impeller::clear::lane::OwnNormal;
@@ -37,6 +38,8 @@ const STARTS: u8 = 40;
 const START: f64 = 0.01;
 /// The same beside each of its ends.
 const ENDS: u8 = 16;
+/// How often passes are begun farther out at most.
+const ROUNDS: u8 = 8;
 /// Stations at which a smaller tool is tried, in radii where it has run out: where the gap is the least comes first.
 const TRIED: [f64; 21] = [
     0.1, 0.0, 0.05, 0.15, 0.2, -0.2, -RUN_OUT, 0.025, 0.075, 0.125, 0.175, 0.225, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.75,
@@ -65,15 +68,28 @@ impl Plan {
     /// # Errors
     /// Where one of the tools does not pass between the blades all the way.
     pub fn new(job: &Job, cut: &Cut) -> Result<Self, DoesNotFit> {
+        let mut begins = Begins::default();
+        let mut plan = Self::beginning(job, cut, begins)?;
+        for _ in 0..if cut.partly { ROUNDS } else { 0 } {
+            let Some(later) = begins.later(&plan, job, cut) else { break };
+            begins = later;
+            plan = Self::beginning(job, cut, begins)?;
+        }
+        Ok(plan)
+    }
+
+    /// The plan whose passes begin at some stations or farther out.
+    fn beginning(job: &Job, cut: &Cut, begins: Begins) -> Result<Self, DoesNotFit> {
         let part = &job.part;
         let pitch = TAU / f64::from(job.N);
         let found = rayon::join(|| contacts(job, cut, Which::Rough), || contacts(job, cut, Which::Finish));
         let ((rough, rough_from), (finish, finish_from)) = (found.0?, found.1?);
+        let (rough_from, finish_from) = (rough_from.max(begins.rough), finish_from.max(begins.finish));
         // What the finishing tool roughs where the roughing tool has no room.
         let wanted = cut.splitters || rough_from > 0.0;
         let rest = || if wanted { contacts_of(job, cut.finish, part.a_p - cut.s, cut.s) } else { None };
         let (rest, ways) = rayon::join(rest, || ways(job, cut));
-        let rest_from = rest.as_ref().and_then(Contacts::fits_from).unwrap_or(rough_from);
+        let rest_from = rest.as_ref().and_then(Contacts::fits_from).map_or(rough_from, |from| from.max(begins.finish));
         // It finishes nothing that is not roughed.
         let finish_from = finish_from.max(rough_from.min(rest_from));
         let v_s = match (&rest, cut.splitter_from) {
@@ -88,6 +104,7 @@ impl Plan {
             pitch,
             v_s,
             finish_from,
+            flanks_from: begins.flanks.map(|from| from.max(finish_from)),
             Z_r: job.machine.swing(part.circle.torus.R) + cut.d_s,
             passes: Vec::new(),
             blocks: 0,
