@@ -185,6 +185,9 @@ fn libreoffice_finds_no_error_in_any_workbook() {
                         let seen = |text: &str| text.chars().filter(|one| !one.is_control()).collect::<String>();
                         assert_eq!(seen(ours), seen(theirs), "{file:?}, {name}, {place:?}");
                     }
+                    (Data::Bool(ours), Some(Data::Bool(theirs))) => {
+                        assert_eq!(ours, theirs, "{file:?}, {name}, {place:?}");
+                    }
                     (ours, theirs) => panic!("{file:?}, {name}, {place:?}: {ours:?} became {theirs:?}"),
                 }
             }

@@ -519,7 +519,7 @@ fn a_form_takes_the_words_that_check_takes_and_no_others() {
         names.into_iter().zip([size, schedule]).collect::<Vec<_>>()
     };
     let (branch, header) = (["branch_size", "branch_schedule"], ["header_size", "header_schedule"]);
-    let cases: Vec<(&str, &str, Vec<(&str, String)>, bool)> = vec![
+    let cases = vec![
         ("pipe-insert", "square", sizes(branch, number("3"), number("40")), true),
         ("pipe-insert", "square", sizes(header, number("4"), number("40")), true),
         ("pipe-hole", "set-in", sizes(branch, number("3"), number("40")), true),
