@@ -112,6 +112,7 @@ impl Reader<'_, '_> {
 
     fn steer(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         let clause = std::mem::take(&mut self.memory.flow.clause);
+        let passed = std::mem::take(&mut self.memory.flow.passed);
         let column = cursor.column();
         cursor.pass();
         let name = match label(cursor)? {
@@ -133,7 +134,7 @@ impl Reader<'_, '_> {
         let mark = self.mark(index)?;
         match kind {
             Word::Sub => self.pass_subprogram(cursor, (index, &mark), &name),
-            Word::EndSub if std::mem::take(&mut self.memory.flow.passed) => self.end_passed(cursor),
+            Word::EndSub if passed => self.end_passed(cursor),
             Word::EndSub => self.give_back(cursor, &name),
             Word::Return => {
                 // It ends the subprogram that it stands in, whatever label it names.
@@ -199,21 +200,15 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    /// ENDSUB of a SUB that is passed over: its value is kept like that of a call. Where it cannot be computed here, what is kept
-    /// is not known.
+    /// ENDSUB of a SUB that is passed over: the control keeps its value like that of a call. Computed from what the call would
+    /// give it, it is not known here, and a program that reads it before a call is refused.
     fn end_passed(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
-        if cursor.peek() != b'[' {
-            self.nothing_more(cursor)?;
-            self.keep_value(None);
+        if cursor.peek() == b'[' {
+            VALUES.into_iter().for_each(|name| self.memory.parameters.forget_named(name));
             return Ok(());
         }
-        match self.expression(cursor) {
-            Ok(value) => {
-                self.nothing_more(cursor)?;
-                self.keep_value(Some(value));
-            }
-            Err(_) => VALUES.into_iter().for_each(|name| self.memory.parameters.forget_named(name)),
-        }
+        self.nothing_more(cursor)?;
+        self.keep_value(None);
         Ok(())
     }
 

@@ -155,13 +155,11 @@ pub(super) fn word(cursor: &mut Cursor<'_>) -> Option<Word> {
 }
 
 fn refused(line: usize, row: &dyn Raise) -> Box<Refused> {
-    let mut fault = Refused::of(row, &[]).fatal();
-    fault.line = line;
-    fault
+    refused_at(line, &[], row)
 }
 
-fn at_column(line: usize, column: usize, row: &dyn Raise) -> Box<Refused> {
-    let mut fault = Refused::of(row, &[column]).fatal();
+fn refused_at(line: usize, columns: &[usize], row: &dyn Raise) -> Box<Refused> {
+    let mut fault = Refused::of(row, columns).fatal();
     fault.line = line;
     fault
 }
@@ -227,12 +225,12 @@ impl Structure {
             let Ok(Some(label)) = label(&mut cursor) else { continue };
             let behind_label = cursor.column();
             let Some(word) = word(&mut cursor) else {
-                return Err(at_column(behind.lines, behind_label, &OWordUnknown {}));
+                return Err(refused_at(behind.lines, &[behind_label], &OWordUnknown {}));
             };
             // Behind the number of a program a comment may stand.
             let end = if word == Word::Program { place } else { word.end(&mut cursor) };
             if let Some(column) = cursor.comment_before(end) {
-                return Err(at_column(behind.lines, column, &CommentInOWord {}));
+                return Err(refused_at(behind.lines, &[column], &CommentInOWord {}));
             }
             let mark = OWord { word, label, at, after: behind, next: None, opens: None };
             structure.add(mark, &mut open)?;

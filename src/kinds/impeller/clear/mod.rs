@@ -5,8 +5,8 @@
 //! [`contact`], [`scallop`]), the flanks by an axis fitted to the face ([`fit`], [`flank`]), the whole channel by roughing
 //! levels, floor lanes, flanks and the contour of a splitter and the way round it ([`contour`], [`round`]), in one [`plan`];
 //! where lanes leave too much before a nose, the tool leans (`lean`). Where the points lie follows from a tolerance
-//! ([`placement`]). Where a cut may be made partly, its passes begin where they enter no blade (`entered`). What is left all the same is told ([`told`]); where a tool does not pass there is no
-//! plan ([`cut::DoesNotFit`]).
+//! ([`placement`]). Where a cut may be made partly, its passes begin where they enter no blade (`entered`). What is left all
+//! the same is told ([`told`]); where a tool does not pass there is no plan ([`cut::DoesNotFit`]).
 
 pub mod asked;
 pub mod body;
