@@ -19,7 +19,7 @@ use std::f64::consts::{PI, TAU};
 use crate::kinds::impeller::clear::lane::{OwnNormal, out_at, v_at};
 use crate::kinds::impeller::clear::table::Table;
 use crate::kinds::impeller::gap::RUN_OUT;
-use crate::kinds::impeller::nearest::Wall;
+use crate::kinds::impeller::nearest::{Axis, Wall};
 use crate::kinds::impeller::part::{Face, Part};
 use crate::number::trig::{atan2, sin_cos};
 
@@ -87,17 +87,21 @@ impl Beside {
             // from outside: its distance falls by no more than the tool moves.
             let (mut low, mut high) = (0.0, begin);
             if value(low) >= 0.0 {
-                // A blade as thick as half the part leaves no channel.
-                if begin > PI {
-                    return begin;
-                }
-                low = high;
+                // Near the axis of the part the straight end of a thick blade takes a wide angle at the tip: from there it is
+                // outside for certain, or the blade leaves no channel.
+                let tip = torus.R + self.lane.below(q) * sin_cos(v).1;
+                let wide = (1.6 * (self.part.e / 2.0 + wanted) / (tip * sin_alpha) + 0.1).clamp(begin.min(PI), PI);
+                let Some(outside) = [wide, PI].into_iter().find(|&x| value(x) >= 0.0) else { return PI };
+                low = outside;
+                let Axis { foot, along, range } = axis(low);
+                let rho_of = |height: f64| (foot + along * height).xy().norm();
+                let speed = rho_of(range[0]).max(rho_of(range[1] + self.part.overhang()));
                 for _ in 0..MARCH {
                     let apart = value(low);
                     if apart < 0.0 {
                         break;
                     }
-                    (low, high) = (low - (apart + wanted) / (torus.R + out), low);
+                    (low, high) = (low - (apart + wanted) / speed, low);
                 }
             }
             low + touching(high - low, |x| value(low + x))
@@ -412,6 +416,26 @@ mod tests {
                 let stand = lane.stand(machine, q, beside.psi(Face::Obverse, q));
                 let bounds = walls.clearance(&[stand], Until::Within(2e-5), WORK);
                 assert!(bounds.lower > -1e-4, "{R} {q} {bounds:?}");
+            }
+        }
+    }
+
+    /// Where the tool is thinner than the blade, the contact is sought from outside; at so narrow a hub the straight end of the
+    /// obverse lies farther out than 1.6 times what it takes at the turned surface.
+    #[test]
+    fn a_tool_thinner_than_the_blade_comes_to_its_straight_end_from_outside() {
+        let (R, r, e, a_p) = (29.878_778, 23.314_398, 2.931_121, 3.839_135);
+        let torus = Torus { R, r };
+        let part = Part::with(torus, e, a_p);
+        for d in [0.9, 1.8, 2.6] {
+            let lane = OwnNormal::new(torus, Tool::flat(d), r + a_p).unwrap();
+            let beside = Beside::new(&part, lane, 0.0);
+            for q in [-1.0, -0.5, 0.0, 0.01, 0.02, 0.05, 0.1, 0.5] {
+                for face in Face::ALL {
+                    let axis = lane.axis(q, beside.psi(face, q), d / 2.0 + part.overhang());
+                    let apart = beside.wall.nearest(face, &axis, None).0 - d / 2.0;
+                    assert!(apart.abs() < 1e-6, "{d} {q} {face:?}: {apart}");
+                }
             }
         }
     }
