@@ -10,6 +10,7 @@ pub mod rules;
 pub mod scene;
 pub mod size;
 mod sketch;
+mod switching;
 
 use crate::gcode::control::Rotary;
 use crate::gcode::word::Distance;

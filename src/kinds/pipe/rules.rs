@@ -40,4 +40,19 @@ rules! {
         why "La perforación deja un cráter más ancho que el corte, y sin entrada queda en la pieza.",
             "Piercing leaves a crater wider than the cut, and without a lead-in it stays in the part.";
         example book!("pipe-hole", "lead_in" = "0");
+    "P2006" CodeInBoth Stop { one: Key, other: Key, number: u32 }
+        es "{one} y {other} llevan los dos M{number}: el mismo código no puede hacer las dos cosas"
+        en "{one} and {other} both hold M{number}: one code cannot do both"
+        remedy "escriba en cada celda los códigos de su máquina, como M3 para encender y M5 para apagar",
+            "write into each cell the codes of your machine, such as M3 to turn on and M5 to turn off";
+        why "Lo que enciende la antorcha no la apaga: quedaría encendida sobre los movimientos rápidos, o el corte se haría sin ella.",
+            "What turns the torch on does not turn it off: it would stay on over rapid moves, or be off over the cut.";
+        example book!("pipe-insert", "torch_off" = "M3");
+    "P2007" TurnsTheOtherWay Stop { key: Key, number: u32, does: Text }
+        es "{key} lleva M{number}, que {does} la salida del husillo"
+        en "{key} holds M{number}, which turns the spindle output {does}"
+        remedy "M3 y M4 van en torch_on, M5 en torch_off", "M3 and M4 belong into torch_on, M5 into torch_off";
+        why "Con M3 y M4 la salida que enciende la antorcha queda puesta y con M5 se quita, en todos los controles que rodete escribe.",
+            "M3 and M4 set the output that turns the torch on, and M5 clears it, on every control that rodete writes for.";
+        example book!("pipe-insert", "torch_off" = "M4");
 }

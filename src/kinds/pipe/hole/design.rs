@@ -22,6 +22,7 @@ use crate::kinds::pipe::hole::rules::{
     LimitBelowHeight,
 };
 use crate::kinds::pipe::hole::station::Groove;
+use crate::kinds::pipe::switching::opposed;
 use crate::machine::rapids::Rapids;
 use crate::parameter::at;
 use crate::parameter::field::Fields;
@@ -239,14 +240,16 @@ impl Design {
                 if self.hold_on.is_empty() { (HOLD_OFF.key(), HOLD_ON.key()) } else { (HOLD_ON.key(), HOLD_OFF.key()) };
             findings.push(HoldUnpaired { given, missing }.at(at([missing, given])));
         }
-        for (key, codes) in [
-            (TORCH_ON.key(), &self.torch_on),
+        let lists = [
+            (TORCH_ON.key(), &self.torch_on[..]),
             (TORCH_OFF.key(), &self.torch_off),
             (HOLD_ON.key(), &self.hold_on),
             (HOLD_OFF.key(), &self.hold_off),
-        ] {
+        ];
+        for (key, codes) in lists {
             findings.extend(refused_codes(self.control, key, codes, false));
         }
+        findings.extend(opposed(&lists));
         findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true));
         findings
     }

@@ -11,6 +11,7 @@ use crate::kinds::pipe::insert::rules::{
     AnnexIsFlat, BranchLarger, BranchOverhangs, KerfBeyondBore, KerfBeyondGap, LeadInCutsPart, OvercutPastTurn,
     RadiusOfEnvelope,
 };
+use crate::kinds::pipe::switching::opposed;
 use crate::kinds::rules::{AnnexCarriesNoFeed, FullStyleNeeds};
 use crate::parameter::at;
 
@@ -76,6 +77,7 @@ impl Design {
         }
         findings.extend(refused_codes(self.control, TORCH_ON.key(), &self.torch_on, false));
         findings.extend(refused_codes(self.control, TORCH_OFF.key(), &self.torch_off, false));
+        findings.extend(opposed(&[(TORCH_ON.key(), &self.torch_on), (TORCH_OFF.key(), &self.torch_off)]));
         findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true));
         findings
     }
