@@ -134,6 +134,12 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         findings.push(values.locate((earlier.told)(Place::Parameters(keys)).with(earlier.schema, form.schema)));
     }
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
+        // A value that cannot be read differs from the one that the programs were made with, too.
+        if exit == Exit::Refused
+            && let Ok((stale, _)) = verified(&mut book, form, &values, &written)
+        {
+            findings.extend(stale);
+        }
         return Err(refusal(exit, findings));
     }
     let (stale, files) = verified(&mut book, form, &values, &written)?;

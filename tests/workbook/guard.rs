@@ -82,6 +82,21 @@ fn check_names_another_spelling_where_the_banner_is_red() {
     }
 }
 
+#[test]
+fn an_input_that_cannot_be_read_is_named_with_the_others_that_were_changed() {
+    let results = results_of("impeller", "full");
+    let thicker = with_on(&results, "DATA", &cell_of(&results, "thickness_e"), "><v>2.2</v>");
+    let spoilt = with_on(&thicker, "DATA", &cell_of(&results, "blades_N"), &text("4"));
+    let forms: Vec<_> = KINDS.iter().map(|kind| kind.form()).collect();
+    let refused = rodete::workbook::read(&spoilt, &forms).expect_err("N is a text");
+    let told = |code: &str| {
+        let found = refused.findings.iter().find(|finding| finding.code() == code);
+        found.map(|finding| finding.what.en.clone().into_owned()).unwrap_or_default()
+    };
+    assert!(told("W0409").contains('N'), "{:?}", refused.findings);
+    assert!(told("W0519").contains("were made: N, e; out of date: "), "{}", told("W0519"));
+}
+
 /// The part of a sheet.
 fn part_of(parts: &Parts, sheet: &str) -> String {
     let listed = parts.text("xl/workbook.xml");
