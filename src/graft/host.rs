@@ -9,8 +9,7 @@ use crate::workbook::gate;
 use crate::workbook::limits;
 use crate::workbook::listing::SheetKind;
 use crate::workbook::names::Present;
-use crate::workbook::stamp::NAME as STAMP;
-use crate::workbook::stamp::STALE;
+use crate::workbook::stamp::{self, STALE};
 
 use super::book::Book;
 use super::marks::{self, Mark};
@@ -163,12 +162,13 @@ impl<'a> Host<'a> {
     /// The cautions on sheets that turn red with ours, and are not: copies that somebody made, with the figures of that day.
     fn copies(&mut self) -> Result<Vec<Finding>, Refusal> {
         let ours: BTreeSet<usize> = self.ours.values().copied().collect();
-        // The rule of an earlier rodete, and the stamp.
-        let rules = [format!(">{STALE}&lt;&gt;0<"), format!("{STAMP}&lt;&gt;")];
+        // The rule of an earlier rodete.
+        let rule = format!(">{STALE}&lt;&gt;0<");
         let mut found = Vec::new();
         for index in (0..self.sheets.len()).filter(|index| !ours.contains(index)) {
             let Some(text) = self.parts.bytes(&self.sheets[index])? else { continue };
-            if rules.iter().any(|rule| memchr::memmem::find(&text, rule.as_bytes()).is_some()) {
+            let text = String::from_utf8_lossy(&text);
+            if text.contains(&rule) || stamp::stamps(&text).next().is_some() {
                 let sheet = self.book.sheets.get(index).map(|one| excerpt(&one.name, SHOWN)).unwrap_or_default();
                 found.push(SheetCopied { sheet }.at(Place::File));
             }

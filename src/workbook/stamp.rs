@@ -69,7 +69,7 @@ pub(super) fn differs(stamp: &str) -> String {
 }
 
 /// The stamps that the formulas of a sheet's part compare with the workbook's; `<>` is how sheets of before compare them.
-fn stamps(text: &str) -> impl Iterator<Item = &str> {
+pub(crate) fn stamps(text: &str) -> impl Iterator<Item = &str> {
     text.split(NAME).skip(1).filter_map(|rest| {
         let rest = rest.strip_prefix(',').or_else(|| rest.strip_prefix("&lt;&gt;"))?;
         let rest = rest.strip_prefix('"').or_else(|| rest.strip_prefix("&quot;"))?;

@@ -384,9 +384,15 @@ fn into(key: &str, folder: &Path) -> Option<&'static str> {
         "into-manual" => (own(&["Notes"]).replace(BOOK, "<calcPr", "<calcPr calcMode=\"manual\""), NEW),
         "into-links" => (linked("externalLink"), NEW),
         "into-copied" => {
-            let rule = "<cfRule type=\"expression\" priority=\"1\"><formula>stale_inputs&lt;&gt;0</formula></cfRule>";
-            let to = format!("</sheetData><conditionalFormatting sqref=\"A1\">{rule}</conditionalFormatting>");
-            (own(&["Notes"]).replace("xl/worksheets/sheet1.xml", "</sheetData>", &to), NEW)
+            let turns_red = |formula: &str| {
+                let rule = format!("<cfRule type=\"expression\" priority=\"1\"><formula>{formula}</formula></cfRule>");
+                format!("</sheetData><conditionalFormatting sqref=\"A1\">{rule}</conditionalFormatting>")
+            };
+            // As sheets are written now, and as they were before they had a stamp.
+            let stamped = turns_red("IF(EXACT(build_stamp,\"0123456789abcdef\"),FALSE,TRUE)");
+            let earlier = turns_red("stale_inputs&lt;&gt;0");
+            let own = own(&["Notes", "Earlier"]).replace("xl/worksheets/sheet1.xml", "</sheetData>", &stamped);
+            (own.replace("xl/worksheets/sheet2.xml", "</sheetData>", &earlier), NEW)
         }
         "into-protected" => (own(&["Notes"]), NEW),
         _ => return None,
