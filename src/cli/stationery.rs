@@ -63,9 +63,13 @@ pub(super) fn named(workbook: &Path, outcome: &Outcome, verified: &[NamedFile]) 
     let now = match logo(workbook, outcome.fields.values(), verified) {
         Ok(now) => now.map(|(_, now)| now.sha256),
         Err(caution) => {
-            findings.push(*caution);
             let above = beside(workbook).join("..").join(name.replace('\\', "/"));
-            bytes(&above, LOGO_BYTES).ok().map(|bytes| store::sha256(&bytes))
+            let found = bytes(&above, LOGO_BYTES).ok().map(|bytes| store::sha256(&bytes));
+            // The file is there: only that it is another is told.
+            if found.is_none() {
+                findings.push(*caution);
+            }
+            found
         }
     };
     let changed = |then: &&NamedFile| then.name == name && now.as_ref().is_some_and(|now| *now != then.sha256);
