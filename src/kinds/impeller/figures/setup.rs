@@ -116,11 +116,11 @@ pub(super) fn above(design: &Design, blade: &Blade) -> Figure {
         let text = format!("{}°", shown(angle, 2));
         sketch.label([reach * cos, reach * sin], side, Text::same(text));
     }
-    // The direction in which +C turns the part.
+    // The direction in which +C turns the part, clear of the lines below it.
     let turned = Rotary::direction_to_machine(&Vector3::x(), 0.0, 0.6);
     let by = atan2(turned.y, turned.x).to_degrees();
-    sketch.turn(Ink::Axis(2), [0.0, 0.0], R + 1.6 * gap, [-110.0, -110.0 + by]);
-    let (sin, cos) = sin_cos((-110.0 + by / 2.0).to_radians());
+    sketch.turn(Ink::Axis(2), [0.0, 0.0], R + 1.6 * gap, [160.0, 160.0 + by]);
+    let (sin, cos) = sin_cos((160.0 + by / 2.0).to_radians());
     let at = R + 2.0 * gap;
     sketch.label([at * cos, at * sin], Side::Left, t("+C gira la pieza", "+C turns the part"));
     sketch.zero([0.0, 0.0]);
