@@ -382,6 +382,44 @@ mod embedded {
         }
     }
 
+    /// Down to where each page of a PDF is inked, in % of the room between head and foot.
+    fn filled(pdf: &[u8]) -> Option<Vec<usize>> {
+        /// Foot of the head, top of the foot and height of a page, mm.
+        const ROOM: [usize; 3] = [27, 275, 297];
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), pdf).unwrap();
+        let Ok(output) = Command::new("pdftoppm").args(["-r", "36", "-gray"]).arg(file.path()).output() else {
+            super::missing("pdftoppm");
+            return None;
+        };
+        assert!(output.status.success());
+        // One picture after the other: P5, width, height and greatest value, then a byte for each of its points.
+        let (mut rest, mut found) = (output.stdout.as_slice(), Vec::new());
+        while !rest.is_empty() {
+            let head: Vec<&[u8]> = rest.splitn(5, u8::is_ascii_whitespace).collect();
+            let [width, height] = [1, 2].map(|at| std::str::from_utf8(head[at]).unwrap().parse::<usize>().unwrap());
+            let (page, further) = head[4].split_at(width * height);
+            let [top, foot, _] = ROOM.map(|mm| mm * height / ROOM[2]);
+            let mut rows = page.chunks(width).enumerate().take(foot).skip(top);
+            let last = rows.rfind(|(_, row)| row.iter().any(|&light| light < 225));
+            found.push(last.map_or(0, |(row, _)| (row - top) * 100 / (foot - top)));
+            rest = further;
+        }
+        Some(found)
+    }
+
+    /// Behind the set-up sheet no page is half empty, the last one neither.
+    #[test]
+    fn every_page_of_a_report_is_filled() {
+        for Made { name, outcome, language, report, .. } in EVERY.iter() {
+            let setups = outcome.figures.iter().filter(|figure| ["setup", "setup-2"].contains(&figure.key)).count();
+            let Some(pages) = filled(&report.pdf) else { return };
+            for (at, part) in pages.iter().enumerate().skip(1 + setups.max(1)) {
+                assert!(*part > 70, "{name} {language:?}: page {} is filled to {part} %", at + 1);
+            }
+        }
+    }
+
     /// The machinist sets the tools as they were checked, and is not told of axes that the form says the machine has not.
     #[test]
     fn the_set_up_sheet_of_an_impeller_tells_stick_outs_and_how_the_machine_counts() {
