@@ -179,7 +179,7 @@ crate::finding::rule::rules! {
         remedy "use una herramienta menor si la separación la admite (d_t_max, gap_true); si no, álabes más delgados o menos, o un fondo menos profundo (a_p)", "use a smaller tool if the gap admits one (d_t_max, gap_true); else thinner or fewer blades, or a shallower floor (a_p)";
         why "Si el cubo es más estrecho que el álabe, las caras pasan el eje de la pieza y llegan a los canales del otro lado.",
             "Where the hub is narrower than the blade, the faces pass the axis of the part and come into the channels on the other side.";
-        example book!("impeller", "r" = "16.5", "N" = "2", "e" = "5.4", "a_p" = "5.4", "d_t" = "4", "d_f" = "", "splitters" = "no", "c_s" = "0.2", "tol" = "0.03");
+        example book!("impeller", "r" = "15.5", "N" = "1", "e" = "7", "a_p" = "4", "d_t" = "4", "d_f" = "", "splitters" = "no", "c_s" = "0.2", "tol" = "0.03");
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} {found} is in force, but the form asks for {wanted}"
