@@ -9,7 +9,7 @@ use super::page::Page;
 use super::style::Styles;
 use super::validation::{red, validation};
 use crate::parameter::list::{List, Naming, Row};
-use crate::parameter::{FieldKind, Value};
+use crate::parameter::{FieldKind, Parameter, Value};
 use crate::text::Language;
 
 /// The rows of meanings, units and headings, and the first row of the list, counted from 0.
@@ -36,11 +36,54 @@ pub struct ListSheet<'a> {
 /// The cells of a column of a list that has one sheet, as `TOOLS!$A$6:$A$505` for `tools.T`; `None` where it is another list's.
 #[must_use]
 pub fn cells(list: &List, reference: &str, language: Language) -> Option<String> {
-    let (Naming::One(name), (key, symbol)) = (&list.naming, reference.split_once('.')?) else { return None };
+    let (key, symbol) = reference.split_once('.')?;
     let at = list.columns.iter().position(|column| list.key == key && column.symbol() == symbol)?;
-    let column = column_number_to_name(ColNum::try_from(at).ok()?);
-    let last = usize::try_from(FIRST).ok()? + list.most;
+    column_cells(list, at, language)
+}
+
+fn column_cells(list: &List, at: usize, language: Language) -> Option<String> {
+    let Naming::One(name) = &list.naming else { return None };
+    let column = letter(at)?;
+    let last = last(list)?;
     Some(format!("{}!${column}${}:${column}${last}", quote_sheet_name(name.get(language)), FIRST + 1))
+}
+
+/// The last row of a list, from 1.
+fn last(list: &List) -> Option<usize> {
+    Some(usize::try_from(FIRST).ok()? + list.most)
+}
+
+fn letter(at: usize) -> Option<String> {
+    Some(column_number_to_name(ColNum::try_from(at).ok()?))
+}
+
+/// Where a cell of a column of a list is empty in a row that is used.
+#[derive(Debug)]
+pub struct Gap {
+    /// The formula: how far above the row behind the list the first such row stands; 0 where there is none.
+    pub found: String,
+    column: String,
+    behind: usize,
+}
+
+impl Gap {
+    /// The address of the empty cell as a formula, where `found` stands in a cell.
+    #[must_use]
+    pub fn address(&self, found: &str) -> String {
+        format!("\"{}\"&({}-{found})", self.column, self.behind)
+    }
+}
+
+/// The gaps in a column of a list that has one sheet; `None` of others.
+#[must_use]
+pub fn gap(list: &List, parameter: &Parameter, language: Language) -> Option<Gap> {
+    let at = list.columns.iter().position(|one| one.key == parameter.key)?;
+    let (own, column, behind) = (column_cells(list, at, language)?, letter(at)?, last(list)? + 1);
+    let others = (0..list.columns.len()).filter(|other| *other != at);
+    let others = others.filter_map(|other| column_cells(list, other, language));
+    let filled = others.map(|cells| format!("LEN(TRIM({cells}))")).collect::<Vec<_>>().join("+");
+    let empty = format!("(LEN(TRIM({own}))=0)*(({filled})>0)");
+    Some(Gap { found: format!("SUMPRODUCT(MAX({empty}*({behind}-ROW({own}))))"), column, behind })
 }
 
 impl ListSheet<'_> {

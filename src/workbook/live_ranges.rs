@@ -1,15 +1,16 @@
 //! Whether every input of a form is there and allowed, as formulas: a red cell at each, and a hidden sheet with one row for each,
 //! from which the live form tells what is wrong.
 //!
-//! Of a number this is its range, of a choice its list, of a text its length, of machine codes their signs. What a formula does
+//! Of a number this is its range, of a choice its list, of a text its length, of machine codes their signs; of a list, that no cell is
+//! empty that a row needs. What a formula does
 //! not see of a block (the order of its words, the size of their numbers) is left to `rodete check`.
 
 use rust_xlsxwriter::{ColNum, Workbook, utility::column_number_to_name};
 
 use super::cell::uncomputed;
 use super::error::WriteError;
-use super::list_sheet;
-use super::validation::{beyond, range, spellings, unknown};
+use super::list_sheet::{self, Gap};
+use super::validation::{beyond, range, unknown, unknowns};
 use crate::kind::live_form::LiveForm;
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{FieldKind, Form, Parameter, Sheet};
@@ -18,6 +19,8 @@ use crate::text::{Language, Text, t};
 /// The hidden sheet: what is asked for, its state, and the words for it where it is not right. The inputs that must be there
 /// before anything is computed stand first.
 pub const SHEET: &str = "Ranges";
+/// The column, from 0, that tells where a cell of a list is empty in a row that is used.
+const GAPS: ColNum = 3;
 /// The column of what the live form asks of all inputs together, from 0.
 const ANSWERS: ColNum = 4;
 /// The columns of the derived values that have limits: 1 where one is broken, and what is said of it.
@@ -88,12 +91,14 @@ struct Asked {
     symbol: String,
     state: String,
     words: String,
+    /// Of a column that must be filled in every row that is used, where it is not.
+    gap: Option<Gap>,
 }
 
 impl Asked {
-    /// What stands in a cell with a defined name; on which sheet, where it is not the first.
-    fn cell(parameter: &Parameter, sheet: Option<&str>, wanted: bool, language: Language) -> Option<Self> {
-        let (name, empty) = (parameter.name, if wanted { NO_NUMBER } else { 0 });
+    /// What stands in a cell with a defined name; on which sheet, where it is not the first. `empty` is the state of an empty cell.
+    fn cell(parameter: &Parameter, sheet: Option<&str>, empty: &str, language: Language) -> Option<Self> {
+        let name = parameter.name;
         let state = match (beyond(&parameter.kind, name), unknown(&parameter.kind, name)) {
             (Some(beyond), _) => {
                 format!("IF(ISNUMBER({name}),IF({beyond},{OUTSIDE},0),IF(LEN(TRIM({name}))>0,{NO_NUMBER},{empty}))")
@@ -101,40 +106,38 @@ impl Asked {
             (None, unknown) => format!("IF(LEN(TRIM({name}))=0,{empty},IF({},{OUTSIDE},0))", unknown?),
         };
         Some(Self {
-            symbol: parameter.symbol().to_owned(),
+            symbol: sheet.map_or_else(String::new, |sheet| format!("{sheet}, ")) + parameter.symbol(),
             state: format!("IF(ISERROR({name}),{NO_NUMBER},{state})"),
             words: words(&placed(parameter, sheet), parameter, language),
+            gap: None,
         })
     }
 
     /// What stands in a column of a list.
     fn column(list: &List, sheet: &str, parameter: &Parameter, language: Language) -> Option<Self> {
-        let cells = || list_sheet::cells(list, &format!("{}.{}", list.key, parameter.symbol()), language);
+        let cells = list_sheet::cells(list, &format!("{}.{}", list.key, parameter.symbol()), language)?;
         let symbol = format!("{sheet}, {}", parameter.symbol());
-        let (min, max) = match &parameter.kind {
-            FieldKind::Real { min, max } => (*min, *max),
-            FieldKind::Whole { min, max } => (f64::from(*min), f64::from(*max)),
+        // The bound goes into the condition as a number: as a text it would have the decimal sign of one language.
+        let beyond = |min: f64, max: f64| format!("COUNTIF({cells},\"<\"&{min})+COUNTIF({cells},\">\"&{max})");
+        let number =
+            |broken: &str| format!("IF({broken}>0,{OUTSIDE},IF(COUNTA({cells})>COUNT({cells}),{NO_NUMBER},0))");
+        let state = match &parameter.kind {
+            FieldKind::Real { min, max } => number(&beyond(*min, *max)),
+            FieldKind::Whole { min, max } => {
+                let beyond = beyond(f64::from(*min), f64::from(*max));
+                number(&format!("{beyond}+(SUM({cells})<>INT(SUM({cells})))"))
+            }
             FieldKind::Choice(choices) => {
-                let cells = cells()?;
-                let known =
-                    spellings(choices).iter().map(|word| format!("-COUNTIF({cells},\"{word}\")")).collect::<String>();
-                let words = words(&format!("\"{symbol}\""), parameter, language);
-                return Some(Self { symbol, state: format!("IF(COUNTA({cells}){known}<>0,{OUTSIDE},0)"), words });
+                let unknown = unknowns(choices, &cells);
+                format!("IF(SUMPRODUCT(1*ISERROR({cells}))>0,{OUTSIDE},IF({unknown}<>0,{OUTSIDE},0))")
+            }
+            FieldKind::Line { .. } if !list.is_program => {
+                format!("IF(SUMPRODUCT(1*ISERROR({cells}))>0,{NO_NUMBER},0)")
             }
             _ => return None,
         };
-        let cells = cells()?;
-        // The bound goes into the condition as a number: as a text it would have the decimal sign of one language.
-        let beyond = format!("COUNTIF({cells},\"<\"&{min})+COUNTIF({cells},\">\"&{max})");
-        let broken = match &parameter.kind {
-            FieldKind::Whole { .. } => format!("{beyond}+(SUM({cells})<>INT(SUM({cells})))"),
-            _ => beyond,
-        };
-        Some(Self {
-            state: format!("IF({broken}>0,{OUTSIDE},IF(COUNTA({cells})>COUNT({cells}),{NO_NUMBER},0))"),
-            words: words(&format!("\"{symbol}\""), parameter, language),
-            symbol,
-        })
+        let gap = list_sheet::gap(list, parameter, language).filter(|_| parameter.required && list.columns.len() > 1);
+        Some(Self { words: words(&format!("\"{symbol}\""), parameter, language), symbol, state, gap })
     }
 }
 
@@ -152,26 +155,42 @@ fn words(symbol: &str, parameter: &Parameter, language: Language) -> String {
     format!("{symbol}&\": {} ({}{unit})\"", OUT.get(language), range.get(language))
 }
 
+/// True as a formula where a cell of a sheet that may stay empty is filled: then the others are missing.
+fn begun(sheet: &Sheet) -> String {
+    let parameters = sheet.sections.iter().flat_map(|section| section.parameters);
+    let filled = parameters.map(|one| format!("LEN(TRIM({}))", one.name)).collect::<Vec<_>>().join("+");
+    format!("IF(ISERROR({filled}),TRUE,{filled}>0)")
+}
+
 /// What is asked for: what the live form needs, then every other input of the form, and numbers and choices of its lists.
 fn asked(form: &Form, live: &LiveForm, language: Language) -> Vec<Asked> {
     let other = |sheet: &'static Sheet| {
         let first = form.sheets.first().is_some_and(|first| first.name == sheet.name);
         (!first).then(|| sheet.name.get(language))
     };
+    let missing = NO_NUMBER.to_string();
     let wanted = |name: &str| {
         let own = form.parameters().find(|(_, parameter)| parameter.name == name);
-        own.and_then(|(sheet, parameter)| Asked::cell(parameter, other(sheet), true, language)).unwrap_or_else(|| {
-            let symbol = live.rows.iter().find(|row| row.name == name).map_or(name, |row| row.symbol);
-            Asked {
-                symbol: symbol.to_owned(),
-                state: format!("IF(ISNUMBER({name}),0,{NO_NUMBER})"),
-                words: format!("\"{symbol}\""),
-            }
-        })
+        own.and_then(|(sheet, parameter)| Asked::cell(parameter, other(sheet), &missing, language)).unwrap_or_else(
+            || {
+                let symbol = live.rows.iter().find(|row| row.name == name).map_or(name, |row| row.symbol);
+                Asked {
+                    symbol: symbol.to_owned(),
+                    state: format!("IF(ISNUMBER({name}),0,{NO_NUMBER})"),
+                    words: format!("\"{symbol}\""),
+                    gap: None,
+                }
+            },
+        )
     };
     let others = form.parameters().filter(|(_, parameter)| !live.inputs.contains(&parameter.name));
     let others = others.filter_map(|(sheet, parameter)| {
-        Asked::cell(parameter, other(sheet), parameter.required && !sheet.optional, language)
+        let empty = match (parameter.required, sheet.optional) {
+            (false, _) => "0".to_owned(),
+            (true, false) => missing.clone(),
+            (true, true) => format!("IF({},{NO_NUMBER},0)", begun(sheet)),
+        };
+        Asked::cell(parameter, other(sheet), &empty, language)
     });
     let listed = form.lists.iter().flat_map(|list| {
         let sheet = match &list.naming {
@@ -198,8 +217,21 @@ pub fn write<const N: usize>(
     let sheet = workbook.add_worksheet().set_name(SHEET)?;
     sheet.set_hidden(true);
     for (row, one) in (0..).zip(asked(form, live, language)) {
-        sheet.write_string(row, 0, &one.symbol)?;
-        sheet.write_formula(row, 1, uncomputed(&one.state))?;
+        match &one.gap {
+            None => {
+                sheet.write_string(row, 0, &one.symbol)?;
+                sheet.write_formula(row, 1, uncomputed(&one.state))?;
+            }
+            Some(gap) => {
+                let cell = format!("${}${}", column_number_to_name(GAPS), row + 1);
+                // An error stands in a list with one, and the column that holds it tells that.
+                let is = format!("IF(ISNUMBER({cell}),{cell}>0,FALSE)");
+                let symbol = format!("IF({is},\"{0} (\"&{1}&\")\",\"{0}\")", one.symbol, gap.address(&cell));
+                sheet.write_formula(row, 0, uncomputed(&symbol))?;
+                sheet.write_formula(row, 1, uncomputed(&format!("IF({is},{NO_NUMBER},{})", one.state)))?;
+                sheet.write_formula(row, GAPS, uncomputed(&gap.found))?;
+            }
+        }
         sheet.write_formula(row, 2, uncomputed(&one.words))?;
     }
     for (row, (broken, told)) in (0..).zip(broken) {

@@ -58,8 +58,19 @@ pub(super) fn beyond(kind: &FieldKind, cell: &str) -> Option<String> {
     }
 }
 
+/// How many cells of a range hold another text than the words of a choice, as a formula that is an error where one of them is.
+pub(super) fn unknowns(choices: &[Choice], cells: &str) -> String {
+    let is = |word: &String| {
+        let all = format!("(TRIM({cells})=\"{word}\")");
+        // As of one cell: two blanks between words count.
+        if word.contains(' ') { format!("-{all}*ISNUMBER(FIND(\"{word}\",LOWER({cells})))") } else { format!("-{all}") }
+    };
+    let known = spellings(choices).iter().map(is).collect::<String>();
+    format!("SUMPRODUCT((LEN(TRIM({cells}))>0){known})")
+}
+
 /// The words for a choice, in both languages and by its key, as they are typed.
-pub(super) fn spellings(choices: &[Choice]) -> Vec<String> {
+fn spellings(choices: &[Choice]) -> Vec<String> {
     let all = choices.iter().flat_map(|choice| [&choice.label.es, &choice.label.en, choice.key]);
     let mut words: Vec<String> = all.flat_map(|word| [word.to_lowercase(), fold(word)]).collect();
     words.sort();
@@ -87,8 +98,10 @@ pub(super) fn unknown(kind: &FieldKind, cell: &str) -> Option<String> {
 fn misspelt(cell: &str, [codes, axes]: [&str; 2]) -> String {
     const DIGITS: usize = 4;
     let most = CODES as usize;
+    // TRIM takes no notice of the blanks that do not break, which part words, too.
+    let blanks = format!("SUBSTITUTE({cell},\"\u{a0}\",\" \")");
     let sign = |after: usize| {
-        format!("MID(\" \"&UPPER({cell})&REPT(\" \",{}),ROW($A$1:$A${})+{after},1)", most + DIGITS + 4, most + 2)
+        format!("MID(\" \"&UPPER({blanks})&REPT(\" \",{}),ROW($A$1:$A${})+{after},1)", most + DIGITS + 4, most + 2)
     };
     let is = |after: usize, signs: &str| format!("ISNUMBER(FIND({},\"{signs}\"))", sign(after));
     let digit = |after| is(after, "0123456789");
@@ -101,7 +114,7 @@ fn misspelt(cell: &str, [codes, axes]: [&str; 2]) -> String {
     let fits = pairs.iter().map(|(here, next)| format!("-{here}*{next}")).collect::<String>();
     let long = (0..=DIGITS).map(digit).collect::<Vec<_>>().join("*");
     let long = if axes.is_empty() { format!(",SUMPRODUCT({long})>0") } else { String::new() };
-    format!("OR(LEN({cell})>{most},SUMPRODUCT(1{fits})>0{long})")
+    format!("OR(LEN({cell})>{most},LEN(TRIM({blanks}))=0,SUMPRODUCT(1{fits})>0{long})")
 }
 
 /// Red for a cell, or the first of some, with what is not allowed there; none for a parameter that has one text alone.

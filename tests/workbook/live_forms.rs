@@ -19,16 +19,16 @@ use rodete::workbook::Filled;
 /// What LibreOffice keeps of a number in its file.
 const TOLERANCE: f64 = 1e-12;
 
-fn kind_of(kind: &str) -> &'static dyn Kind {
+pub fn kind_of(kind: &str) -> &'static dyn Kind {
     *KINDS.iter().find(|one| one.form().kind == kind).expect("a kind")
 }
 
-fn form(kind: &str, case: &str, language: Language) -> Vec<u8> {
+pub fn form(kind: &str, case: &str, language: Language) -> Vec<u8> {
     let kind = kind_of(kind);
     written(kind, kind.cases().iter().find(|one| one.name == case).expect("a case"), language)
 }
 
-const fn sheet(language: Language) -> &'static str {
+pub const fn sheet(language: Language) -> &'static str {
     match language {
         Language::Es => "DATOS",
         Language::En => "DATA",
@@ -36,7 +36,7 @@ const fn sheet(language: Language) -> &'static str {
 }
 
 /// Number, text or nothing in the cell of an input.
-fn typed(value: &str) -> String {
+pub fn typed(value: &str) -> String {
     if value.is_empty() {
         ">".to_owned()
     } else if value.parse::<f64>().is_ok() {
@@ -494,7 +494,7 @@ fn the_plan_of_a_lathe_has_turret_and_tools_where_the_simulation_has_them() {
 }
 
 /// A text in a cell, blanks and all.
-fn text(text: &str) -> String {
+pub fn text(text: &str) -> String {
     format!(" t=\"inlineStr\"><is><t xml:space=\"preserve\">{text}</t></is>")
 }
 

@@ -11,6 +11,7 @@ mod lathe_workbook;
 mod libreoffice;
 mod live;
 mod live_forms;
+mod missing;
 mod offsets_workbook;
 mod report;
 mod results_workbook;

@@ -1,7 +1,9 @@
 //! The live form of the lathe: its closed limits, and stock, chuck, tailstock and mounted tools in plan, the turret at its
 //! reference point.
 
-use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
+use crate::gcode::control::Control;
+use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, says};
+use crate::kinds::lathe::parameters::DIALECTS;
 use crate::kinds::lathe::setup::MARGIN;
 use crate::removal::turning::machine::Lathe;
 use crate::table::{Formula, Unit};
@@ -134,7 +136,27 @@ fn rows() -> Vec<LiveRow> {
         )
         .unit(Unit::Count)
         .wrong("Plan!$G$9>live_tools", t("un puesto está dos veces", "a place is there twice"), ""),
+        LiveRow::length(
+            "point",
+            "live_point",
+            t("Cómo lee el control X100", "How the control reads X100"),
+            "decimal_point&\"\"",
+        )
+        .always()
+        .unit(Unit::None)
+        .wrong(
+            format!("AND({},LEN(TRIM(decimal_point))=0)", by_setting()),
+            t("este control lo necesita", "this control needs it"),
+            "decimal_point",
+        ),
     ]
+}
+
+/// True as a formula where a setting of the control says how it reads a dimension without a decimal point.
+fn by_setting() -> String {
+    let asks = |name: &&str| Control::named(name).is_some_and(|control| control.lexis.point.by_setting());
+    let asking = DIALECTS.iter().map(|one| one.key).filter(asks).map(|name| says("dialect", name));
+    format!("OR({})", asking.collect::<Vec<_>>().join(","))
 }
 
 /// The mounted tools in columns A to F, by their places: row of the list, Q_x, Q_z, width, length, whether it is a bar; single
