@@ -20,7 +20,8 @@ const WIDTHS: [f64; 7] = [12.0, 8.0, 26.0, 54.0, 24.0, 24.0, 44.0];
 /// The last column.
 const LAST: ColNum = 6;
 
-/// Writes the sheet of an outcome's checks: title, count by grade, and one row for each finding.
+/// Writes the sheet of an outcome's checks: title, count by grade, and one row for each finding. As soon as an input was changed they are
+/// struck out where `live` cells follow it.
 ///
 /// # Errors
 /// For more findings than a sheet has rows.
@@ -30,6 +31,7 @@ pub(super) fn write(
     findings: &[Finding],
     &Look { styles, page, language }: &Look<'_>,
     guard: &Guard,
+    live: bool,
 ) -> Result<(), WriteError> {
     write_text(sheet, 0, 0, table.title.get(language), &styles.title)?;
     let summary = checks::summary(findings);
@@ -58,6 +60,9 @@ pub(super) fn write(
     sheet.set_freeze_panes(HEADINGS + 1, 0)?;
     if last > HEADINGS {
         sheet.autofilter(HEADINGS, 0, last, LAST)?;
+        if live {
+            guard.strike(sheet, [HEADINGS + 1, last], [0, LAST], &styles.left)?;
+        }
     }
     Page { repeat: (HEADINGS, HEADINGS), landscape: true, ..*page }.set_up(sheet, language)?;
     Ok(())

@@ -104,7 +104,7 @@ fn write_for<W: Write + Seek + Send>(
     let live = LiveTables::new(&placed, written);
     results.write_tables(&placed, live)?;
     results.write_programs(files)?;
-    results.write_checks()?;
+    results.write_checks(live.on())?;
     let again = match present {
         Some(_) => &AGAIN_INTO,
         None if within_limits(outcome) => &AGAIN,
@@ -317,7 +317,7 @@ impl<'a> Results<'a> {
         Ok(())
     }
 
-    fn write_checks(&mut self) -> Result<(), WriteError> {
+    fn write_checks(&mut self, live: bool) -> Result<(), WriteError> {
         let findings = &self.outcome.findings;
         let table = checks::table(findings);
         static FOUND: Text = t(
@@ -327,7 +327,7 @@ impl<'a> Results<'a> {
         let name = self.name(table.key, &table.name, &FOUND);
         let worksheet = self.workbook.add_worksheet().set_name(name)?;
         let look = Look { styles: &self.styles, page: &self.page, language: self.language };
-        checks_sheet::write(worksheet, &table, findings, &look, &self.guard)
+        checks_sheet::write(worksheet, &table, findings, &look, &self.guard, live)
     }
 }
 

@@ -49,6 +49,15 @@ pub struct Summary<'a> {
     pub language: Language,
 }
 
+/// A line above the derived values.
+struct Line {
+    label: Text,
+    text: Text,
+    grade: Option<Grade>,
+    /// It is what came out for the inputs.
+    computed: bool,
+}
+
 impl Summary<'_> {
     /// Writes the sheet. Returns the defined names of derived values with the rows that they stand on, from 0, all in column C.
     ///
@@ -68,16 +77,19 @@ impl Summary<'_> {
         sheet.merge_range(1, 0, 1, 4, "", &styles.source)?;
         self.guard.banner(sheet, 1, [0, 4], "", self.language, [&styles.source, &styles.stale])?;
         let mut row = 1;
-        for (label, text, grade) in self.lines() {
+        for line in self.lines() {
             row += 1;
-            let text = text.get(self.language);
-            let format = match grade {
+            let text = line.text.get(self.language);
+            let format = match line.grade {
                 Some(grade) => styles.text.clone().set_background_color(grade_fill(grade)),
                 None => styles.text.clone(),
             };
-            write_text(sheet, row, 0, label.get(self.language), &styles.symbol)?;
+            write_text(sheet, row, 0, line.label.get(self.language), &styles.symbol)?;
             sheet.merge_range(row, 1, row, 4, "", &format)?;
             write_text(sheet, row, 1, text, &format)?;
+            if line.computed && self.live.on() {
+                self.guard.strike(sheet, [row; 2], [1, 4], &styles.left)?;
+            }
             sheet.set_row_height(row, row_height(&[(text, WIDTHS.iter().skip(1).sum())]))?;
         }
         let mut names = Vec::new();
@@ -88,8 +100,8 @@ impl Summary<'_> {
         Ok(names)
     }
 
-    /// Label and text of each line, and its grade if it has one.
-    fn lines(&self) -> Vec<(Text, Text, Option<Grade>)> {
+    /// The lines in their order.
+    fn lines(&self) -> Vec<Line> {
         let outcome = self.outcome;
         let found = &outcome.findings;
         let source = &outcome.source;
@@ -105,14 +117,15 @@ impl Summary<'_> {
         let looked = cautions(found);
         let attention =
             if outcome.stopped() || found.iter().any(|one| one.grade != Grade::Note) { Some(grade) } else { None };
-        let line = |label: Text, text: Text| (label, text, None);
+        let line = |label: Text, text: Text| Line { label, text, grade: None, computed: false };
+        let computed = |label: Text, text: Text, grade| Line { label, text, grade, computed: true };
         let tables = self.live.note().map(|note| line(t("Tablas", "Tables"), note));
         let lines = vec![
             line(t("Pieza", "Part"), Text::same(part.join(", "))),
             line(t("Control", "Control"), Text::new(control("estilo"), control("style"))),
-            (t("Resultado", "Verdict"), verdict, Some(grade)),
-            (t("Qué revisar", "What to check"), looked, attention),
-            line(t("Programas", "Programs"), programs(&outcome.programs)),
+            computed(t("Resultado", "Verdict"), verdict, Some(grade)),
+            computed(t("Qué revisar", "What to check"), looked, attention),
+            computed(t("Programas", "Programs"), programs(&outcome.programs), None),
             line(t("Archivos", "Files"), self.delivered()),
             line(
                 t("Antes de cortar", "Before you cut"),
@@ -205,7 +218,8 @@ impl Summary<'_> {
             None => {
                 sheet.write_number_with_format(row, 2, quantity.value, &format)?;
                 if self.live.on() {
-                    self.guard.strike(sheet, [row; 2], [2; 2], &styles.left)?;
+                    // With its source, which may say where it is reached.
+                    self.guard.strike(sheet, [row; 2], [2, 4], &styles.left)?;
                 }
             }
         }

@@ -113,11 +113,10 @@ impl<'a> TableSheet<'a> {
 
     /// Strikes out the values when an input was changed: among cells that follow, those of before would pass for new ones.
     fn strike_values(&self, sheet: &mut Worksheet, styles: &Styles, guard: &Guard) -> Result<(), WriteError> {
-        for (at, column) in self.table.columns.iter().enumerate() {
-            // Where no points are counted, words name the rows.
-            if matches!(column.values, Cells::Texts(_)) && !self.table.index.counted() {
-                continue;
-            }
+        let number = |column: &Column| !matches!(column.values, Cells::Texts(_));
+        // Where no points are counted, words before the first number name the rows; words alone are a verdict.
+        let first = if self.table.index.counted() { None } else { self.table.columns.iter().position(number) };
+        for (at, column) in self.table.columns.iter().enumerate().skip(first.unwrap_or_default()) {
             let to = column_number(at)? + self.offset();
             let follows = |row: usize| {
                 let formula = column.live.as_ref().and_then(|live| live.get(row));

@@ -277,3 +277,56 @@ fn values_are_struck_out_and_formulas_are_not_as_soon_as_an_input_differs() {
     let parts = Parts::of(&results_of("pipe-hole", "set-in"));
     assert!(struck(&part_of(&parts, "Height")).iter().any(|[first, _]| first.1 == 6), "the rule of the height");
 }
+
+/// The rows of a sheet that hold something in a column, with what they say.
+fn said(book: &[u8], sheet: &str, column: u32) -> Vec<(u32, String)> {
+    let mut book: Xlsx<_> = open_workbook_from_rs(Cursor::new(book.to_vec())).expect("the results");
+    let sheet = book.worksheet_range(sheet).expect("the sheet");
+    let (first, last) = (sheet.start().expect("a cell").0, sheet.end().expect("a cell").0);
+    let told =
+        |row| Some((row, sheet.get_value((row, column)).map(ToString::to_string).filter(|one| !one.is_empty())?));
+    (first..=last).filter_map(told).collect()
+}
+
+/// Verdicts, places and words of tables are of the inputs, too.
+#[test]
+fn words_that_came_out_are_struck_out_as_soon_as_an_input_differs() {
+    for (language, [summary, verification, findings, passes], lines) in [
+        (Language::En, ["SUMMARY", "Verification", "Findings", "Passes"], ["Verdict", "What to check", "Programs"]),
+        (Language::Es, ["RESUMEN", "Verificación", "Avisos", "Pasadas"], ["Resultado", "Qué revisar", "Programas"]),
+    ] {
+        let book = results_with("impeller", "clear", language, &[]);
+        let parts = Parts::of(&book);
+        let hit = |sheet: &str, at: (u32, u32)| {
+            struck(&part_of(&parts, sheet))
+                .iter()
+                .any(|[first, last]| (first.0..=last.0).contains(&at.0) && (first.1..=last.1).contains(&at.1))
+        };
+        let mut labels = 0;
+        for (row, label) in said(&book, summary, 0).into_iter().filter(|(row, _)| (2..12).contains(row)) {
+            let computed = lines.contains(&label.as_str());
+            assert_eq!([1, 4].map(|column| hit(summary, (row, column))), [computed; 2], "{label}");
+            labels += usize::from(computed);
+        }
+        assert_eq!(labels, lines.len());
+        for (sheet, headings) in [(verification, 3), (findings, 2), (passes, 3)] {
+            let mut count = 0;
+            for column in 0..5 {
+                for (row, told) in said(&book, sheet, column).into_iter().filter(|(row, _)| *row > headings) {
+                    assert!(hit(sheet, (row, column)), "{sheet}, row {}, column {column}: {told}", row + 1);
+                    count += 1;
+                }
+            }
+            assert!(count > 10, "{sheet}: {count} cells");
+        }
+    }
+    // Where a value that is struck out is reached.
+    let book = results_of("pipe-insert", "square");
+    let ranges = struck(&part_of(&Parts::of(&book), "SUMMARY"));
+    let places: Vec<_> =
+        said(&book, "SUMMARY", 4).into_iter().filter(|(_, told)| told.starts_with("at φ = ")).collect();
+    assert!(!places.is_empty());
+    for (row, told) in places {
+        assert!(ranges.contains(&[(row, 2), (row, 4)]), "{told}");
+    }
+}
