@@ -162,6 +162,8 @@ pub struct Chart {
     pub axes: [Text; 2],
     /// Both axes have one scale (a drawing of shapes).
     pub equal: bool,
+    /// The formula over the form's cells that is true while the part has what is drawn; `None` where it always has.
+    pub when: Option<&'static str>,
     /// The curves.
     pub series: Vec<Series>,
 }

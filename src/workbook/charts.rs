@@ -57,8 +57,13 @@ impl<'a> Axis<'a> {
     }
 
     /// The cells that are drawn: those of the table, or where its rows follow an input, of points picked from them.
-    fn range(&self, curves: &mut Curves<'a>, language: Language) -> Result<Range, WriteError> {
-        if let Some(range) = curves.range(self.table, self.column)? {
+    fn range(
+        &self,
+        curves: &mut Curves<'a>,
+        when: Option<&'static str>,
+        language: Language,
+    ) -> Result<Range, WriteError> {
+        if let Some(range) = curves.range(self.table, self.column, when)? {
             return Ok(range);
         }
         let sheet = TableSheet { table: self.table, language };
@@ -109,7 +114,8 @@ pub fn draw<'a>(
             *extent = [extent[0].min(low), extent[1].max(high)];
         }
         count += 1;
-        let (few, x, y) = (x.table.rows() < POINTS, x.range(curves, language)?, y.range(curves, language)?);
+        let few = x.table.rows() < POINTS;
+        let [x, y] = [x.range(curves, chart.when, language)?, y.range(curves, chart.when, language)?];
         // Colour alone is lost in a print in black.
         let (marker, mut line) = stroke(few, Color::RGB(*ink), at % 2 == 1);
         drawn

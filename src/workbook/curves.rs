@@ -24,8 +24,8 @@ const FIRST: RowNum = 1;
 pub struct Curves<'a> {
     live: LiveTables<'a>,
     sheet: String,
-    /// Each a table and a column of it; its point index where that is `None`.
-    drawn: Vec<(&'a Table, Option<usize>)>,
+    /// Each a table and a column of it, its point index where that is `None`; and when the part has what is drawn.
+    drawn: Vec<(&'a Table, Option<usize>, Option<&'static str>)>,
 }
 
 /// The cells of a chart: sheet, first row and column, last row and column, from 0.
@@ -41,13 +41,18 @@ impl<'a> Curves<'a> {
     ///
     /// # Errors
     /// For more columns than a sheet has.
-    pub fn range(&mut self, table: &'a Table, column: Option<usize>) -> Result<Option<Range>, WriteError> {
+    pub fn range(
+        &mut self,
+        table: &'a Table,
+        column: Option<usize>,
+        when: Option<&'static str>,
+    ) -> Result<Option<Range>, WriteError> {
         if !self.live.on() || live::last(table.index).is_none() {
             return Ok(None);
         }
-        let at = |one: &(&Table, Option<usize>)| one.0.key == table.key && one.1 == column;
+        let at = |one: &(&Table, Option<usize>, _)| one.0.key == table.key && (one.1, one.2) == (column, when);
         let place = self.drawn.iter().position(at).unwrap_or_else(|| {
-            self.drawn.push((table, column));
+            self.drawn.push((table, column, when));
             self.drawn.len() - 1
         });
         let place = ColNum::try_from(place).map_err(|_| WriteError::TooLarge(NAME))?;
@@ -62,7 +67,7 @@ impl<'a> Curves<'a> {
     pub fn write(&self, workbook: &mut Workbook) -> Result<(), WriteError> {
         let sheet = workbook.add_worksheet().set_name(&self.sheet)?;
         sheet.set_hidden(true);
-        for (place, (table, column)) in (0..).zip(&self.drawn) {
+        for (place, (table, column, when)) in (0..).zip(&self.drawn) {
             let Some(count) = live::last(table.index) else { continue };
             let symbol = column.and_then(|at| table.columns.get(at)).map_or("i", |column| column.symbol.en.as_ref());
             sheet.write_string(0, place, format!("{} {symbol}", table.key))?;
@@ -79,6 +84,11 @@ impl<'a> Curves<'a> {
                         let all = format!("INDEX([{}.{symbol} all],1+{step})", table.key);
                         (all, entry(&of.values, at))
                     }
+                };
+                // What a chart leaves out, where the part has lost what is drawn.
+                let formula = match when {
+                    Some(when) => format!("IF({when},{formula},NA())"),
+                    None => formula,
                 };
                 let (Some(formula), Entry::Number(value)) = (self.live.along(table, &formula, "NA()")?, value) else {
                     continue;

@@ -567,3 +567,29 @@ fn a_nominal_size_changed_in_the_results_leaves_no_figure_of_the_old_one() {
         assert!(number(Some(&shown(1))).is_some_and(|radius| (24.0..34.0).contains(&radius)), "{kind:?}: {}", shown(1));
     }
 }
+
+#[test]
+fn charts_leave_the_splitters_out_as_soon_as_the_part_has_none() {
+    if !libreoffice() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let bytes = written(&common::outcome("tfg-2021", &[]), Tables::Live, Language::En);
+    let books = ["yes", "no"].map(|word| {
+        let inner = format!(" t=\"inlineStr\"><is><t>{word}</t></is>");
+        (word.to_owned(), with(&bytes, &cell_of(&bytes, "splitters"), &inner))
+    });
+    for ((word, _), mut book) in books.iter().zip(recalculated(folder.path(), false, &books)) {
+        let curves = range(&mut book, "Curves");
+        let (mut left, mut drawn) = (0, 0);
+        for (_, column, cell) in curves.used_cells().filter(|(row, ..)| *row > 0) {
+            let name = curves.get_value((0, u32::try_from(column).expect("a column"))).expect("a name").to_string();
+            let splitter = ["intersection ", "splitter "].iter().any(|table| name.starts_with(table));
+            let shown = cell.to_string();
+            let nothing = shown == "#N/A";
+            assert_eq!(nothing, splitter && word == "no", "{name}: {shown}");
+            if nothing { left += 1 } else { drawn += 1 }
+        }
+        assert!(drawn > 500 && (left > 500) == (word == "no"), "{word}: {left}, {drawn}");
+    }
+}

@@ -2,6 +2,7 @@
 
 use crate::kind::{Chart, Series};
 use crate::kinds::impeller::PUBLISHED;
+use crate::kinds::impeller::live_form::SPLITTERS;
 use crate::text::{Text, t};
 
 fn series(name: Text, x: (&'static str, &'static str), y: (&'static str, &'static str)) -> Series {
@@ -18,6 +19,7 @@ pub fn charts(splitters: bool, clear: bool) -> Vec<Chart> {
             title: t("Álabe en planta", "Blade in plan"),
             axes: [t("x (mm)", "x (mm)"), t("y (mm)", "y (mm)")],
             equal: true,
+            when: None,
             series: vec![series(t("fibra media", "mean line"), ("views", "x"), ("views", "y"))],
         },
         Chart {
@@ -25,6 +27,7 @@ pub fn charts(splitters: bool, clear: bool) -> Vec<Chart> {
             title: t("Álabe en el meridiano", "Blade in the meridian plane"),
             axes: [t("ρ (mm)", "ρ (mm)"), t("z (mm)", "z (mm)")],
             equal: true,
+            when: None,
             series: vec![series(t("fibra media", "mean line"), ("views", "ρ"), ("views", "z"))],
         },
         Chart {
@@ -32,6 +35,7 @@ pub fn charts(splitters: bool, clear: bool) -> Vec<Chart> {
             title: t("B y C a lo largo del álabe", "B and C along the blade"),
             axes: [t("v (rad)", "v (rad)"), t("ángulo (rad)", "angle (rad)")],
             equal: false,
+            when: None,
             series: vec![
                 series(t("B", "B"), ("annex-1", "v"), ("annex-4", "B")),
                 series(t("C", "C"), ("annex-1", "v"), ("annex-4", "C")),
@@ -42,6 +46,7 @@ pub fn charts(splitters: bool, clear: bool) -> Vec<Chart> {
             title: t("Trayectorias, X y Z de máquina", "Tool paths, machine X and Z"),
             axes: [t("x (mm)", "x (mm)"), t("z (mm)", "z (mm)")],
             equal: true,
+            when: None,
             series: vec![
                 series(obverse, ("annex-6", "x"), ("annex-6", "z")),
                 series(reverse, ("annex-7", "x"), ("annex-7", "z")),
@@ -52,6 +57,7 @@ pub fn charts(splitters: bool, clear: bool) -> Vec<Chart> {
             title: t("Puntos de seguridad en planta de máquina", "Safe points in machine XY"),
             axes: [t("x (mm)", "x (mm)"), t("y (mm)", "y (mm)")],
             equal: false,
+            when: None,
             series: vec![series(t("puntos de seguridad", "safe points"), ("annex-8", "x"), ("annex-8", "y"))],
         },
     ];
@@ -63,6 +69,7 @@ pub fn charts(splitters: bool, clear: bool) -> Vec<Chart> {
             title: t("Cruce con el álabe vecino, en planta", "Crossing with the neighbouring blade, in plan"),
             axes: [t("x (mm)", "x (mm)"), t("y (mm)", "y (mm)")],
             equal: true,
+            when: Some(SPLITTERS),
             series: vec![
                 series(t("propia", "own"), ("intersection", "x_own"), ("intersection", "y_own")),
                 series(t("vecina", "neighbour"), ("intersection", "x_neighbour"), ("intersection", "y_neighbour")),
@@ -73,6 +80,7 @@ pub fn charts(splitters: bool, clear: bool) -> Vec<Chart> {
             title: t("Trayectorias del álabe intermedio, X y Y de máquina", "Splitter paths, machine X and Y"),
             axes: [t("x (mm)", "x (mm)"), t("y (mm)", "y (mm)")],
             equal: false,
+            when: Some(SPLITTERS),
             series: vec![
                 series(t("ida", "out"), ("splitter", "x_1"), ("splitter", "y_1")),
                 series(t("vuelta", "back"), ("splitter", "x_2"), ("splitter", "y_2")),

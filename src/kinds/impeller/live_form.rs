@@ -6,6 +6,8 @@ use crate::text::t;
 
 /// True where the part is cut clear: then the published limits decide nothing, and no formula tells whether the tools pass.
 const CLEAR: &str = "TRIM(method)=\"clear\"";
+/// True where the part has splitters.
+pub(super) const SPLITTERS: &str = "OR(TRIM(splitters)=\"yes\",TRIM(splitters)=\"sí\",TRIM(splitters)=\"si\")";
 
 /// The points of one face of a blade in the view, less one.
 const STEPS: usize = 8;
@@ -345,7 +347,7 @@ fn view() -> LiveView {
         to[0].push(format!("IF({when},{x},0)").into());
         to[1].push(format!("IF({when},{y},0)").into());
     };
-    let wanted = "AND(live_ok,OR(TRIM(splitters)=\"yes\",TRIM(splitters)=\"sí\",TRIM(splitters)=\"si\"))";
+    let wanted = &format!("AND(live_ok,{SPLITTERS})");
     for k in 0..BLADES {
         turns.push(ok(format!("2*PI()/blades_N*MIN({k},blades_N-1)")));
         let turn = cell('F', k);

@@ -182,6 +182,7 @@ impl Method for Hole {
                 title: t("Ángulo de la antorcha", "Angle of the torch"),
                 axes: [t("α (°)", "α (°)"), t("ángulo (°)", "angle (°)")],
                 equal: false,
+                when: None,
                 series: vec![series(Text::same("σ"), "σ"), series(Text::same("σ_o"), "σ_o")],
             },
             Chart {
@@ -189,6 +190,7 @@ impl Method for Hole {
                 title: t("Altura y distancia", "Height and distance"),
                 axes: [t("α (°)", "α (°)"), t("mm", "mm")],
                 equal: false,
+                when: None,
                 series: vec![series(Text::same("D"), "D"), series(Text::same("g"), "g")],
             },
         ]

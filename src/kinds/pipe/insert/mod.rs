@@ -214,6 +214,7 @@ impl Method for Insert {
             title: t("Plantilla", "Template"),
             axes: [t("x (mm)", "x (mm)"), t("y (mm)", "y (mm)")],
             equal: false,
+            when: None,
             series: vec![Series { name: t("curva", "curve"), x: ("template", "x"), y: ("template", "y") }],
         }]
     }
