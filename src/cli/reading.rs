@@ -20,7 +20,7 @@ pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
     verdict(workbook, |verdict| {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
         let (bytes, mut filled) = read(workbook, kinds, verdict)?;
-        filled.findings.extend(filled.stale.take());
+        filled.findings.extend(filled.stale.take().into_iter().chain(filled.astray.take()));
         filled.findings.extend(stamp::others(&bytes)?);
         if let Some(kind) = kinds.iter().find(|kind| kind.form().schema == filled.form.schema) {
             let found = variants(&bytes, &filled, *kind)?;

@@ -7,7 +7,7 @@
 //! that a spreadsheet which keeps stored results computes them when it opens the file.
 
 use crate::finding::Key;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use rust_xlsxwriter::{
     ColNum, ConditionalFormatFormula, Format, Formula, RowNum, Workbook, Worksheet, quote_sheet_name,
@@ -17,6 +17,7 @@ use rust_xlsxwriter::{
 use super::address::{self, Position};
 use super::cell::{CELL, shortened, write_text};
 use super::error::WriteError;
+use super::limits;
 use super::sheet_cells::{Content, SheetCells};
 use super::stamp;
 use super::stamp::STALE;
@@ -377,6 +378,29 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, wr
     }
     let files: Vec<String> = (0..).map_while(|row| sheet.text((row, u32::from(FILES))).map(str::to_owned)).collect();
     (!inputs.is_empty() || !lists.is_empty()).then_some(Stale { inputs, lists, files })
+}
+
+/// The inputs that the sheet [`SHEET`] watches by a defined name which is gone, or leads to another cell than the one that is read: its
+/// flag and the formulas look there.
+#[must_use]
+pub(super) fn astray(
+    sheet: &SheetCells,
+    form: &'static Form,
+    values: &Values,
+    names: &BTreeMap<String, String>,
+) -> Vec<&'static Parameter> {
+    // Of so many names the others were not read.
+    if sheet.text((0, 0)) != Some(MARK) || names.len() >= limits::NAMES {
+        return Vec::new();
+    }
+    let watched: BTreeSet<&str> = sheet.rows.keys().filter_map(|&row| sheet.text((row, 0))).collect();
+    let leads = |parameter: &Parameter| {
+        let (named, cell) = address::cell(names.get(&parameter.name.to_lowercase())?)?;
+        let read = values.cells.get(parameter.key)?;
+        Some(named.to_lowercase() == read.sheet.to_lowercase() && cell.eq_ignore_ascii_case(&read.cell))
+    };
+    let all = form.parameters().map(|(_, parameter)| parameter);
+    all.filter(|one| watched.contains(one.name) && leads(one) != Some(true)).collect()
 }
 
 impl Column {

@@ -62,6 +62,7 @@ mod typed_number;
 mod unit;
 pub mod validation;
 mod value;
+mod verified;
 mod words;
 pub mod xml;
 

@@ -12,7 +12,7 @@ use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal};
 use crate::gcode::fields::SCHEMA;
 use crate::kind::NamedFile;
-use crate::limits::{LISTED_CELLS, LISTED_FORMULAS, LISTED_SYMBOLS};
+use crate::limits::{LISTED_FORMULAS, LISTED_SYMBOLS};
 use crate::number::decimal;
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values};
@@ -21,14 +21,14 @@ use crate::text::{Language, Text, t};
 use super::address::{self, Position};
 use super::book::Book;
 use super::gate::{Gated, gate};
-use super::guard::{self, Written};
+use super::guard::Written;
 use super::list_rows;
 use super::listing::{self, SheetEntry};
 use super::rules::form::*;
 use super::sheet_cells::{Content, SheetCells};
-use super::stamp;
 use super::survey::COLUMNS;
 use super::value::{self, expected, named};
+use super::verified::{self, Verified};
 use super::words;
 
 /// Values are looked for in the columns before this one.
@@ -47,6 +47,8 @@ pub struct Filled {
     pub findings: Vec<Finding>,
     /// What was changed in a results workbook since its programs were made.
     pub stale: Option<Finding>,
+    /// The names by which its formulas do not find the inputs any more.
+    pub astray: Option<Finding>,
     /// The files that the workbook named when its programs were verified.
     pub files: Vec<NamedFile>,
     /// What the cells of the form and of its lists hold as they stand.
@@ -142,59 +144,8 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         }
         return Err(refusal(exit, findings));
     }
-    let (stale, files) = verified(&mut book, form, &values, &written)?;
-    Ok(Filled { form, values, findings, stale, files, written })
-}
-
-/// What was changed since the programs of the same workbook were made, by the copies that stand in it, and the files that it
-/// named then.
-fn verified(
-    book: &mut Book<'_>,
-    form: &'static Form,
-    values: &Values,
-    written: &Written,
-) -> Result<(Option<Finding>, Vec<NamedFile>), Refusal> {
-    // The sheet that the workbook's own names lead to, whatever it is called now; a copy of it is none.
-    let own = book.gated.names.get(stamp::STALE).and_then(|formula| address::cell(formula));
-    let named = |entry: &&SheetEntry| match &own {
-        Some((sheet, _)) => entry.name.to_lowercase() == sheet.to_lowercase(),
-        None => entry.name.starts_with(guard::SHEET),
-    };
-    let sheets: Vec<SheetEntry> = book.gated.sheets.iter().filter(named).cloned().collect();
-    let (mut stale, mut named_files) = (None, Vec::new());
-    for entry in sheets {
-        let sheet = book.read(&entry, guard::COLUMNS)?;
-        stale = guard::stale(&sheet, form, values, written).or(stale);
-        named_files.extend(guard::files(&sheet));
-    }
-    let Some(guard::Stale { inputs, lists, files }) = stale else { return Ok((None, named_files)) };
-    let symbols = inputs.iter().map(|key| key.name().to_owned());
-    let listed = lists.iter().map(|(sheet, cells)| list_told(sheet, cells));
-    let inputs_told = symbols.chain(listed).collect::<Vec<_>>().join(", ");
-    let programs = files.join(", ");
-    let cells: Vec<CellPlace> = lists.iter().flat_map(|(sheet, cells)| places(sheet, cells)).collect();
-    let place = match (inputs.is_empty(), cells.is_empty()) {
-        (false, _) => Place::Parameters(inputs),
-        (true, false) => Place::Cells(cells),
-        (true, true) => Place::File,
-    };
-    let stale = InputsChanged { inputs: inputs_told, programs }.at(place);
-    Ok((Some(values.locate(stale)), named_files))
-}
-
-/// The sheet of a list with the first cells of it that were changed.
-fn list_told(sheet: &str, cells: &[Position]) -> String {
-    let mut told = excerpt(sheet, SHOWN);
-    if !cells.is_empty() {
-        let named = cells.iter().take(LISTED_CELLS).map(|cell| address::format(*cell)).collect::<Vec<_>>().join(" ");
-        let more = if cells.len() > LISTED_CELLS { " …" } else { "" };
-        told.push_str(&format!(" ({named}{more})"));
-    }
-    told
-}
-
-fn places<'a>(sheet: &'a str, cells: &'a [Position]) -> impl Iterator<Item = CellPlace> + 'a {
-    cells.iter().take(LISTED_CELLS).map(|cell| CellPlace { sheet: sheet.to_owned(), cell: address::format(*cell) })
+    let Verified { stale, astray, files } = verified::read(&mut book, form, &values, &written)?;
+    Ok(Filled { form, values, findings, stale, astray, files, written })
 }
 
 /// The sheet that a form begins with, read.

@@ -46,6 +46,17 @@ fn new(words: &str) -> (&'static Form, Vec<u8>) {
     (kind.form(), written(kind, case, Language::En))
 }
 
+/// The results of the full impeller.
+fn results_of_full() -> Vec<u8> {
+    let (form, bytes) = new("impeller --case full");
+    let source = Provenance { workbook: "a.xlsx".to_owned(), sha256: String::new(), version: "0" };
+    let outcome = kinds::run(form, workbook::read(&bytes, &[form]).unwrap().values, source).unwrap();
+    let files = [("a-blade.nc".to_owned(), t("Un álabe", "One blade"))];
+    let mut out = Cursor::new(Vec::new());
+    results::write(&outcome, &files, Tables::Live, Language::En, &mut out).unwrap();
+    out.into_inner()
+}
+
 /// The part of a sheet by its name.
 fn part(parts: &Parts, sheet: &str) -> String {
     let listed = parts.text("xl/workbook.xml");
@@ -244,15 +255,16 @@ fn made(key: &str) -> Option<Vec<u8>> {
             sound().replace(relations, from, to).zip()
         }
         "changed-results" => {
-            let (form, bytes) = new("impeller --case full");
-            let source = Provenance { workbook: "a.xlsx".to_owned(), sha256: String::new(), version: "0" };
-            let outcome = kinds::run(form, workbook::read(&bytes, &[form]).unwrap().values, source).unwrap();
-            let files = [("a-blade.nc".to_owned(), t("Un álabe", "One blade"))];
-            let mut out = Cursor::new(Vec::new());
-            results::write(&outcome, &files, Tables::Live, Language::En, &mut out).unwrap();
-            let parts = Parts::of(&out.into_inner());
+            let parts = Parts::of(&results_of_full());
             let part = part(&parts, "DATA");
             parts.replace(&part, "<v>25</v>", "<v>26</v>").zip()
+        }
+        "lost-name" => {
+            let parts = Parts::of(&results_of_full());
+            let listed = parts.text("xl/workbook.xml");
+            let (before, rest) = listed.split_once("<definedName name=\"thickness_e\">").unwrap();
+            let (_, after) = rest.split_once("</definedName>").unwrap();
+            parts.put("xl/workbook.xml", format!("{before}{after}")).zip()
         }
         "copied-results" => {
             let (form, bytes) = new("impeller --case full");
@@ -456,7 +468,13 @@ fn swept(kind: &str, bytes: &[u8]) -> Vec<Finding> {
 fn raised(rule: &Rule, known: &mut Known) -> Option<Vec<Finding>> {
     let read = |bytes: &[u8]| {
         told(workbook::read(bytes, &KINDS.iter().map(|kind| kind.form()).collect::<Vec<_>>()), |filled| {
-            filled.findings.into_iter().chain(filled.stale).chain(stamp::others(bytes).unwrap()).collect()
+            filled
+                .findings
+                .into_iter()
+                .chain(filled.stale)
+                .chain(filled.astray)
+                .chain(stamp::others(bytes).unwrap())
+                .collect()
         })
     };
     match rule.example {

@@ -8,6 +8,7 @@ use crate::live::{cell_of, number, range, recalculated, with_on};
 use std::io::Cursor;
 
 use calamine::{Reader, Xlsx, open_workbook_from_rs};
+use rodete::finding::{CellPlace, Place};
 use rodete::kind::Kind;
 use rodete::kinds::KINDS;
 use rodete::parameter::Value;
@@ -329,4 +330,29 @@ fn words_that_came_out_are_struck_out_as_soon_as_an_input_differs() {
     for (row, told) in places {
         assert!(ranges.contains(&[(row, 2), (row, 4)]), "{told}");
     }
+}
+
+#[test]
+fn check_names_the_input_whose_name_is_gone_or_leads_elsewhere() {
+    let astray = |bytes: &[u8]| {
+        let forms: Vec<_> = KINDS.iter().map(|kind| kind.form()).collect();
+        let found = rodete::workbook::read(bytes, &forms).expect("a form").astray;
+        found.map(|found| (found.code(), found.what.en.into_owned(), found.place))
+    };
+    let results = results_of("impeller", "full");
+    assert_eq!(astray(&results), None);
+    let parts = Parts::of(&results);
+    let listed = parts.text("xl/workbook.xml");
+    let (before, rest) = listed.split_once("<definedName name=\"thickness_e\">").expect("the name");
+    let (own, after) = rest.split_once("</definedName>").expect("its end");
+    let with = |name: &str| Parts::of(&results).put("xl/workbook.xml", format!("{before}{name}{after}")).zip();
+    let led = |to: &str| with(&format!("<definedName name=\"thickness_e\">{to}</definedName>"));
+    let cell = own.rsplit_once('!').expect("a sheet").1.replace('$', "");
+    for book in [with(""), led("#REF!"), led("DATA!$C$14"), led(&own.replace("DATA", "SUMMARY"))] {
+        let (code, told, place) = astray(&book).expect("a caution");
+        assert_eq!(code, "W0521");
+        assert!(told.contains("another cell: thickness_e; "), "{told}");
+        assert_eq!(place, Place::Cells(vec![CellPlace { sheet: "DATA".to_owned(), cell: cell.clone() }]));
+    }
+    assert_eq!(astray(&led(&own.replace("DATA", "data"))), None);
 }

@@ -128,6 +128,13 @@ rules! {
             "A copy of a sheet of results keeps the figures of the day that it was made.";
         example made!("copied-results", "un libro de resultados con una hoja copiada de otro, hecho con otro R",
             "a results workbook with a sheet copied from another one, made with another R");
+    "W0521" NamesAstray Caution { names: String }
+        es "nombres definidos borrados, o que llevan a otra celda: {names}; las hojas de resultados no encuentran esos datos"
+        en "defined names that are deleted or lead to another cell: {names}; the sheets of results do not find these inputs"
+        remedy "devuelva cada nombre a su celda, o vuelva a generar con \"rodete build\"", "give each name its cell again, or build again with \"rodete build\"";
+        why "rodete lee los datos por su símbolo; las hojas de resultados los leen por estos nombres.",
+            "rodete reads the inputs by their symbols; the sheets of results read them by these names.";
+        example made!("lost-name", "un libro de resultados sin el nombre thickness_e", "a results workbook without the name thickness_e");
     "W0601" HeadingsMissing Stop { first: Text }
         es "falta la fila de títulos, que empieza por \"{first}\" en la columna A"
         en "the row of headings, which begins with \"{first}\" in column A, is missing"
