@@ -138,9 +138,9 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
         // A value that cannot be read differs from the one that the programs were made with, too.
         if exit == Exit::Refused
-            && let Ok((stale, _)) = verified(&mut book, form, &values, &written)
+            && let Ok(verified) = verified::read(&mut book, form, &values, &written)
         {
-            findings.extend(stale);
+            findings.extend(verified.stale);
         }
         return Err(refusal(exit, findings));
     }
