@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::Cursor;
 use std::path::Path;
+use std::sync::Mutex;
 
 use rodete::cli::rows;
 use rodete::finding::{Example, Exit, Finding, Grade, Refusal, Rule};
@@ -38,12 +39,15 @@ fn named(kind: &str) -> &'static dyn Kind {
     *KINDS.iter().find(|one| one.form().kind == kind).unwrap()
 }
 
-/// The workbook that `new` writes for these words: a kind, and `--case NAME` where another than its usual case is meant.
+/// The workbook that `new` writes for these words: a kind, and `--case NAME` where another than its usual case is meant. Hundreds of
+/// rows begin with one of a few: each is written once.
 fn new(words: &str) -> (&'static Form, Vec<u8>) {
+    static WRITTEN: Mutex<BTreeMap<String, Vec<u8>>> = Mutex::new(BTreeMap::new());
     let (kind, case) = words.split_once(" --case ").map_or((words, None), |(kind, case)| (kind, Some(case)));
     let kind = named(kind);
     let case = kind.cases().iter().find(|one| case.is_none_or(|case| one.name == case)).expect("a case of the kind");
-    (kind.form(), written(kind, case, Language::En))
+    let mut all = WRITTEN.lock().unwrap();
+    (kind.form(), all.entry(words.to_owned()).or_insert_with(|| written(kind, case, Language::En)).clone())
 }
 
 /// The results of the full impeller.
