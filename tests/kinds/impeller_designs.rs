@@ -89,6 +89,36 @@ struct Ruling {
     depths: [f64; 2],
 }
 
+impl Ruling {
+    fn middle(&self) -> Point {
+        add(self.line[0], self.line[1], f64::midpoint(self.depths[0], self.depths[1]))
+    }
+}
+
+/// How many neighbouring rulings are passed over at once where none can be the nearest.
+const BUNCH: usize = 8;
+
+/// Rulings that follow each other, in a ball.
+struct Bunch {
+    centre: Point,
+    radius: f64,
+    rulings: Vec<Ruling>,
+}
+
+impl Bunch {
+    fn all(rulings: Vec<Ruling>) -> Vec<Self> {
+        let mut rulings = rulings.into_iter();
+        let next = || {
+            let rulings: Vec<Ruling> = rulings.by_ref().take(BUNCH).collect();
+            let centre = rulings.get(rulings.len() / 2)?.middle();
+            let far = |one: &Ruling| norm(add(one.middle(), centre, -1.0)) + (one.depths[1] - one.depths[0]) / 2.0;
+            let radius = rulings.iter().map(far).fold(0.0, f64::max);
+            Some(Self { centre, radius, rulings })
+        };
+        std::iter::from_fn(next).collect()
+    }
+}
+
 /// Where rulings end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Edge {
@@ -102,7 +132,7 @@ enum Edge {
 struct Rulings {
     design: Design,
     /// Obverse and reverse.
-    faces: [Vec<Ruling>; 2],
+    faces: [Vec<Bunch>; 2],
 }
 
 impl Rulings {
@@ -151,20 +181,28 @@ impl Rulings {
             rulings[ends[1]..].iter_mut().for_each(|one| one.depths[1] = deep[1]);
             rulings
         };
-        Self { design: *design, faces: [face(1.0), face(-1.0)] }
+        Self { design: *design, faces: [1.0, -1.0].map(|side| Bunch::all(face(side))) }
     }
 
     /// The least distance of an axis from the obverse, and from the reverse of the next blade.
     fn from(&self, axis: [Point; 2], range: [f64; 2]) -> [f64; 2] {
         let pitch = self.design.pitch();
         let next = axis.map(|x| turned(x, pitch));
-        let least = |axis: [Point; 2], face: &[Ruling]| {
+        let least = |axis: [Point; 2], face: &[Bunch]| {
             let middle = add(axis[0], axis[1], f64::midpoint(range[0], range[1]));
-            face.iter().fold(f64::INFINITY, |least: f64, Ruling { line, depths: [top, bottom] }| {
-                // Stretches are no nearer than their middles less half of both lengths.
-                let lengths = (range[1] - range[0] + bottom - top) / 2.0;
-                let between = norm(add(add(line[0], line[1], f64::midpoint(*top, *bottom)), middle, -1.0));
-                if between - lengths >= least { least } else { least.min(apart(axis, range, *line, [*top, *bottom])) }
+            // Stretches are no nearer than their middles less half of both lengths.
+            let half = (range[1] - range[0]) / 2.0;
+            let from = |bunch: &Bunch| norm(add(bunch.centre, middle, -1.0)) - bunch.radius - half;
+            let mut bunches: Vec<(f64, &Bunch)> = face.iter().map(|bunch| (from(bunch), bunch)).collect();
+            // With a near one first, most of the others are passed over.
+            let near = (0..bunches.len()).min_by(|one, other| bunches[*one].0.total_cmp(&bunches[*other].0));
+            bunches.swap(0, near.expect("rulings"));
+            bunches.into_iter().fold(f64::INFINITY, |least: f64, (from, bunch)| {
+                let nearer = |least: f64, one: &Ruling| {
+                    let between = norm(add(one.middle(), middle, -1.0)) - (one.depths[1] - one.depths[0]) / 2.0 - half;
+                    if between >= least { least } else { least.min(apart(axis, range, one.line, one.depths)) }
+                };
+                if from >= least { least } else { bunch.rulings.iter().fold(least, nearer) }
             })
         };
         [least(axis, &self.faces[0]), least(next, &self.faces[1])]
