@@ -2,7 +2,7 @@
 //! work that its limits allow. The inputs start from the corpora of the other tests and from `corpus/`, where every
 //! input is kept that once brought something down.
 //!
-//! The count is small here; `RODETE_FUZZ=1000000` runs as many of every target.
+//! The count is small here; `RODETE_FUZZ=1000000` runs as many of every target. Sums that run over are told.
 
 #![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, non_snake_case, missing_docs)]
@@ -186,7 +186,7 @@ fn turning_programs_by_chance_are_followed_or_refused() {
             seeds.push((path, [b"60 120 0\n".as_slice(), &bytes].concat()));
         }
     }
-    run("simulate", &seeds, &WORDS, count(400), targets::simulate);
+    run("simulate", &seeds, &WORDS, count(800), targets::simulate);
 }
 
 #[test]
@@ -230,5 +230,5 @@ fn workbooks_by_chance_are_computed_or_refused() {
             seeds.push((PathBuf::from(case.name), laid_out));
         }
     }
-    run("workbook", &seeds, &XML, count(300), targets::package);
+    run("workbook", &seeds, &XML, count(700), targets::package);
 }
