@@ -174,7 +174,7 @@ fn closes_and_reads_back(changes: &[(&'static str, Value)]) -> Result<(), TestCa
 
 // Two tests, so that two cores work at them.
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(16))]
 
     #[test]
     fn complete_programs_of_any_design_close_and_read_back(changes in design(true)) {
@@ -192,7 +192,7 @@ proptest! {
 fn the_extents_of_a_program_hold_those_at_feed() {
     let mut seen = 0;
     for (kind, case, language) in common::cases() {
-        for program in common::outcome_of(kind, case, language, &[]).programs {
+        for program in &common::shipped(kind, case, language).programs {
             let (Some(whole), Some(feed)) = (program.account.program, program.account.feed) else { continue };
             for axis in Axis::ALL {
                 let ([least, greatest], [low, high]) = (whole.of(axis), feed.of(axis));
