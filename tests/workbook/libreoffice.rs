@@ -78,10 +78,14 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
         std::fs::File::create(path).expect("a file")
     };
     let hostile = ("part", Value::Line("=1/0 & <b> \u{7} +álabe".to_owned()));
-    for (kind, case, language) in common::cases() {
-        let name = format!("{kind:?}-{}-{}", case.name, language.code());
+    // Each case has its form in one language and its results in the other.
+    for (kind, case, language) in common::alternating(Language::Es) {
+        let to = create(format!("{kind:?}-{}-{}.xlsx", case.name, language.code()));
         let (values, lists) = (case.values(language), (case.listed)(language));
-        template::write(kind, &values, &lists, &case.note, language, create(format!("{name}.xlsx"))).expect("a form");
+        template::write(kind, &values, &lists, &case.note, language, to).expect("a form");
+    }
+    for (kind, case, language) in common::alternating(Language::En) {
+        let name = format!("{kind:?}-{}-{}", case.name, language.code());
         let outcome = common::outcome_of(kind, case, language, std::slice::from_ref(&hostile));
         results::write(&outcome, &[], Tables::Live, language, create(format!("{name}-results.xlsx"))).expect("results");
     }

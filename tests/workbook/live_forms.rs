@@ -70,7 +70,7 @@ fn every_form_of_a_sound_case_says_that_its_limits_hold_and_shows_what_the_engin
     let mut compared = 0;
     for language in Language::ALL {
         let folder = tempfile::tempdir().expect("a folder");
-        let cases: Vec<_> = common::cases().filter(|(.., one)| *one == language).collect();
+        let cases: Vec<_> = common::alternating(Language::En).filter(|(.., one)| *one == language).collect();
         let forms: Vec<(String, Vec<u8>)> = cases
             .iter()
             .enumerate()
@@ -86,7 +86,7 @@ fn every_form_of_a_sound_case_says_that_its_limits_hold_and_shows_what_the_engin
                     .used_cells()
                     .any(|(.., cell)| ["celdas rojas", "red cells"].iter().any(|red| cell.to_string().contains(red)))
             );
-            let outcome = common::outcome_of(kind, case, language, &[]);
+            let outcome = common::shipped(kind, case, language);
             for (of, symbol, name) in SAME.iter().filter(|(of, ..)| *of == kind.form().kind) {
                 let value = outcome.quantities.iter().find(|one| one.symbol == *symbol).expect("a quantity").value;
                 let there = number(data.get_value(place_of(&cell_of(form, name)))).expect("a number");
@@ -103,7 +103,7 @@ fn every_form_of_a_sound_case_says_that_its_limits_hold_and_shows_what_the_engin
             assert!(!plan.used_cells().any(|(.., cell)| matches!(cell, Data::Error(_))), "{}: an error", case.name);
         }
     }
-    assert!(compared > 30, "{compared} values only");
+    assert!(compared >= 30, "{compared} values only");
 }
 
 fn number_or_none(cell: &Data) -> Option<f64> {
@@ -231,7 +231,7 @@ fn a_form_says_what_is_wrong_where_the_engine_rejects_it() {
             })
             .collect();
         // Within the time that one call of LibreOffice has.
-        let some = books.chunks(12).flat_map(|some| recalculated(folder.path(), language == Language::Es, some));
+        let some = books.chunks(24).flat_map(|some| recalculated(folder.path(), language == Language::Es, some));
         let computed: Vec<Book> = some.collect();
         for (((kind, _, changes, words, code), (_, bytes)), mut book) in BROKEN.iter().zip(&books).zip(computed) {
             let data = range(&mut book, sheet(language));
