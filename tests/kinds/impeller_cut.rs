@@ -87,6 +87,18 @@ fn rounded_ends_leave_what_is_told() {
 }
 
 #[test]
+fn a_thin_tool_keeps_out_of_the_straight_end_of_a_thick_blade_at_a_narrow_hub() {
+    for (design, rough, finish) in [
+        (Design { R: 29.878_778, r: 23.314_398, N: 2, e: 2.931_121, a_p: 3.839_135 }, 3.720_912, 1.795_543),
+        (Design { R: 23.83, r: 16.0, N: 2, e: 3.93, a_p: 4.49 }, 4.91, 1.94),
+    ] {
+        let cut = Cut { scallop: 0.1, blank: 60.0, ..Cut::usual(rough, finish) };
+        let found = simulate(&design, &plan(&design, &cut), &cut, [32, 6], [8, 20]);
+        assert!(found.undercut <= MOST && found.too_deep <= MOST && found.tops < 1e-9, "{design:?} {found:?}");
+    }
+}
+
+#[test]
 fn a_tool_that_does_not_fit_at_the_hub_cuts_no_blade_and_leaves_the_share_told() {
     let cut = Cut { partly: true, scallop: 0.1, ..Cut::usual(8.0, 3.0) };
     let (plan, _) = judge(&SHIPPED, &cut, [16, 4], [12, 30]);
