@@ -91,13 +91,14 @@ impl Beside {
                 // outside for certain, or the blade leaves no channel.
                 let tip = torus.R + self.lane.below(q) * sin_cos(v).1;
                 let wide = (1.6 * (self.part.e / 2.0 + wanted) / (tip * sin_alpha) + 0.1).clamp(begin.min(PI), PI);
-                let Some(outside) = [wide, PI].into_iter().find(|&x| value(x) >= 0.0) else { return PI };
+                let Some(outside) = [wide, PI].into_iter().find(|&x| fresh(x) >= 0.0) else { return PI };
                 low = outside;
                 let Axis { foot, along, range } = axis(low);
                 let rho_of = |height: f64| (foot + along * height).xy().norm();
                 let speed = rho_of(range[0]).max(rho_of(range[1] + self.part.overhang()));
+                // Of one valley alone the distance may be too much, and a step lead into the blade.
                 for _ in 0..MARCH {
-                    let apart = value(low);
+                    let apart = fresh(low);
                     if apart < 0.0 {
                         break;
                     }
