@@ -101,24 +101,26 @@ impl Limits {
         let part = &evenly_deep(torus, e, a_p);
         let least = least_gap(d_t);
         let mut near = stations();
-        let beside = Channel::new(part, count, d_t).least(&mut near);
+        let own = Channel::new(part, count, d_t);
+        let beside = own.least(&own.wall(), &mut near);
         // Thickness changes the widths of all stations alike.
         let spare = |e: f64| {
             let part = evenly_deep(torus, e, a_p);
-            Channel::new(&part, count, d_t).least(&mut near.clone()).width - least
+            let channel = Channel::new(&part, count, d_t);
+            channel.least(&channel.wall(), &mut near.clone()).width - least
         };
         let fits = |N: u32| {
             let channel = Channel::new(part, N, d_t);
             let wall = channel.wall();
             // Where this many are too near to each other, they mostly are at the hub.
             near.iter().all(|&(mut station)| channel.width_at(&wall, &mut station) >= least)
-                && channel.least(&mut stations()).width >= least
+                && channel.least(&wall, &mut stations()).width >= least
         };
         // The gap is narrower than the arc on the parallel, so that the published limits are upper bounds.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held within the form's limits")]
         let most = N_max(torus, a_p, e, d_t).clamp(0.0, 1e6) as u32;
         let (gap, (N_max, e_max)) = rayon::join(
-            || gap(part, count, d_t),
+            || passing(own, beside, near.clone()),
             || rayon::join(|| greatest(most, fits), || thickest(e_max(torus, a_p, count, d_t), spare)),
         );
         Self { gap, least, kept: beside.width >= least, N_max, e_max }
@@ -147,10 +149,13 @@ fn greatest(most: u32, holds: impl Fn(u32) -> bool) -> Option<u32> {
 
 /// The greatest thickness up to `most` that leaves `spare` not negative, rounded down to 10⁻⁵ mm or less.
 fn thickest(most: f64, spare: impl Fn(f64) -> f64) -> Option<f64> {
-    if most <= 0.0 || spare(0.0) < 0.0 {
+    if most <= 0.0 {
         return None;
     }
     let mut low = (0.0, spare(0.0));
+    if low.1 < 0.0 {
+        return None;
+    }
     let mut high = (most, spare(most));
     if high.1 >= 0.0 {
         return Some(most);
@@ -179,9 +184,14 @@ fn thickest(most: f64, spare: impl Fn(f64) -> f64) -> Option<f64> {
 /// The gap between neighbouring ones of N blades: the largest tool that passes, sought from the diameter d_t on.
 #[must_use]
 pub fn gap(part: &Part, N: u32, d_t: f64) -> Gap {
-    let mut channel = Channel::new(part, N, d_t);
+    let channel = Channel::new(part, N, d_t);
     let mut near = stations();
-    let mut least = channel.least(&mut near);
+    let least = channel.least(&channel.wall(), &mut near);
+    passing(channel, least, near)
+}
+
+/// The largest tool that passes a channel, from what passes beside the channel's own: its depth follows the tool's.
+fn passing(mut channel: Channel<'_>, mut least: Gap, mut near: Vec<Station>) -> Gap {
     // Between a tool that passes and one that does not.
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let mut before: Option<(f64, f64)> = None;
@@ -193,7 +203,7 @@ pub fn gap(part: &Part, N: u32, d_t: f64) -> Gap {
                 return least;
             }
             near = stations();
-            let all = channel.least(&mut near);
+            let all = channel.least(&channel.wall(), &mut near);
             if all.width > least.width - BOTTOM {
                 return least;
             }
@@ -211,7 +221,7 @@ pub fn gap(part: &Part, N: u32, d_t: f64) -> Gap {
         before = Some((channel.a, over));
         let next = channel.a - over / slope.min(-1e-3);
         channel.a = if next > low && next < high { next } else { f64::midpoint(low, high.min(2.0 * channel.a)) };
-        least = channel.least(&mut near);
+        least = channel.least(&channel.wall(), &mut near);
     }
     Gap { width: least.width.min(2.0 * channel.a), ..least }
 }
@@ -250,9 +260,8 @@ impl<'a> Channel<'a> {
 
     /// The least width over stations and between them. Those that are far above it are left out: what is not the least for
     /// one depth of the tip is not for another.
-    fn least(&self, stations: &mut Vec<Station>) -> Gap {
-        let wall = self.wall();
-        let widths: Vec<f64> = stations.iter_mut().map(|station| self.width_at(&wall, station)).collect();
+    fn least(&self, wall: &Wall, stations: &mut Vec<Station>) -> Gap {
+        let widths: Vec<f64> = stations.iter_mut().map(|station| self.width_at(wall, station)).collect();
         let Some(least) = (0..widths.len()).min_by(|&one, &other| widths[one].total_cmp(&widths[other])) else {
             return Gap { width: 0.0, station: 0.0 };
         };
@@ -261,9 +270,9 @@ impl<'a> Channel<'a> {
         if at > 0 && at + 1 < STATIONS.len() {
             let beside = [at - 1, at + 1].map(|at| match stations.iter().position(|one| one.at == at) {
                 Some(one) => (STATIONS[at], widths[one]),
-                None => (STATIONS[at], self.width(&wall, STATIONS[at], &mut None)),
+                None => (STATIONS[at], self.width(wall, STATIONS[at], &mut None)),
             });
-            (q, width) = bottom([beside[0], (q, width), beside[1]], |q| self.width(&wall, q, &mut last));
+            (q, width) = bottom([beside[0], (q, width), beside[1]], |q| self.width(wall, q, &mut last));
         }
         let mut widths = widths.into_iter();
         stations.retain(|_| widths.next().is_some_and(|one| one <= 1.2 * width + 0.1));
@@ -293,10 +302,11 @@ impl<'a> Channel<'a> {
         if between[0] >= between[1] {
             return 0.0;
         }
+        let axis = self.axis(v, out);
         let seen = |psi: f64, guess: [Option<f64>; 2]| {
             [
-                wall.nearest(Face::Obverse, &self.axis(v, psi, out), guess[0]),
-                wall.nearest(Face::Reverse, &self.axis(v, psi + self.pitch, out), guess[1]),
+                wall.nearest(Face::Obverse, &axis(psi), guess[0]),
+                wall.nearest(Face::Reverse, &axis(psi + self.pitch), guess[1]),
             ]
         };
         // Beside both faces, each of which it leaves and nears by about as much.
@@ -320,17 +330,21 @@ impl<'a> Channel<'a> {
         2.0 * found
     }
 
-    /// The axis of the tool at v and ψ, run out of the hub plane.
-    fn axis(&self, v: f64, psi: f64, out: f64) -> Axis {
+    /// The axis of the tool at v, run out of the hub plane, by ψ.
+    fn axis(&self, v: f64, out: f64) -> impl Fn(f64) -> Axis {
         let torus = self.part.circle.torus;
-        let ((sin_v, cos_v), (sin, cos)) = (sin_cos(v), sin_cos(psi));
+        let (sin_v, cos_v) = sin_cos(v);
         let rho = torus.R + torus.r * cos_v;
         let (r_f, reach) = (torus.r + self.part.a_p, (self.a - out).max(0.0));
         let depth = (r_f * r_f - reach * reach).max(0.0).sqrt() - torus.r;
-        Axis {
-            foot: Vector3::new(rho * cos, rho * sin, torus.r * sin_v + out),
-            along: -Vector3::new(cos_v * cos, cos_v * sin, sin_v),
-            range: [-depth, over_tops(torus.r, self.a + self.part.overhang()).max(-depth)],
+        let range = [-depth, over_tops(torus.r, self.a + self.part.overhang()).max(-depth)];
+        move |psi| {
+            let (sin, cos) = sin_cos(psi);
+            Axis {
+                foot: Vector3::new(rho * cos, rho * sin, torus.r * sin_v + out),
+                along: -Vector3::new(cos_v * cos, cos_v * sin, sin_v),
+                range,
+            }
         }
     }
 }

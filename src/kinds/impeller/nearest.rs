@@ -8,6 +8,8 @@
 //! # Units
 //! Millimetres and radians, in the part frame.
 
+use std::sync::OnceLock;
+
 use nalgebra::Vector3;
 
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
@@ -83,6 +85,8 @@ pub struct Wall {
     lines: Vec<Line>,
     /// Steps between the lines about each of the nearest of them.
     finer: u8,
+    /// Those lines: the same for every axis, they are computed when the first one needs them.
+    rows: Vec<OnceLock<Vec<Line>>>,
     /// Between two of them no distance is less than at the nearer by more than this, mm.
     between: f64,
 }
@@ -125,14 +129,13 @@ fn valley(guess: f64, mut width: f64, value: impl Fn(f64) -> f64) -> Option<(f64
     None
 }
 
-/// The places of a row that are no farther than their neighbours, and within `reach` of the least.
-fn bottoms(row: &[(f64, f64)], reach: f64) -> impl Iterator<Item = (f64, f64)> {
+/// The places of a row that are no farther than their neighbours, and within `reach` of the least: where in the row.
+fn bottoms(row: &[(f64, f64)], reach: f64) -> impl Iterator<Item = usize> {
     let least = row.iter().fold(f64::INFINITY, |least, line| least.min(line.0));
-    (0..row.len()).filter_map(move |line| {
+    (0..row.len()).filter(move |&line| {
         let below =
             |other: Option<usize>| other.and_then(|other| row.get(other)).is_some_and(|one| one.0 < row[line].0);
-        let bottom = row[line].0 <= least + reach && !below(Some(line + 1)) && !below(line.checked_sub(1));
-        bottom.then_some(row[line])
+        row[line].0 <= least + reach && !below(Some(line + 1)) && !below(line.checked_sub(1))
     })
 }
 
@@ -150,6 +153,10 @@ fn knots(part: &Part, face: Face) -> Vec<[f64; 2]> {
         }
     }
     knots.push([ends[1], part.floor(&part.ruling(face, ends[1]), part.top(ends[1]))]);
+    // Of lines that all end alike, two say as much.
+    if knots.iter().all(|knot| knot[1] == knots[0][1]) {
+        knots.truncate(2);
+    }
     knots
 }
 
@@ -184,6 +191,7 @@ impl Wall {
             overhang: part.overhang(),
             lines: Vec::new(),
             finer: *FINER.start(),
+            rows: vec![OnceLock::new(); ROW],
             between: 0.0,
         };
         wall.lines = (0..=LINES).map(|line| wall.line(v[0] + wall.step() * f64::from(line))).collect();
@@ -205,6 +213,21 @@ impl Wall {
     /// From one of the lines that are looked at first to the next.
     fn step(&self) -> f64 {
         (self.v[1] - self.v[0]) / f64::from(LINES)
+    }
+
+    /// The lines closer to each other about one of those that are looked at first.
+    fn row(&self, about: usize) -> &[Line] {
+        self.rows[about].get_or_init(|| {
+            // Two valleys, one of the upper edge and one of the tool's end, may be nearer to each other than two lines.
+            let [from, to] = self.within(self.lines[about].v, self.step() * 1.5);
+            let finer = (to - from) / f64::from(self.finer);
+            (0..=self.finer).map(|line| self.line(from + finer * f64::from(line))).collect()
+        })
+    }
+
+    /// What is no farther from a v of the face.
+    fn within(&self, v: f64, aside: f64) -> [f64; 2] {
+        [(v - aside).max(self.v[0]), (v + aside).min(self.v[1])]
     }
 
     fn line(&self, v: f64) -> Line {
@@ -318,25 +341,23 @@ impl Scan<'_> {
         // In a valley the least is no farther below a line than the line is from it.
         let reach = step * wall.part.circle.torus.R * 1.5;
         let nearer = |one: (f64, f64), other: (f64, f64)| if other.0 < one.0 { other } else { one };
-        let within = |v: f64, aside: f64| [(v - aside).max(begin), (v + aside).min(end)];
         let mut first = [(f64::INFINITY, begin); ROW];
         for ((place, apart), line) in first.iter_mut().zip(self.apart).zip(&wall.lines) {
             *place = (apart, line.v);
         }
         let mut least = (f64::INFINITY, begin);
-        for (_, about) in bottoms(&first, reach) {
-            // Two valleys, one of the upper edge and one of the tool's end, may be nearer to each other than two lines.
-            let around = within(about, step * 1.5);
+        for about in bottoms(&first, reach) {
+            let around = wall.within(first[about].1, step * 1.5);
             let finer = (around[1] - around[0]) / f64::from(wall.finer);
             let mut row = [(f64::INFINITY, begin); FINER_ROW];
             let row = &mut row[..=usize::from(wall.finer)];
-            for (line, place) in (0_u8..).zip(&mut *row) {
-                let v = around[0] + finer * f64::from(line);
-                *place = (at(v), v);
+            for (line, place) in wall.row(about).iter().zip(&mut *row) {
+                *place = (line.apart(self.aside, &self.axis), line.v);
             }
-            for (apart, about) in bottoms(row, reach) {
+            for at_row in bottoms(row, reach) {
+                let (apart, about) = row[at_row];
                 least = nearer(least, (apart, about));
-                let ends = within(about, finer);
+                let ends = wall.within(about, finer);
                 // At an end of the face the distance may still be falling: then the end is the nearest.
                 let inwards = if about == begin { ends[1] } else { ends[0] };
                 let at_end = about == begin || about == end;
@@ -352,9 +373,10 @@ impl Scan<'_> {
                     let v = (about + finer * f64::from(line) / A_STEP).clamp(begin, end);
                     *place = (at(v), v);
                 }
-                for (_, about) in bottoms(&beside, reach) {
+                for place in bottoms(&beside, reach) {
+                    let about = beside[place].1;
                     if (about - found.1).abs() > finer / A_STEP {
-                        let ends = within(about, finer / A_STEP);
+                        let ends = wall.within(about, finer / A_STEP);
                         let bottom = valley(about, finer / A_STEP / 4.0, at);
                         let bottom = bottom.filter(|(_, v)| (ends[0]..=ends[1]).contains(v));
                         least = nearer(least, bottom.unwrap_or_else(|| golden(ends, STEPS, at)));
