@@ -26,6 +26,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::Vector3;
+use rustc_hash::FxHashMap;
 
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::part::{HUB, Part, RIM};
@@ -73,10 +74,12 @@ pub fn ribs(part: &Part, N: u32, d_t: f64, sweeps: &[Sweep]) -> Ribs {
     let channel = torus.r * (pitch * (torus.R * FRAC_PI_2 - torus.r) - part.e * FRAC_PI_2 / sin_alpha);
     let bands: Vec<Band<'_>> = sweeps.iter().map(|sweep| Band::new(part, sweep, a, pitch)).collect();
     let (mut from, mut left) = (None, 0.0);
-    let mut guesses = vec![[usize::MAX; 2]; bands.len()];
+    let mut seen = vec![Seen::default(); bands.len()];
+    let mut lines = [Line::new(part, HUB), Line::new(part, HUB)];
     for strip in 0..count {
         let v = [HUB + step * f64::from(strip), HUB + step * f64::from(strip + 1)];
-        let stands = standing(part, pitch, &bands, v, &mut guesses, strip % FRESH == 0).0;
+        lines = [lines[1], Line::new(part, v[1])];
+        let stands = standing(part, pitch, &bands, &lines, &mut seen, strip % FRESH == 0).0;
         if stands > 0.0 {
             from.get_or_insert(f64::from(strip) / strips);
         }
@@ -85,8 +88,8 @@ pub fn ribs(part: &Part, N: u32, d_t: f64, sweeps: &[Sweep]) -> Ribs {
         left += stands * (area_1 - area_0);
     }
     let share = if channel > 0.0 { (left / channel).clamp(0.0, 1.0) } else { 0.0 };
-    let mut guesses = vec![[usize::MAX; 2]; bands.len()];
-    let (_, widest) = standing(part, pitch, &bands, [RIM, RIM], &mut guesses, true);
+    let mut seen = vec![Seen::default(); bands.len()];
+    let (_, widest) = standing(part, pitch, &bands, &[Line::new(part, RIM); 2], &mut seen, true);
     Ribs { share, width: widest * torus.R, from }
 }
 
@@ -95,21 +98,20 @@ fn standing(
     part: &Part,
     pitch: f64,
     bands: &[Band<'_>],
-    v: [f64; 2],
-    guesses: &mut [[usize; 2]],
+    lines: &[Line; 2],
+    seen: &mut [Seen],
     fresh: bool,
 ) -> (f64, f64) {
     let torus = part.circle.torus;
-    let lines = v.map(|v| Line::new(part, v));
     // The blade's own edge; its half thickness lies across the mean line.
-    let edge = |v: f64| part.e / 2.0 / (torus.rho(v) * torus.r / torus.R);
-    let (near, far) = (edge(v[0]).min(edge(v[1])), pitch - edge(v[0]).min(edge(v[1])));
+    let [one, other] = [&lines[0], &lines[1]].map(|line| part.e / 2.0 / (line.rho * torus.r / torus.R));
+    let (near, far) = (one.min(other), pitch - one.min(other));
     // Blades so thick that they meet leave no channel here.
     if near >= far {
         return (0.0, 0.0);
     }
     let found: Vec<Option<[f64; 2]>> =
-        bands.iter().zip(guesses).map(|(band, guess)| band.cut(&lines, guess, fresh)).collect();
+        bands.iter().zip(seen).map(|(band, seen)| band.cut(lines, seen, fresh)).collect();
     let of = |track: Track| bands.iter().zip(&found).find(|(band, _)| band.track == track).and_then(|(_, cut)| *cut);
     // The splitter itself, between the passes on both of its sides, is meant to stand.
     let splitter = of(Track::Out).zip(of(Track::Back)).map(|([_, low], [high, _])| [low, low.max(high)]);
@@ -128,6 +130,7 @@ fn standing(
 }
 
 /// A parallel of the turned surface.
+#[derive(Clone, Copy)]
 struct Line {
     v: f64,
     rho: f64,
@@ -176,15 +179,30 @@ impl Pose {
         })
     }
 
-    /// Of the point of a line `beside` the pose's own angle, in x: the square of its distance from the axis, how that changes
-    /// with x, and the height above the tip.
-    fn apart(&self, line: &Line, beside: f64) -> [f64; 3] {
-        let ((sin_psi, cos_psi), (sin_x, cos_x)) = (self.turned, sin_cos(beside));
+    /// Of the point of a line beside the pose's own angle, by the sine and cosine of how far in x: the square of its distance
+    /// from the axis, how that changes with x, and the height above the tip.
+    fn apart(&self, line: &Line, (sin_x, cos_x): (f64, f64)) -> [f64; 3] {
+        let (sin_psi, cos_psi) = self.turned;
         let (sin, cos) = (sin_psi * cos_x - cos_psi * sin_x, cos_psi * cos_x + sin_psi * sin_x);
         let from = Vector3::new(line.rho * cos, line.rho * sin, line.z) - self.tip;
         let up = from.dot(&self.axis);
         let across = from - self.axis * up;
         [across.norm_squared(), 2.0 * line.rho * (across.x * sin - across.y * cos), up]
+    }
+}
+
+/// What is known of a band in the strip before.
+#[derive(Clone)]
+struct Seen {
+    /// The poses that reached farthest.
+    farthest: [usize; 2],
+    /// Where poses end on both lines, by pose and side: the next strip begins with the second line.
+    ends: [FxHashMap<(usize, bool), Option<f64>>; 2],
+}
+
+impl Default for Seen {
+    fn default() -> Self {
+        Self { farthest: [usize::MAX; 2], ends: Default::default() }
     }
 }
 
@@ -235,18 +253,20 @@ impl<'a> Band<'a> {
     }
 
     /// From where to where the pass cuts two lines and what is between them; `None` where it does not.
-    fn cut(&self, lines: &[Line; 2], guess: &mut [usize; 2], fresh: bool) -> Option<[f64; 2]> {
+    fn cut(&self, lines: &[Line; 2], Seen { farthest, ends }: &mut Seen, fresh: bool) -> Option<[f64; 2]> {
         let R = self.part.circle.torus.R;
         let step = lines[1].v - lines[0].v;
         // What the strip and the tool may be off the lines and the poses.
         let off = self.slack + R * step * step / 8.0 + NEWTON;
         let beside = self.poses.partition_point(|pose| pose.v < lines[0].v);
+        ends.swap(0, 1);
+        ends[1].clear();
         let (mut found, mut between) = ([0.0; 2], [0; 2]);
         for ((end, (found, guess)), between) in
-            [-1.0, 1.0].into_iter().zip(found.iter_mut().zip(guess)).zip(&mut between)
+            [-1.0, 1.0].into_iter().zip(found.iter_mut().zip(farthest)).zip(&mut between)
         {
-            let reach = |at: usize| self.poses.get(at).and_then(|pose| self.end(pose, lines, off, end));
-            let climb = |start: usize| {
+            let mut reach = |at: usize| self.end(at, lines, ends, off, end);
+            let mut climb = |start: usize| {
                 let (mut at, mut best) = (start, reach(start)?);
                 for way in [1_usize.wrapping_neg(), 1] {
                     loop {
@@ -265,10 +285,12 @@ impl<'a> Band<'a> {
             let (best, at) = match known {
                 Some(known) => known,
                 // A tool that runs in beside a round hub stands clear of it for a while.
-                None => [climb(*guess), (0..SCAN).flat_map(|k| [beside + k, beside.wrapping_sub(k)]).find_map(climb)]
-                    .into_iter()
-                    .flatten()
-                    .max_by(|(one, _), (other, _)| (one * end).total_cmp(&(other * end)))?,
+                None => {
+                    [climb(*guess), (0..SCAN).flat_map(|k| [beside + k, beside.wrapping_sub(k)]).find_map(&mut climb)]
+                        .into_iter()
+                        .flatten()
+                        .max_by(|(one, _), (other, _)| (one * end).total_cmp(&(other * end)))?
+                }
             };
             (*found, *guess, *between) = (best, at, at);
         }
@@ -286,16 +308,26 @@ impl<'a> Band<'a> {
     }
 
     /// How far a pose cuts both lines towards −x (`end` −1) or +x (1).
-    fn end(&self, pose: &Pose, lines: &[Line; 2], off: f64, end: f64) -> Option<f64> {
-        let [one, other] = [&lines[0], &lines[1]].map(|line| self.on_line(pose, line, off, end));
-        let (one, other) = (one?, other?);
+    fn end(
+        &self,
+        at: usize,
+        lines: &[Line; 2],
+        ends: &mut [FxHashMap<(usize, bool), Option<f64>>; 2],
+        off: f64,
+        end: f64,
+    ) -> Option<f64> {
+        let pose = self.poses.get(at)?;
+        let mut on = |line: usize| {
+            *ends[line].entry((at, end > 0.0)).or_insert_with(|| self.on_line(pose, &lines[line], off, end))
+        };
+        let (one, other) = (on(0)?, on(1)?);
         Some(if (one - other) * end < 0.0 { one } else { other })
     }
 
     /// The square of the distance of a pose from a line, if it cuts it at its own angle about the axis of the part: there the
     /// middle of the tool is nearest to the line.
     fn beside(&self, pose: &Pose, line: &Line, off: f64) -> Option<f64> {
-        let [square, _, up] = pose.apart(line, 0.0);
+        let [square, _, up] = pose.apart(line, (0.0, 1.0));
         let radius = self.a - off;
         (square <= radius * radius && up >= off).then_some(square)
     }
@@ -306,7 +338,7 @@ impl<'a> Band<'a> {
         let least = self.beside(pose, line, less)?;
         let radius = self.a - less;
         let off = |x: f64| {
-            let [square, slope, up] = pose.apart(line, x);
+            let [square, slope, up] = pose.apart(line, sin_cos(x));
             (square - radius * radius, slope, up - less)
         };
         // In x, from the angle of the pose on.
