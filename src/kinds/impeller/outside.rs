@@ -84,6 +84,9 @@ struct Cell {
 /// A lower bound, and what time, angle and part take from it.
 type Least = (f64, [f64; 3]);
 
+/// By how much something falls over a cell, by time, angle and part, and at which angle and part it is the least.
+type Fall = ([f64; 3], [f64; 2]);
+
 /// The angle between two at which a cosine about another is least, and that cosine.
 fn least_cosine([low, high]: [f64; 2], about: f64) -> (f64, f64) {
     let opposite = about + PI;
@@ -176,18 +179,22 @@ impl Search<'_> {
             tip: stand.at + Vector3::new(0.0, 0.0, self.outside.L),
         };
         let (mut least, mut lost) = (f64::INFINITY, [0.0; 3]);
+        // All pieces are first seen from the same place.
+        let mut middle = self.point(cell, &seen, [angles, parts].map(|[low, high]| low + (high - low) / 2.0));
         for piece in 0..3 {
             let mut best: Least = (f64::NEG_INFINITY, [0.0; 3]);
-            let mut place = [angles, parts].map(|[low, high]| low + (high - low) / 2.0);
-            for _ in 0..PLACES {
-                let (found, next) = self.from(cell, &seen, piece, place);
+            let (mut found, mut next) = self.from(cell, &seen, piece, &mut middle);
+            let mut place = middle.place;
+            for left in (0..PLACES).rev() {
                 if found.0 > best.0 {
                     best = found;
                 }
-                if best.0 >= self.enough() || next == place {
+                if best.0 >= self.enough() || next == place || left == 0 {
                     break;
                 }
                 place = next;
+                let mut point = self.point(cell, &seen, place);
+                (found, next) = self.from(cell, &seen, piece, &mut point);
             }
             if best.0 < least {
                 (least, lost) = best;
@@ -197,18 +204,17 @@ impl Search<'_> {
         (least, across)
     }
 
-    /// What the distance from a piece of the stock is nowhere less than over a cell, seen from one place of the tool, and the
-    /// place to which that leads.
-    fn from(&mut self, cell: &Cell, seen: &Seen, piece: usize, [angle, part]: [f64; 2]) -> (Least, [f64; 2]) {
+    /// The point of the tool at one place of a cell, and how far the others are from it.
+    fn point(&mut self, cell: &Cell, seen: &Seen, [angle, part]: [f64; 2]) -> Point {
         let Outside { stock, L, radius, reach } = *self.outside;
         let [_, angles, parts] = cell.sides;
         let (sine, cosine) = sin_cos(angle);
         let (wide, high) = if cell.end { (radius * part, 0.0) } else { (radius, reach * part) };
         let m = seen.tip + Vector3::new(wide * cosine, wide * sine, high);
         let (sin_B, cos_B) = seen.B;
-        let point = Vector3::new(m.x * cos_B + m.z * sin_B, m.y, m.z * cos_B - m.x * sin_B - L);
-        let rho = (point.x * point.x + point.y * point.y).sqrt();
-        self.upper = self.upper.min(stock.distance(rho, point.z));
+        let at = Vector3::new(m.x * cos_B + m.z * sin_B, m.y, m.z * cos_B - m.x * sin_B - L);
+        let rho = (at.x * at.x + at.y * at.y).sqrt();
+        self.upper = self.upper.min(stock.distance(rho, at.z));
 
         // How far the points of the piece are from this one, by angle and by part, and how far they move.
         let farthest = |[low, high]: [f64; 2], at: f64| (at - low).max(high - at);
@@ -220,18 +226,38 @@ impl Search<'_> {
         let far = hypot(m.x, m.z) + extent + seen.half * by;
         let beside = seen.half * (turn * extent + seen.half * turn * (turn * far + 2.0 * by) / 2.0);
         let way = extent + seen.half * v.norm() + beside;
-        // By how much n·q may be less over the cell, by time, angle and part, and where it is.
-        let falls = |n: &Vector3<f64>| {
-            let n = Vector3::new(n.x * cos_B - n.z * sin_B, n.y, n.x * sin_B + n.z * cos_B);
-            let (flat, about) = (hypot(n.x, n.y), atan2(n.y, n.x));
-            let (at, least) = least_cosine(angles, about);
-            let by_angle = wide * flat * (cos(angle - about) - least);
-            let rise = if cell.end { radius * flat * least } else { reach * n.z };
-            let to = if rise < 0.0 { parts[1] } else { parts[0] };
-            let by_part = rise * (part - to);
-            ([seen.half * n.dot(&v).abs() + beside, by_angle.max(0.0), by_part.max(0.0)], [at, to])
-        };
-        let most = |n: &Vector3<f64>| falls(n).0.iter().sum::<f64>();
+        Point { place: [angle, part], at, rho, wide, around, along, extent, v, beside, way, fall: None }
+    }
+
+    /// By how much n·q may be less over a cell than at a point, by time, angle and part, and the place where it is.
+    fn fall(&self, cell: &Cell, seen: &Seen, point: &mut Point, n: &Vector3<f64>) -> Fall {
+        let bits = n.map(f64::to_bits);
+        if let Some((known, fall)) = point.fall
+            && known == bits
+        {
+            return fall;
+        }
+        let Outside { radius, reach, .. } = *self.outside;
+        let ([_, angles, parts], [angle, part], (sin_B, cos_B)) = (cell.sides, point.place, seen.B);
+        let turned = Vector3::new(n.x * cos_B - n.z * sin_B, n.y, n.x * sin_B + n.z * cos_B);
+        let (flat, about) = (hypot(turned.x, turned.y), atan2(turned.y, turned.x));
+        let (at, least) = least_cosine(angles, about);
+        let by_angle = point.wide * flat * (cos(angle - about) - least);
+        let rise = if cell.end { radius * flat * least } else { reach * turned.z };
+        let to = if rise < 0.0 { parts[1] } else { parts[0] };
+        let by_part = rise * (part - to);
+        let by_time = seen.half * turned.dot(&point.v).abs() + point.beside;
+        let fall = ([by_time, by_angle.max(0.0), by_part.max(0.0)], [at, to]);
+        point.fall = Some((bits, fall));
+        fall
+    }
+
+    /// What the distance from a piece of the stock is nowhere less than over a cell, seen from one place of the tool, and the
+    /// place to which that leads.
+    fn from(&self, cell: &Cell, seen: &Seen, piece: usize, view: &mut Point) -> (Least, [f64; 2]) {
+        let Outside { stock, .. } = *self.outside;
+        let Point { place, at: point, rho, around, along, extent, way, .. } = *view;
+        let mut most = |n: &Vector3<f64>| self.fall(cell, seen, view, n).0.iter().sum::<f64>();
 
         let torus = stock.torus;
         let (distance, n, tube) = if piece < 2 {
@@ -243,19 +269,19 @@ impl Search<'_> {
             let radial = if rho > 0.0 { Vector3::new(point.x / rho, point.y / rho, 0.0) } else { Vector3::x() };
             // Nothing of the cell in the tube's quarter: this is not what it is near to. Distance from the axis and height
             // are convex, too.
-            let upwards = Vector3::z();
+            let upwards = Vector3::new(point.x * 0.0, point.y * 0.0, 1.0);
             if out + way < -torus.r
                 || out > 0.0 && rho > 0.0 && out > most(&radial)
                 || up > 0.0 && up > most(&upwards)
                 || up < -torus.r && -torus.r - up > most(&-upwards)
             {
-                return ((f64::INFINITY, [0.0; 3]), [angle, part]);
+                return ((f64::INFINITY, [0.0; 3]), place);
             }
             let T = (out * out + up * up).sqrt();
             let n = if T > 0.0 { -(radial * out + upwards * up) / T } else { Vector3::zeros() };
             (torus.r - T, n, Some(T))
         };
-        let (lost, place) = falls(&n);
+        let (lost, place) = self.fall(cell, seen, view, &n);
         let straight = distance - lost.iter().sum::<f64>();
         let bent = match tube {
             None => 0.0,
@@ -283,4 +309,27 @@ struct Seen {
     B: (f64, f64),
     /// The tip, seen from the pivot.
     tip: Vector3<f64>,
+}
+
+/// A point of the tool in the middle of a cell's time.
+#[derive(Clone, Copy)]
+struct Point {
+    /// Its angle and part.
+    place: [f64; 2],
+    /// Where it is in the part.
+    at: Vector3<f64>,
+    /// How far from the axis of the part.
+    rho: f64,
+    /// How far from that of the tool.
+    wide: f64,
+    /// How far other points of the cell are, by angle, by part and by both.
+    around: f64,
+    along: f64,
+    extent: f64,
+    /// How fast it moves, what moves beside that, and how far any point is from it at any time.
+    v: Vector3<f64>,
+    beside: f64,
+    way: f64,
+    /// What was last asked of it, and the answer: pieces of the stock often lie the same way.
+    fall: Option<(Vector3<u64>, Fall)>,
 }
