@@ -2,6 +2,9 @@
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::hash::Hash;
+
+use rustc_hash::FxHashMap;
 
 /// A box of two coordinates on one of several sheets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +52,11 @@ impl Eq for Open {}
 impl PartialOrd for Open {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
+    }
+
+    // What a heap asks.
+    fn le(&self, other: &Self) -> bool {
+        self.cmp(other).is_le()
     }
 }
 
@@ -124,6 +132,17 @@ pub fn greatest_above(
     let (lower, at) = best?;
     // Everything forgotten is within the tolerance of what was the best then.
     Some(Greatest { upper: upper.max(lower + tolerance).max(known), lower, at })
+}
+
+/// What is kept by a key, or is found out now. Mostly it is kept, and this asks for that first: an entry that may have to be
+/// filled costs more.
+pub fn kept<K: Eq + Hash, V: Copy>(all: &mut FxHashMap<K, V>, key: K, found: impl FnOnce() -> V) -> V {
+    if let Some(found) = all.get(&key) {
+        return *found;
+    }
+    let found = found();
+    all.insert(key, found);
+    found
 }
 
 #[cfg(test)]

@@ -25,6 +25,11 @@ impl<T> PartialOrd for Waiting<T> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
+
+    // What a heap asks.
+    fn le(&self, other: &Self) -> bool {
+        self.cmp(other).is_le()
+    }
 }
 
 impl<T> Ord for Waiting<T> {

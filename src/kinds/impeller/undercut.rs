@@ -31,7 +31,7 @@ use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
 use crate::kinds::impeller::twist::Twist;
 use crate::limits::UNDERCUT_BOXES;
-use crate::number::bisection::{Bounds, Cell, greatest};
+use crate::number::bisection::{Bounds, Cell, greatest, kept};
 use crate::number::root::quadratic;
 
 /// How close the bound is to what is found, mm.
@@ -85,10 +85,9 @@ pub fn undercut(part: &Part, sweep: &Sweep, d_t: f64) -> Option<Undercut> {
     let mut best = f64::NEG_INFINITY;
     let found = greatest(cells, CLOSE, UNDERCUT_BOXES, |cell| {
         let (at, piece) = (cell.sheet / pieces.len(), cell.sheet % pieces.len());
-        let strip =
-            strips.entry((piece, cell.t.map(f64::to_bits))).or_insert_with(|| Strip::new(part, &pieces[piece], cell.t));
+        let strip = &kept(&mut strips, (piece, cell.t.map(f64::to_bits)), || Strip::new(part, &pieces[piece], cell.t));
         let [s_0, s_1] = cell.s;
-        let tool = |s: f64| *tools.entry((at, s.to_bits())).or_insert_with(|| sweep.stretches[at].tool(s));
+        let tool = |s: f64| kept(&mut tools, (at, s.to_bits()), || sweep.stretches[at].tool(s));
         let [before, after, tool] = [s_0, s_1, f64::midpoint(s_0, s_1)].map(tool);
         let [low, high, ruling] = &strip.rulings;
         let seen = [(before, low), (before, high), (after, low), (after, high), (tool, ruling)];
@@ -107,6 +106,7 @@ pub fn undercut(part: &Part, sweep: &Sweep, d_t: f64) -> Option<Undercut> {
 }
 
 /// A strip of a face between two v.
+#[derive(Clone, Copy)]
 struct Strip {
     /// The rulings at both v and in the middle.
     rulings: [Ruling; 3],
@@ -142,21 +142,23 @@ struct Seen {
     beside: Vector3<f64>,
     /// What it goes on by for each millimetre of depth.
     down: Vector3<f64>,
-    square: f64,
+    /// The depth of the point nearest to the axis, if it went on for ever; of one along the axis the deepest.
+    nearest: f64,
 }
 
 impl Seen {
     fn new((tip, axis): (Vector3<f64>, Vector3<f64>), ruling: &Ruling) -> Self {
         let (beside, down) = (ruling.foot - tip, -ruling.N);
         let (beside, down) = (beside - axis * beside.dot(&axis), down - axis * down.dot(&axis));
-        Self { beside, down, square: down.norm_squared() }
+        let square = down.norm_squared();
+        let nearest = if square > 1e-18 { -beside.dot(&down) / square } else { f64::INFINITY };
+        Self { beside, down, nearest }
     }
 
     /// The distance of its nearest point between two depths from the axis, with the depth.
     fn nearest(&self, [from, to]: [f64; 2]) -> (f64, f64) {
-        let Self { beside, down, square } = self;
-        let h = if *square > 1e-18 { (-beside.dot(down) / square).clamp(from.min(to), to) } else { to };
-        ((beside + down * h).norm(), h)
+        let h = self.nearest.clamp(from.min(to), to);
+        ((self.beside + self.down * h).norm(), h)
     }
 }
 
@@ -213,21 +215,23 @@ impl Beside<'_> {
         let (mut bottom, mut piece) = (lowest, long);
         while bottom > top {
             let from = if bottom - top > 2.0 * piece { bottom - piece } else { top };
-            upper = self.deepest([from, bottom], long, upper);
+            let near = if from == top && bottom == lowest { least } else { self.least([from, bottom]) };
+            upper = self.deepest([from, bottom], near, long, upper);
             (bottom, piece) = (from, LONGER * piece);
         }
         Bounds { upper, middle, first }
     }
 
     /// No point between two depths of a ruling is deeper below the face, or else than `known`: a piece that may hold more is
-    /// halved.
-    fn deepest(&self, [from, to]: [f64; 2], long: f64, known: f64) -> f64 {
-        let bound = self.at_most([from, to]);
+    /// halved. None is nearer to the axis than `near`.
+    fn deepest(&self, [from, to]: [f64; 2], near: f64, long: f64, known: f64) -> f64 {
+        let bound = self.at_most([from, to], near);
         if bound <= known || to - from <= long {
             return bound.max(known);
         }
         let middle = f64::midpoint(from, to);
-        self.deepest([from, middle], long, self.deepest([middle, to], long, known))
+        let known = self.deepest([middle, to], self.least([middle, to]), long, known);
+        self.deepest([from, middle], self.least([from, middle]), long, known)
     }
 
     /// No point between two depths is nearer to the axis, wherever the blocks have it.
@@ -278,10 +282,10 @@ impl Beside<'_> {
         self.under(h).max(self.under(depths[1]))
     }
 
-    /// No point between two depths of a ruling is deeper below the face, along the normal there.
-    fn at_most(&self, depths: [f64; 2]) -> f64 {
+    /// No point between two depths of a ruling is deeper below the face, along the normal there; none is nearer to the axis
+    /// than `near`.
+    fn at_most(&self, depths: [f64; 2], near: f64) -> f64 {
         let (a, Strip { rulings, twist, change, .. }) = (self.a, self.strip);
-        let near = self.least(depths);
         if near >= a {
             return a - near;
         }
