@@ -110,6 +110,7 @@ fn over(
     }
     let mut checks = vec![reading(program, text, fault.as_deref())];
     if fault.is_none() {
+        judges.iter_mut().for_each(|judge| judge.end(text));
         // Some of them search for long, each by itself.
         let found: Vec<Vec<Check>> = judges.into_par_iter().map(|judge| judge.checks(program)).collect();
         checks.extend(found.into_iter().flatten());

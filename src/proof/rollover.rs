@@ -1,12 +1,14 @@
 //! What rotary axes the machine may have: whether a program makes the same motions where they are rollover, so that in G90 the
 //! number is an angle from 0 to 360 and the sign the direction, and where they count on as linear axes do.
 //!
-//! The text is read back twice, once with each setting, with B and C at 0 before. A program that makes the same motions under
-//! both is true for any machine; one that does not is written only for axes that the workbook says are linear.
+//! A program in which every word of a rotary axis leads to the same place on either kind reads alike with each setting: its one
+//! reading tells it. Any other is read back twice, once with each setting, with B and C at 0 before. A program that makes the
+//! same motions under both is true for any machine; one that does not is written only for axes that the workbook says are
+//! linear.
 
 use crate::finding::Raise;
 use crate::gcode::control::Rotary;
-use crate::gcode::interpreter::Setting;
+use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
 use crate::proof::check::{At, Check, Question};
@@ -36,6 +38,11 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
             }
         }
     }
+    answer(program, counting, motions, differs)
+}
+
+/// The answer on a program of which so many motions are the same, and of the first that is not.
+fn answer(program: &Program, counting: Rotary, motions: usize, differs: Option<At>) -> Check {
     let name = t("Ejes giratorios: para qué máquina vale", "Rotary axes: which machine it is valid for");
     let asked = Question::new("rotary", name, program).at(differs);
     let limit = Text::same(counting.name());
@@ -55,15 +62,35 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
     }
 }
 
-/// Asks it of the program's own text, when that has been read.
+/// Asks it of the program's own text, when that has been read as the program is set.
 #[derive(Clone, Copy, Debug)]
-pub struct Rollover(pub Rotary);
+pub struct Rollover {
+    counting: Rotary,
+    motions: usize,
+    /// It reads alike with each setting.
+    alike: bool,
+}
+
+impl Rollover {
+    /// The judge of programs for axes that the workbook says there are, or the control is delivered with.
+    #[must_use]
+    pub const fn new(counting: Rotary) -> Self {
+        Self { counting, motions: 0, alike: false }
+    }
+}
 
 impl Judge for Rollover {
-    fn see(&mut self, _: &Step<'_>) {}
+    fn see(&mut self, _: &Step<'_>) {
+        self.motions += 1;
+    }
+
+    fn end(&mut self, text: &Interpreter<'_>) {
+        self.alike = text.any_rotary();
+    }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        vec![check(program, self.0)]
+        let Self { counting, motions, alike } = *self;
+        vec![if alike { answer(program, counting, motions, None) } else { check(program, counting) }]
     }
 }
 

@@ -4,6 +4,7 @@ use std::fmt;
 use std::iter::Peekable;
 
 use crate::gcode::in_force::InForce;
+use crate::gcode::interpreter::Interpreter;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::{Path, Program};
 use crate::machine::axis::{Axis, Pose};
@@ -167,6 +168,9 @@ impl Step<'_> {
 pub trait Judge: Send {
     /// The next motion.
     fn see(&mut self, step: &Step<'_>);
+
+    /// The program has been read to its end.
+    fn end(&mut self, _text: &Interpreter<'_>) {}
 
     /// The answers, when the program has ended.
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check>;

@@ -5,7 +5,7 @@
 
 use crate::finding::Raise;
 use crate::gcode::code::{G, Group, M, SinglePassCycle};
-use crate::gcode::control::{RadiusRule, Rotary};
+use crate::gcode::control::RadiusRule;
 use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
@@ -445,10 +445,7 @@ impl Reader<'_, '_> {
                 } else if self.state.modal.incremental && !machine {
                     to.set(axis, self.state.at.get(axis) + value);
                 } else if axis.rotary() {
-                    let at = match self.memory.setting.rotary {
-                        Rotary::Linear => value,
-                        Rotary::Rollover => self.rolled(axis, value, to.get(axis)),
-                    };
+                    let at = self.turned_to(axis, value, to.get(axis));
                     to.set(axis, at);
                 } else {
                     to.set(axis, value);

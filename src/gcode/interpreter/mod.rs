@@ -156,6 +156,8 @@ struct Memory<'a> {
     lines: usize,
     /// An absolute motion has been made, and an incremental one.
     distances: [bool; 2],
+    /// No word of a rotary axis has meant something else on a rollover axis than on a linear one.
+    any_rotary: bool,
 }
 
 /// What the blocks so far have left in force, and where the program stands. Small: a contour is read on a clone of it.
@@ -252,6 +254,7 @@ impl<'a> Interpreter<'a> {
             repeated: 0,
             lines: 0,
             distances: [false; 2],
+            any_rotary: true,
             setting,
         };
         let at = frame.to_program(&memory.setting.start.machine);
@@ -287,6 +290,13 @@ impl<'a> Interpreter<'a> {
             RadiusRule::Nose(_) | RadiusRule::None => compensator.tip(&self.state.at),
         };
         (tip, self.state.frame.to_machine(&tip))
+    }
+
+    /// True where no word so far has meant something else on a rollover axis than on a linear one: what was read so far reads
+    /// alike under each [`Setting::rotary`].
+    #[must_use]
+    pub const fn any_rotary(&self) -> bool {
+        self.memory.any_rotary
     }
 
     /// True where every motion so far was programmed by increments.

@@ -30,11 +30,16 @@ const ROUNDING: f64 = 1e-6;
 
 impl Reader<'_, '_> {
     /// Refuses absolute words of rollover axes that the control refuses, before the block is executed.
-    pub(super) fn rotary_words(&self) -> Result<()> {
-        match self.memory.setting.rotary {
-            Rotary::Rollover if self.block.present & WORDS != 0 => {}
-            Rotary::Rollover | Rotary::Linear => return Ok(()),
+    pub(super) fn rotary_words(&mut self) -> Result<()> {
+        if self.block.present & WORDS == 0 {
+            return Ok(());
         }
+        let taken = self.on_rollover();
+        self.memory.any_rotary &= taken.is_ok();
+        if self.memory.setting.rotary == Rotary::Rollover { taken } else { Ok(()) }
+    }
+
+    fn on_rollover(&self) -> Result<()> {
         let incremental = match self.block.g(Group::Distance) {
             Some(code) => code == G::Incremental,
             None => self.state.modal.incremental,
@@ -67,26 +72,20 @@ impl Reader<'_, '_> {
     }
 
     /// Where an absolute word leads a rotary axis that stands at an angle, counted on beyond a turn; degrees.
-    pub(super) fn rolled(&mut self, axis: Axis, word: f64, at: f64) -> f64 {
+    pub(super) fn turned_to(&mut self, axis: Axis, word: f64, at: f64) -> f64 {
+        let (rolled, reached) = rolled(word, at);
+        self.memory.any_rotary &= rolled == word;
+        if self.memory.setting.rotary == Rotary::Linear {
+            return word;
+        }
         let index = AXES.get(axis as usize).copied().unwrap_or_default();
-        let (target, minus) = (word.abs(), word.is_sign_negative());
-        let turn = ((at + ROUNDING) / 360.0).floor() * 360.0;
-        let shown = at - turn;
-        let way = target - shown;
-        // An angle a hair below a whole turn is reached at the turn's beginning.
-        let reached = [0.0, -360.0].into_iter().find(|whole| (way + whole).abs() < SAME);
         let name = axis.letter();
-        if reached.is_some() {
+        if reached {
             self.unclear(index, &RolloverReached { axis: name });
-        } else if minus && target == 0.0 {
+        } else if word == 0.0 && word.is_sign_negative() {
             self.unclear(index, &RolloverMinusZero { axis: name });
         }
-        let whole = reached.unwrap_or(match (minus, way < 0.0) {
-            (false, true) => 360.0,
-            (true, false) => -360.0,
-            _ => 0.0,
-        });
-        turn + target + whole
+        rolled
     }
 
     /// Cautions that the control's manuals do not say what a word of a rollover axis does; LinuxCNC's program does.
@@ -109,4 +108,20 @@ impl Reader<'_, '_> {
             }
         }
     }
+}
+
+/// Where a word leads a rollover axis that stands at an angle, counted on beyond a turn, degrees; true where it is there.
+fn rolled(word: f64, at: f64) -> (f64, bool) {
+    let (target, minus) = (word.abs(), word.is_sign_negative());
+    let turn = ((at + ROUNDING) / 360.0).floor() * 360.0;
+    let shown = at - turn;
+    let way = target - shown;
+    // An angle a hair below a whole turn is reached at the turn's beginning.
+    let reached = [0.0, -360.0].into_iter().find(|whole| (way + whole).abs() < SAME);
+    let whole = reached.unwrap_or(match (minus, way < 0.0) {
+        (false, true) => 360.0,
+        (true, false) => -360.0,
+        _ => 0.0,
+    });
+    (turn + target + whole, reached.is_some())
 }

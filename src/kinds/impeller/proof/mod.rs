@@ -174,7 +174,7 @@ pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Pro
         Box::new(Feeds::new(design.machine, mill.F, design.F_max).slower(SLOT)),
         Box::new(Clear::new(design, mill.d, moves)),
         Box::new(Arcs::default()),
-        Box::new(Rollover(design.counting)),
+        Box::new(Rollover::new(design.counting)),
     ]
 }
 
@@ -196,7 +196,7 @@ fn published<'a>(
         Box::new(Cutting::new(geometry, tracks)),
         Box::new(Clear::new(design, design.d_t, clear_moves)),
         Box::new(Arcs::default()),
-        Box::new(Rollover(design.counting)),
+        Box::new(Rollover::new(design.counting)),
     ]
 }
 

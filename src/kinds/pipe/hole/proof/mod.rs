@@ -507,6 +507,6 @@ pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec
             seen: 0,
         }),
         Box::new(Torch(Some([&design.torch_on, &design.torch_off]))),
-        Box::new(Rollover(design.control.rotary.delivered)),
+        Box::new(Rollover::new(design.control.rotary.delivered)),
     ]
 }
