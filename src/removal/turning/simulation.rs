@@ -275,6 +275,19 @@ impl Simulation {
         [machine.get(Axis::Z) + origin_z - over_z - zero, machine.get(Axis::X) + origin_x - over_x]
     }
 
+    /// True where a rapid motion goes through no metal, straight or with each axis at its own of these rates, X and Z.
+    pub fn is_free(&mut self, motion: &Motion, control: &InForce, bent: Option<[f64; 2]>) -> bool {
+        let [z, r] = self.point(control.tool, &motion.machine);
+        let Some(ready) = self.tools.get(&control.tool) else { return true };
+        let (part, swept, tolerance) = (&mut self.part, &mut self.swept, self.setup.tolerance);
+        path::pieces(motion, [z - self.middle, r], bent, tolerance, &mut self.pieces);
+        let mut ends = self.pieces.iter().filter_map(|&piece| path::on_grid(piece, WITHIN));
+        ends.all(|[first, last]| {
+            let mut cutters = ready.outline.cutter.iter();
+            !cutters.any(|cutter| cutter.polygon.sweep(first, last, swept) && part.meets(swept))
+        })
+    }
+
     /// Makes one motion.
     pub fn take(&mut self, motion: &Motion, control: &InForce) -> Step {
         let origin = self.setup.lathe.origin;

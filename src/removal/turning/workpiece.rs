@@ -156,6 +156,16 @@ impl Workpiece {
         });
     }
 
+    /// True where [`Self::cut`] would take something away.
+    pub fn meets(&mut self, polygon: &Convex) -> bool {
+        let mut met = false;
+        self.both_sides(polygon, |part, polygon, _| {
+            let through = polygon.through_axis();
+            met |= part.find(through.as_ref().unwrap_or(polygon));
+        });
+        met
+    }
+
     /// Takes away what a polygon covers while the part turns: both what lies on this side of the axis and what comes round
     /// from the other. What is held no longer stays until [`Self::drop_loose`]. What sees it may label the stretches inserted;
     /// they come without a label, 0.

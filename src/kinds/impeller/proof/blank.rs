@@ -185,9 +185,13 @@ impl Judge for Terms<'_> {
     }
 }
 
-/// The program over the stock, along each of the ways that a rapid motion may take.
+/// The program over the stock, along each of the ways that a rapid motion may take. While none of them goes through metal, one
+/// part is that of all.
 struct Over {
     ways: Vec<Simulation>,
+    /// The other ways, as long as their part is that of the first, and what they must then make good.
+    alike: Vec<Simulation>,
+    taken: Vec<(Motion, InForce)>,
     wanted: Profile,
     /// C.
     step: f64,
@@ -220,9 +224,12 @@ impl Over {
         });
         let quarter = Span::Arc { to: [-torus.r, torus.R], radius: torus.r, clockwise: true };
         let spans = vec![Span::Line([0.0, torus.R - torus.r]), quarter, Span::Line([stock.ends()[0], torus.R])];
-        let ways = ways.into_iter().collect::<Option<Vec<_>>>()?;
+        let mut ways = ways.into_iter().collect::<Option<Vec<_>>>()?;
+        let alike = ways.split_off(1);
         Some(Self {
             ways,
+            alike,
+            taken: Vec::new(),
             wanted: Profile { start: [0.0, 0.0], spans },
             step: blank.C,
             rapid: None,
@@ -231,8 +238,27 @@ impl Over {
         })
     }
 
+    /// From a rapid motion through metal on, each way leaves another part.
+    fn part_ways(&mut self) {
+        for mut way in self.alike.drain(..) {
+            for (motion, control) in &self.taken {
+                way.take(motion, control);
+            }
+            self.ways.push(way);
+        }
+    }
+
     fn take(&mut self, motion: &Motion, control: &InForce) {
         self.motions += 1;
+        if !self.alike.is_empty() {
+            let straight = &mut self.ways[0];
+            let mut free = |(bent, rapid): (bool, _)| straight.is_free(motion, control, bent.then_some(rapid));
+            if motion.kind == MotionKind::Rapid && !WAYS.into_iter().all(&mut free) {
+                self.part_ways();
+            } else {
+                self.taken.push((*motion, *control));
+            }
+        }
         for (way, simulation) in self.ways.iter_mut().enumerate() {
             for alarm in simulation.take(motion, control).alarms {
                 if matches!(alarm.cause, Cause::RapidInMetal | Cause::RetractionInMetal) {
