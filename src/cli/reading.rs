@@ -21,7 +21,9 @@ pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
         let (bytes, mut filled) = read(workbook, kinds, verdict)?;
         filled.findings.extend(filled.stale.take().into_iter().chain(filled.astray.take()));
-        filled.findings.extend(stamp::others(&bytes)?);
+        if filled.stamped {
+            filled.findings.extend(stamp::others(&bytes)?);
+        }
         if let Some(kind) = kinds.iter().find(|kind| kind.form().schema == filled.form.schema) {
             let found = variants(&bytes, &filled, *kind)?;
             filled.findings.extend(found);
@@ -39,6 +41,9 @@ pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
 /// # Errors
 /// Everything that is wrong with it.
 fn variants(bytes: &[u8], filled: &Filled, kind: &dyn Kind) -> Result<Vec<Finding>, Refusal> {
+    if !filled.varied {
+        return Ok(Vec::new());
+    }
     let Some(sheet) = sweep_sheet::read(bytes, filled.form, filled.values.language)? else { return Ok(Vec::new()) };
     let (_, notes) = asked::plan(kind, &sheet.fields, sheet.designs)
         .map_err(|findings| Refusal { exit: Exit::Refused, findings })?;

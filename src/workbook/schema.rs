@@ -26,7 +26,9 @@ use super::list_rows;
 use super::listing::{self, SheetEntry};
 use super::rules::form::*;
 use super::sheet_cells::{Content, SheetCells};
+use super::stamp;
 use super::survey::COLUMNS;
+use super::sweep_sheet;
 use super::value::{self, expected, named};
 use super::verified::{self, Verified};
 use super::words;
@@ -53,6 +55,10 @@ pub struct Filled {
     pub files: Vec<NamedFile>,
     /// What the cells of the form and of its lists hold as they stand.
     pub written: Written,
+    /// It has been built, so that sheets of another build may stand in it.
+    pub stamped: bool,
+    /// It has a sheet of variants, or one that may be.
+    pub varied: bool,
 }
 
 /// Reads a workbook that follows one of `forms`.
@@ -145,7 +151,8 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         return Err(refusal(exit, findings));
     }
     let Verified { stale, astray, files } = verified::read(&mut book, form, &values, &written)?;
-    Ok(Filled { form, values, findings, stale, astray, files, written })
+    let (stamped, varied) = (stamp::is_named(&book.gated.names), sweep_sheet::may_be(&book.gated.sheets, language));
+    Ok(Filled { form, values, findings, stale, astray, files, written, stamped, varied })
 }
 
 /// The sheet that a form begins with, read.

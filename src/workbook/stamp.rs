@@ -3,6 +3,7 @@
 //! The guard's sheet holds the one of the workbook's last build, and each sheet of results its own, inside its formulas. A sheet that
 //! was copied keeps its stamp: as soon as the workbook is built of other inputs, the two differ.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use sha2::{Digest, Sha256};
@@ -75,6 +76,11 @@ pub(crate) fn stamps(text: &str) -> impl Iterator<Item = &str> {
         let rest = rest.strip_prefix('"').or_else(|| rest.strip_prefix("&quot;"))?;
         rest.get(..DIGITS).filter(|stamp| stamp.bytes().all(|one| one.is_ascii_hexdigit()))
     })
+}
+
+/// True where a workbook has the names of one that was built.
+pub(super) fn is_named(names: &BTreeMap<String, String>) -> bool {
+    [NAME, STALE].iter().any(|name| names.contains_key(*name))
 }
 
 /// The caution on sheets of results that are not of the last build of the workbook that they stand in: copies.

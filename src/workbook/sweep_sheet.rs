@@ -14,6 +14,7 @@ use super::form_sheet::Filling;
 use super::gate::gate;
 use super::list_rows;
 use super::list_sheet::ListSheet;
+use super::listing::SheetEntry;
 use super::names::{Made, Role};
 use super::page::{Look, Page};
 use super::rules::form::SymbolUnknown;
@@ -104,6 +105,12 @@ pub struct SweepSheet {
     pub designs: Option<Designs>,
     /// Notes and cautions.
     pub findings: Vec<Finding>,
+}
+
+/// True where one of the sheets is that of variants, or where it cannot be told which.
+pub(super) fn may_be(sheets: &[SheetEntry], language: Language) -> bool {
+    let mut named = FORM.sheets.iter().map(|sheet| find(sheets, &sheet.name, language, &mut Vec::new()));
+    named.any(|found| !matches!(found, Ok(None)))
 }
 
 /// Reads the sheet of variants of a workbook that follows `form`; `None` where it has none.
