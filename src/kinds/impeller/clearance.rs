@@ -37,6 +37,7 @@ use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::{Rotary, Turned};
 use crate::number::queue::Waiting;
 use crate::number::trig::hypot;
+use crate::number::{greater, lesser};
 
 /// How close the bounds are brought to each other, mm.
 pub const CLOSE: f64 = 2e-5;
@@ -161,14 +162,15 @@ struct End {
 /// The least of the straight line from `one` to `other` less k·s(1 − s)/2.
 fn sagging(one: f64, other: f64, k: f64) -> f64 {
     let rise = (other - one).abs();
-    if 2.0 * rise >= k { one.min(other) } else { (one + other) / 2.0 - k / 8.0 - rise * rise / (2.0 * k) }
+    if 2.0 * rise >= k { lesser(one, other) } else { (one + other) / 2.0 - k / 8.0 - rise * rise / (2.0 * k) }
 }
 
 /// The least distance of the points from − h·along, h between two limits, from the origin of a plane; and the h.
 fn from_axis(from: Vector2<f64>, along: Vector2<f64>, limits: [f64; 2]) -> (f64, f64) {
     let square = along.norm_squared();
     let free = if square > 0.0 { from.dot(&along) / square } else { limits[0] };
-    let h = free.max(limits[0].min(limits[1])).min(limits[0].max(limits[1]));
+    let (low, high) = (lesser(limits[0], limits[1]), greater(limits[0], limits[1]));
+    let h = lesser(greater(low, free), high);
     ((from - along * h).norm(), h)
 }
 
@@ -373,18 +375,18 @@ impl Search<'_> {
         let Cell { time: Time { first, last, part }, piece, v, .. } = *cell;
         let walls = self.walls;
         let strays = self.strays(first, last);
-        let tools = [self.ends[cell.ends[0]], self.ends[cell.ends[1]]];
+        let tools = [&self.ends[cell.ends[0]], &self.ends[cell.ends[1]]];
         let ends = [tools[0].stand, tools[1].stand];
         let by = ends[1].at - ends[0].at;
         let (B, C) = ((ends[1].B - ends[0].B).abs(), (ends[1].C - ends[0].C).abs());
         if B >= 1.0 {
             return Some((0.0, true));
         }
-        let known = self.spans.all[cell.span];
+        let known = &self.spans.all[cell.span];
         if known.outside {
             return None;
         }
-        let Span { rulings, tops, top, bottom, beyond, rho, .. } = known;
+        let Span { rulings, tops, top, bottom, beyond, rho, .. } = *known;
         let [v_speed, v_bend, v_turn] = known.moves;
 
         let pivot = Vector3::new(0.0, 0.0, walls.machine.L);
@@ -400,19 +402,20 @@ impl Search<'_> {
         let upright = seen[0][0].N.z > 0.0;
         let mut alike = true;
         for ruling in [&seen[0][0], &seen[0][1], &seen[1][0], &seen[1][1]] {
-            far = far.max(ruling.at(beyond[0]).norm_squared()).max(ruling.at(beyond[1]).norm_squared());
+            far = greater(far, ruling.at(beyond[0]).norm_squared());
+            far = greater(far, ruling.at(beyond[1]).norm_squared());
             let (foot, slope) = (ruling.foot.z, ruling.N.z);
-            highest = highest.max(foot - slope * top).max(foot - slope * bottom);
-            least = least.min(slope.abs());
+            highest = greater(greater(highest, foot - slope * top), foot - slope * bottom);
+            least = lesser(least, slope.abs());
             alike &= (slope > 0.0) == upright;
         }
         let far = far.sqrt();
         let step = ends[1].B - ends[0].B;
         let slide = |Q: &Vector3<f64>| (Vector3::new(-Q.z, 0.0, Q.x) * step - by).norm();
-        let slide = slide(&Q[0]).max(slide(&Q[1]));
+        let slide = greater(slide(&Q[0]), slide(&Q[1]));
         let far = (far + v_speed / 2.0 + (slide + C * rho) / 2.0) / (1.0 - B / 2.0);
         let speed = slide + C * rho + B * far;
-        let bend = |axis: usize| B * B * (Q[0][axis].abs().max(Q[1][axis].abs()) + far) + (2.0 * B + C) * C * rho;
+        let bend = |axis: usize| B * B * (greater(Q[0][axis].abs(), Q[1][axis].abs()) + far) + (2.0 * B + C) * C * rho;
         let (bend, rise_bend) = (bend(0), bend(2));
 
         // Nothing of it above the plane of the tool's end.
@@ -466,18 +469,19 @@ impl Search<'_> {
             }
         }
 
-        let (in_time, in_v) = (low.changes[0].max(high.changes[0]), low.changes[1].max(high.changes[1]));
+        let [in_time, in_v] = [0, 1].map(|side: usize| greater(low.changes[side], high.changes[side]));
         let (speed, v_speed) = (speed + in_time, v_speed + in_v);
         let (bend, v_bend) = (bend + 2.0 * (B + C) * in_time, v_bend + 2.0 * v_turn * in_v);
-        let nearest = d[0][0].min(d[0][1]).min(d[1][0]).min(d[1][1]);
-        let mut bound = (nearest - (speed + v_speed) / 2.0).max(0.0);
-        let mut k = [0.0; 2];
+        let nearest = lesser(lesser(d[0][0], d[0][1]), lesser(d[1][0], d[1][1]));
+        let mut bound = greater(0.0, nearest - (speed + v_speed) / 2.0);
+        let (mut k, mut before) = ([0.0; 2], 0.0);
         for _ in 0..3 {
-            if bound > 0.0 {
+            if bound > before {
+                before = bound;
                 k = [speed * speed / bound + bend, v_speed * v_speed / bound + v_bend];
                 let first = sagging(sagging(d[0][0], d[0][1], k[1]), sagging(d[1][0], d[1][1], k[1]), k[0]);
                 let other = sagging(sagging(d[0][0], d[1][0], k[0]), sagging(d[0][1], d[1][1], k[0]), k[1]);
-                bound = bound.max(first).max(other);
+                bound = greater(greater(bound, first), other);
             }
         }
         let in_time =

@@ -6,6 +6,7 @@ use crate::geometry::chords;
 use crate::geometry::exact::region::Ring;
 use crate::limits::PROFILE_POINTS;
 use crate::number::trig::{atan2, hypot};
+use crate::number::{greater, lesser};
 
 /// A line of a wanted profile; `[z, r]` in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -252,8 +253,8 @@ fn runs(segments: impl Iterator<Item = [[f64; 2]; 2]>) -> Vec<Run> {
 
 /// A lower bound of the distance of a point from a segment: from its rectangle, along one of the axes.
 fn apart([z, r]: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
-    let beyond = |at: f64, one: f64, two: f64| (one.min(two) - at).max(at - one.max(two));
-    beyond(z, from[0], to[0]).max(beyond(r, from[1], to[1]))
+    let beyond = |at: f64, one: f64, two: f64| greater(lesser(one, two) - at, at - greater(one, two));
+    greater(beyond(z, from[0], to[0]), beyond(r, from[1], to[1]))
 }
 
 fn distance(one: [f64; 2], two: [f64; 2]) -> f64 {
