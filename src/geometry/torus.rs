@@ -23,6 +23,7 @@ pub struct Torus {
 
 impl Torus {
     /// ρ = R + r cos v, distance from the axis.
+    #[inline]
     #[must_use]
     pub fn rho(self, v: f64) -> f64 {
         self.R + self.r * sin_cos(v).1

@@ -4,6 +4,7 @@
 ///
 /// The root of larger size is computed first and the other from the product c/a, so that neither loses digits to
 /// cancellation.
+#[inline]
 #[must_use]
 pub fn quadratic(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
     let discriminant = b * b - 4.0 * a * c;

@@ -4,6 +4,7 @@
 pub use libm::{acos, asin, atan, atan2, cos, exp, hypot, log, log10, pow, sin, tan};
 
 /// Sine and cosine of one angle.
+#[inline]
 #[must_use]
 pub fn sin_cos(angle: f64) -> (f64, f64) {
     libm::sincos(angle)

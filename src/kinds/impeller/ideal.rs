@@ -14,6 +14,7 @@ use nalgebra::Vector3;
 use crate::geometry::torus::Torus;
 use crate::geometry::villarceau::Villarceau;
 use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::part::opposite;
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::track::Track;
 use crate::number::trig::sin_cos;
@@ -164,13 +165,13 @@ impl Ideal {
         let (cos_u, sin_u) = (self.circle.k * sin_v / rho, -(r + R * cos_v) / rho);
         let turn = self.circle.k / rho;
         let P = Vector3::new(rho * cos_u, rho * sin_u, r * sin_v);
-        let N = -Vector3::new(cos_v * cos_u, cos_v * sin_u, sin_v);
+        let N = opposite(Vector3::new(cos_v * cos_u, cos_v * sin_u, sin_v));
         let around = Vector3::new(-sin_u, cos_u, 0.0);
         let along_v = Vector3::new(-sin_v * cos_u, -sin_v * sin_u, cos_v);
         let t = (around * (rho * turn) + along_v * r) / R;
         let b = t.cross(&N);
-        let N_slope = -(along_v + around * (cos_v * turn));
-        let t_slope = -(P + Vector3::new(0.0, r, 0.0)) / R;
+        let N_slope = opposite(along_v + around * (cos_v * turn));
+        let t_slope = opposite(P + Vector3::new(0.0, r, 0.0)) / R;
         let b_slope = t_slope.cross(&N) + t.cross(&N_slope);
         Station {
             tip: P + b * s - N * self.a_p,

@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 
 use nalgebra::Vector3;
 
-use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
+use crate::kinds::impeller::part::{Face, HUB, Part, RIM, opposite};
 use crate::number::root::golden;
 
 /// Lines of a face that are looked at first: steps between them, and they themselves.
@@ -141,8 +141,8 @@ fn bottoms(row: &[(f64, f64)], reach: f64) -> impl Iterator<Item = usize> {
 
 /// Where the lines of a face end: where the blank cuts it off, they go on as deep as the last one.
 fn knots(part: &Part, face: Face) -> Vec<[f64; 2]> {
-    let pieces = part.pieces(face);
-    let ends = [pieces.first().map_or(HUB, |piece| piece.v[0]), pieces.last().map_or(RIM, |piece| piece.v[1])];
+    let stretches = part.stretches(face);
+    let ends = [stretches.first().map_or(HUB, |v| v[0]), stretches.last().map_or(RIM, |v| v[1])];
     let mut knots = Vec::new();
     for [from, to] in [[ends[0], HUB], [HUB, RIM], [RIM, ends[1]]] {
         // The floor falls away from the tangent plane with the square of what the straight ends go on.
@@ -234,7 +234,7 @@ impl Wall {
         let (P, frame, top) = self.part.frame_and_top(v);
         let bottoms = self.bottoms(v);
         let middle = self.part.a_p.max(bottoms[0]).max(bottoms[1]);
-        Line { v, P, b: frame.b, down: -frame.N, top, bottoms, middle }
+        Line { v, P, b: frame.b, down: opposite(frame.N), top, bottoms, middle }
     }
 
     /// Where the lines of obverse and reverse at v end.
@@ -258,7 +258,12 @@ impl Wall {
             return self.line(v).apart(aside, axis);
         }
         let (P, frame, top) = self.part.frame_and_top(v);
-        stretches(P + frame.b * aside, -frame.N, [top, self.bottom(v, usize::from(aside < 0.0)).max(top)], axis)
+        stretches(
+            P + frame.b * aside,
+            opposite(frame.N),
+            [top, self.bottom(v, usize::from(aside < 0.0)).max(top)],
+            axis,
+        )
     }
 
     /// The least distance of an axis from a face, and the v where it is; sought about a guess first.
@@ -317,6 +322,7 @@ impl Wall {
 
 impl Line {
     /// The distance of an axis from the line that stands `aside` of this one.
+    #[inline]
     fn apart(&self, aside: f64, axis: &Axis) -> f64 {
         let [obverse, reverse] = self.bottoms;
         let bottom = if aside > 0.0 {
@@ -395,6 +401,7 @@ impl Scan<'_> {
 }
 
 /// The distance of an axis from the stretch of the line from `foot` along the unit vector `down`, between two h.
+#[inline]
 fn stretches(foot: Vector3<f64>, down: Vector3<f64>, [low, high]: [f64; 2], axis: &Axis) -> f64 {
     let from = foot - axis.foot;
     let [near, far] = axis.range;

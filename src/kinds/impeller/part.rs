@@ -64,6 +64,7 @@ pub struct Ruling {
 
 impl Ruling {
     /// The point at the depth h.
+    #[inline]
     #[must_use]
     pub fn at(&self, h: f64) -> Vector3<f64> {
         self.foot - self.N * h
@@ -79,6 +80,13 @@ pub struct Piece {
     pub v: [f64; 2],
     /// No ruling of it ends deeper than here, mm.
     pub bottom: f64,
+}
+
+/// A direction the other way, number by number: a vector's own minus is a loop, which not every place unrolls.
+#[inline]
+#[must_use]
+pub fn opposite(of: Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(-of.x, -of.y, -of.z)
 }
 
 /// How fast the rulings between two v change, for each radian of v.
@@ -137,12 +145,14 @@ impl Part {
     }
 
     /// The frame at v, and the point of the mean line; straight on beyond the ends.
+    #[inline]
     #[must_use]
     pub fn frame(&self, v: f64) -> (Vector3<f64>, Darboux) {
         self.frame_at(v, sin_cos(v.clamp(HUB, RIM)))
     }
 
     /// The same, and h_0 there: both need one sine and cosine.
+    #[inline]
     #[must_use]
     pub fn frame_and_top(&self, v: f64) -> (Vector3<f64>, Darboux, f64) {
         let turned = sin_cos(v.clamp(HUB, RIM));
@@ -150,20 +160,23 @@ impl Part {
         (P, frame, self.top_at(turned.1))
     }
 
+    #[inline]
     fn frame_at(&self, v: f64, (sin_v, cos_v): (f64, f64)) -> (Vector3<f64>, Darboux) {
         let Torus { R, r } = self.circle.torus;
         let end = v.clamp(HUB, RIM);
         let (rho, k) = (R + r * cos_v, self.circle.k);
         let (cos_u, sin_u) = (k * sin_v / rho, -(r + R * cos_v) / rho);
-        let N = -Vector3::new(cos_v * cos_u, cos_v * sin_u, sin_v);
+        let N = opposite(Vector3::new(cos_v * cos_u, cos_v * sin_u, sin_v));
         // X_u·k/ρ + X_v, over R.
-        let along_v = Vector3::new(-sin_v * cos_u, -sin_v * sin_u, cos_v);
-        let t = (Vector3::new(-sin_u, cos_u, 0.0) * k + along_v * r) / R;
-        let P = Vector3::new(rho * cos_u, rho * sin_u, r * sin_v) + t * (R * (v - end));
+        let along = |around: f64, along_v: f64| (around * k + along_v * r) / R;
+        let t = Vector3::new(along(-sin_u, -sin_v * cos_u), along(cos_u, -sin_v * sin_u), along(0.0, cos_v));
+        let on = R * (v - end);
+        let P = Vector3::new(rho * cos_u + t.x * on, rho * sin_u + t.y * on, r * sin_v + t.z * on);
         (P, Darboux { N, t, b: t.cross(&N) })
     }
 
     /// The ruling of a face at v.
+    #[inline]
     #[must_use]
     pub fn ruling(&self, face: Face, v: f64) -> Ruling {
         let (P, Darboux { N, b, .. }) = self.frame(v);
@@ -176,6 +189,7 @@ impl Part {
         self.across_at(sin_cos(v.clamp(HUB, RIM)).1)
     }
 
+    #[inline]
     fn across_at(&self, cos_v: f64) -> f64 {
         let Torus { R, r } = self.circle.torus;
         let (sin2, cos2) = (r * r / (R * R), self.circle.k * self.circle.k / (R * R));
@@ -183,11 +197,13 @@ impl Part {
     }
 
     /// h_0, the depth at which the ruling at v begins. It does not grow with v.
+    #[inline]
     #[must_use]
     pub fn top(&self, v: f64) -> f64 {
         self.top_at(sin_cos(v.clamp(HUB, RIM)).1)
     }
 
+    #[inline]
     fn top_at(&self, cos_v: f64) -> f64 {
         -self.e * self.e / 8.0 * self.across_at(cos_v)
     }
@@ -318,6 +334,7 @@ impl Part {
     }
 
     /// True for a point between the hub plane and the rim cylinder.
+    #[inline]
     #[must_use]
     pub fn trimmed(&self, point: &Vector3<f64>) -> bool {
         let R = self.circle.torus.R;
@@ -325,6 +342,7 @@ impl Part {
     }
 
     /// How deep a point lies below the tops, T − r; the floor has the depth a_p.
+    #[inline]
     #[must_use]
     pub fn depth(&self, point: &Vector3<f64>) -> f64 {
         let Torus { R, r } = self.circle.torus;
@@ -339,27 +357,32 @@ impl Part {
     /// upright, and one does where |foot + x·t| = R in plan.
     #[must_use]
     pub fn pieces(&self, face: Face) -> Vec<Piece> {
+        let piece = |v: [f64; 2]| Piece { face, v, bottom: self.bottom(face, v, HALVINGS) };
+        self.stretches(face).into_iter().map(piece).collect()
+    }
+
+    /// The v of the same.
+    #[must_use]
+    pub fn stretches(&self, face: Face) -> Vec<[f64; 2]> {
         let R = self.circle.torus.R;
-        let piece =
-            |low: f64, high: f64| Piece { face, v: [low, high], bottom: self.bottom(face, [low, high], HALVINGS) };
         let straight = |v: f64| {
             let t = self.frame(v).1.t;
             (self.ruling(face, v).foot, t)
         };
-        let mut pieces = Vec::with_capacity(2);
+        let mut stretches = Vec::with_capacity(2);
         let (foot, t) = straight(HUB);
         if foot.z < 0.0 && t.z < 0.0 {
-            pieces.push(piece(HUB - foot.z / t.z / R, HUB));
+            stretches.push([HUB - foot.z / t.z / R, HUB]);
         }
-        pieces.push(piece(HUB, RIM));
+        stretches.push([HUB, RIM]);
         let (foot, t) = straight(RIM);
         let (square, along) = (t.x * t.x + t.y * t.y, foot.x * t.x + foot.y * t.y);
         if let Some([_, x]) = quadratic(square, 2.0 * along, foot.x * foot.x + foot.y * foot.y - R * R)
             && x > 0.0
         {
-            pieces.push(piece(RIM, RIM + x / R));
+            stretches.push([RIM, RIM + x / R]);
         }
-        pieces
+        stretches
     }
 
     /// Bounds of how the rulings between two v of one piece change, down to a depth.
@@ -377,8 +400,8 @@ impl Part {
             return Change { speed: R, acceleration: 0.0, turn: 0.0 };
         }
         let (k, half) = (self.circle.k, self.e / 2.0);
-        let cos = [low, high].map(|v| sin_cos(v.clamp(HUB, RIM)).1);
-        let sin = sin_cos(high.clamp(HUB, RIM)).0.abs();
+        let turned = [low, high].map(|v| sin_cos(v.clamp(HUB, RIM)));
+        let (cos, sin) = (turned.map(|(_, cos)| cos), turned[1].0.abs());
         let rho = R + r * cos[0];
         let along = cos.map(|cos| r / R + k * k / R * cos / (R + r * cos));
         let least = if along[0] <= 0.0 && along[1] >= 0.0 { 0.0 } else { along[0].abs().min(along[1].abs()) };

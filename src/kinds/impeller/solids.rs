@@ -20,6 +20,7 @@ pub struct Cylinder {
 impl Cylinder {
     /// The distance of a point, negative inside, and a direction n with |n| ≤ 1 for which that of every other point q is no
     /// less than the distance here and n·(q − point): the signed distance from a convex body is convex.
+    #[inline]
     #[must_use]
     pub fn distance(&self, point: &Vector3<f64>) -> (f64, Vector3<f64>) {
         let rho = (point.x * point.x + point.y * point.y).sqrt();
