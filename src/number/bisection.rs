@@ -134,8 +134,15 @@ pub fn greatest_above(
     Some(Greatest { upper: upper.max(lower + tolerance).max(known), lower, at })
 }
 
+/// A coordinate as a key. Halves of a whole have nothing in their low bits, but a hash needs something there.
+#[must_use]
+pub const fn key(coordinate: f64) -> u64 {
+    coordinate.to_bits().rotate_left(32)
+}
+
 /// What is kept by a key, or is found out now. Mostly it is kept, and this asks for that first: an entry that may have to be
 /// filled costs more.
+#[inline]
 pub fn kept<K: Eq + Hash, V: Copy>(all: &mut FxHashMap<K, V>, key: K, found: impl FnOnce() -> V) -> V {
     if let Some(found) = all.get(&key) {
         return *found;

@@ -27,7 +27,7 @@ use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
 use crate::limits::FLOOR_BOXES;
-use crate::number::bisection::{Bounds, Cell, greatest_above, kept};
+use crate::number::bisection::{Bounds, Cell, greatest_above, kept, key};
 use crate::number::trig::{hypot, sin_cos};
 
 /// How close the bound of the plan's depth is to what is found, mm.
@@ -100,12 +100,12 @@ fn deeper<T: Copy>(
         let ways = [speed * along / 2.0, a * around / 2.0];
         let (way, first) = (ways[0] + ways[1], ways[0] > ways[1]);
         let mut end = |s: f64| {
-            kept(&mut ends, (cell.sheet, s.to_bits()), || {
+            kept(&mut ends, (cell.sheet, key(s)), || {
                 let (tip, axis, across) = stretch.frame(s);
                 (tip + axis * r_c, across)
             })
         };
-        let mut turn = |angle: f64| kept(&mut turned, angle.to_bits(), || sin_cos(angle));
+        let mut turn = |angle: f64| kept(&mut turned, key(angle), || sin_cos(angle));
         let (rho, z, depth) = rim(end((s_0 + s_1) / 2.0), turn((low + high) / 2.0));
         // Outside the blank there is nothing to cut.
         let outside = (z.max(rho - R) - way - stretch.slack).max(0.0);

@@ -26,13 +26,14 @@ use crate::geometry::torus::Torus;
 use nalgebra::Vector3;
 use rustc_hash::FxHashMap;
 
-use crate::kinds::impeller::part::{Change, Face, Part, Piece, Ruling};
+use crate::kinds::impeller::part::{Change, Face, Part, Piece, Ruling, opposite};
 use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
 use crate::kinds::impeller::twist::Twist;
 use crate::limits::UNDERCUT_BOXES;
-use crate::number::bisection::{Bounds, Cell, greatest, kept};
+use crate::number::bisection::{Bounds, Cell, greatest, kept, key};
 use crate::number::root::quadratic;
+use crate::number::{greater, lesser};
 
 /// How close the bound is to what is found, mm.
 const CLOSE: f64 = 0.0004;
@@ -85,9 +86,9 @@ pub fn undercut(part: &Part, sweep: &Sweep, d_t: f64) -> Option<Undercut> {
     let mut best = f64::NEG_INFINITY;
     let found = greatest(cells, CLOSE, UNDERCUT_BOXES, |cell| {
         let (at, piece) = (cell.sheet / pieces.len(), cell.sheet % pieces.len());
-        let strip = &kept(&mut strips, (piece, cell.t.map(f64::to_bits)), || Strip::new(part, &pieces[piece], cell.t));
+        let strip = &kept(&mut strips, (piece, cell.t.map(key)), || Strip::new(part, &pieces[piece], cell.t));
         let [s_0, s_1] = cell.s;
-        let tool = |s: f64| kept(&mut tools, (at, s.to_bits()), || sweep.stretches[at].tool(s));
+        let tool = |s: f64| kept(&mut tools, (at, key(s)), || sweep.stretches[at].tool(s));
         let [before, after, tool] = [s_0, s_1, f64::midpoint(s_0, s_1)].map(tool);
         let [low, high, ruling] = &strip.rulings;
         let seen = [(before, low), (before, high), (after, low), (after, high), (tool, ruling)];
@@ -148,7 +149,7 @@ struct Seen {
 
 impl Seen {
     fn new((tip, axis): (Vector3<f64>, Vector3<f64>), ruling: &Ruling) -> Self {
-        let (beside, down) = (ruling.foot - tip, -ruling.N);
+        let (beside, down) = (ruling.foot - tip, opposite(ruling.N));
         let (beside, down) = (beside - axis * beside.dot(&axis), down - axis * down.dot(&axis));
         let square = down.norm_squared();
         let nearest = if square > 1e-18 { -beside.dot(&down) / square } else { f64::INFINITY };
@@ -157,7 +158,7 @@ impl Seen {
 
     /// The distance of its nearest point between two depths from the axis, with the depth.
     fn nearest(&self, [from, to]: [f64; 2]) -> (f64, f64) {
-        let h = self.nearest.clamp(from.min(to), to);
+        let h = self.nearest.clamp(lesser(from, to), to);
         ((self.beside + self.down * h).norm(), h)
     }
 }
@@ -238,9 +239,9 @@ impl Beside<'_> {
     fn least(&self, depths: [f64; 2]) -> f64 {
         let (pace, change, [along, over]) = (self.pace, &self.strip.change, self.sides);
         let [one, two, three, four, middle] = self.seen.each_ref().map(|seen| seen.nearest(depths).0);
-        let corners = one.min(two).min(three.min(four));
+        let corners = lesser(lesser(one, two), lesser(three, four));
         let by_way = middle - pace.speed * along / 2.0 - self.ways[1];
-        let least = (corners - self.ways[0] - self.ways[1]).max(by_way);
+        let least = greater(corners - self.ways[0] - self.ways[1], by_way);
         let bent =
             |speed: f64, acceleration: f64, side: f64| (speed * speed / least + acceleration) * side * side / 8.0;
         let by_bend = if least > 0.1 * self.a {
@@ -248,7 +249,7 @@ impl Beside<'_> {
         } else {
             f64::NEG_INFINITY
         };
-        by_way.max(by_bend).max(0.0) - self.stretch.slack
+        greater(0.0, greater(by_way, by_bend)) - self.stretch.slack
     }
 
     /// How deep the tool in the middle is below the face, along its normal at a depth of the ruling in the middle.
