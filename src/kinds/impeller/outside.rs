@@ -87,15 +87,18 @@ type Least = (f64, [f64; 3]);
 /// By how much something falls over a cell, by time, angle and part, and at which angle and part it is the least.
 type Fall = ([f64; 3], [f64; 2]);
 
-/// The angle between two at which a cosine about another is least, and that cosine.
-fn least_cosine([low, high]: [f64; 2], about: f64) -> (f64, f64) {
+/// The angle between two at which a cosine about another is least, that cosine, and the cosine at `angle`.
+fn least_cosine([low, high]: [f64; 2], about: f64, angle: f64) -> (f64, f64, f64) {
     let opposite = about + PI;
     let at = opposite + ((low - opposite) / TAU).ceil() * TAU;
     if at <= high {
-        return (at, -1.0);
+        return (at, -1.0, cos(angle - about));
     }
     let ends = [low, high].map(|angle| (angle, cos(angle - about)));
-    if ends[0].1 <= ends[1].1 { ends[0] } else { ends[1] }
+    let least = if ends[0].1 <= ends[1].1 { ends[0] } else { ends[1] };
+    // Mostly the angle is one of the ends.
+    let known = ends.iter().find(|end| end.0 == angle);
+    (least.0, least.1, known.map_or_else(|| cos(angle - about), |end| end.1))
 }
 
 impl Outside {
@@ -119,9 +122,18 @@ impl Outside {
     /// The distance along a straight move of all axes.
     #[must_use]
     pub fn along(&self, from: &Stand, to: &Stand, budget: usize) -> Bounds {
-        let mut search = Search { outside: self, way: [*from, *to], upper: f64::INFINITY, work: 0 };
+        let mut search = Search::new(self, [*from, *to]);
         let lower = search.run(budget).min(search.upper) - ARITHMETIC;
         Bounds { lower, upper: search.upper + ARITHMETIC, work: search.work }
+    }
+
+    /// True where the distance along a straight move is found to be so much greater than another one's lower bound that its own
+    /// would be, too.
+    #[must_use]
+    pub fn is_farther(&self, from: &Stand, to: &Stand, lower: f64, budget: usize) -> bool {
+        let far = lower + 3.0 * CLOSE.max(-lower * COARSE);
+        let mut search = Search { far, ..Search::new(self, [*from, *to]) };
+        search.run(budget).min(search.upper) - ARITHMETIC >= far
     }
 }
 
@@ -130,31 +142,38 @@ struct Search<'a> {
     way: [Stand; 2],
     upper: f64,
     work: usize,
+    /// It need not be known what is farther than this, mm.
+    far: f64,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    const fn new(outside: &'a Outside, way: [Stand; 2]) -> Self {
+        Self { outside, way, upper: f64::INFINITY, work: 0, far: f64::INFINITY }
+    }
+
     /// Halves the worst cell until the end; the least bound that is left.
     fn run(&mut self, budget: usize) -> f64 {
-        let mut heap = BinaryHeap::new();
-        let mut order = 0;
-        let mut wait = |search: &mut Self, heap: &mut BinaryHeap<Waiting<(Cell, usize)>>, cell: Cell| {
+        let (mut heap, mut cells) = (BinaryHeap::new(), Vec::new());
+        let wait = |search: &mut Self, cells: &mut Vec<Cell>, cell: Cell| {
             let (bound, across) = search.evaluate(&cell);
-            order += 1;
-            heap.push(Waiting { bound, order, what: (cell, across) });
+            cells.push(cell);
+            Waiting { bound, order: cells.len() - 1, what: across }
         };
         for end in [true, false] {
-            wait(self, &mut heap, Cell { end, sides: [[0.0, 1.0], [0.0, TAU], [0.0, 1.0]] });
+            heap.push(wait(self, &mut cells, Cell { end, sides: [[0.0, 1.0], [0.0, TAU], [0.0, 1.0]] }));
         }
-        while let Some(Waiting { bound, what: (cell, across), .. }) = heap.pop() {
-            if bound >= self.enough() || self.work >= budget {
+        while let Some(Waiting { bound, order: cell, what: across }) = heap.pop() {
+            // Of a move that comes nearer than it was asked for no more is asked.
+            let nearer = self.far < f64::INFINITY && self.upper < self.far;
+            if bound >= self.enough() || nearer || self.work >= budget {
                 return bound;
             }
-            let [low, high] = cell.sides[across];
+            let [low, high] = cells[cell].sides[across];
             let middle = low + (high - low) / 2.0;
             for half in [[low, middle], [middle, high]] {
-                let mut part = cell;
+                let mut part = cells[cell];
                 part.sides[across] = half;
-                wait(self, &mut heap, part);
+                heap.push(wait(self, &mut cells, part));
             }
         }
         f64::INFINITY
@@ -162,7 +181,7 @@ impl Search<'_> {
 
     /// Cells with a bound like this need not be parted.
     const fn enough(&self) -> f64 {
-        self.upper - CLOSE.max(-self.upper * COARSE)
+        (self.upper - CLOSE.max(-self.upper * COARSE)).min(self.far)
     }
 
     /// The lower bound of a cell, and which side of it to halve.
@@ -174,6 +193,7 @@ impl Search<'_> {
         let seen = Seen {
             half: (time[1] - time[0]) / 2.0,
             by: to.at - from.at,
+            way: (to.at - from.at).norm(),
             turn: to.B - from.B,
             B: sin_cos(stand.B),
             tip: stand.at + Vector3::new(0.0, 0.0, self.outside.L),
@@ -222,9 +242,13 @@ impl Search<'_> {
         let along = along * if cell.end { radius } else { reach };
         let extent = if cell.end { around + along } else { hypot(around, along) };
         let v = seen.by + Vector3::new(m.z, 0.0, -m.x) * seen.turn;
-        let (turn, by) = (seen.turn.abs(), seen.by.norm());
-        let far = hypot(m.x, m.z) + extent + seen.half * by;
-        let beside = seen.half * (turn * extent + seen.half * turn * (turn * far + 2.0 * by) / 2.0);
+        let (turn, by) = (seen.turn.abs(), seen.way);
+        let beside = if turn == 0.0 {
+            0.0
+        } else {
+            let far = hypot(m.x, m.z) + extent + seen.half * by;
+            seen.half * (turn * extent + seen.half * turn * (turn * far + 2.0 * by) / 2.0)
+        };
         let way = extent + seen.half * v.norm() + beside;
         Point { place: [angle, part], at, rho, wide, around, along, extent, v, beside, way, fall: None }
     }
@@ -241,8 +265,8 @@ impl Search<'_> {
         let ([_, angles, parts], [angle, part], (sin_B, cos_B)) = (cell.sides, point.place, seen.B);
         let turned = Vector3::new(n.x * cos_B - n.z * sin_B, n.y, n.x * sin_B + n.z * cos_B);
         let (flat, about) = (hypot(turned.x, turned.y), atan2(turned.y, turned.x));
-        let (at, least) = least_cosine(angles, about);
-        let by_angle = point.wide * flat * (cos(angle - about) - least);
+        let (at, least, here) = least_cosine(angles, about, angle);
+        let by_angle = point.wide * flat * (here - least);
         let rise = if cell.end { radius * flat * least } else { reach * turned.z };
         let to = if rise < 0.0 { parts[1] } else { parts[0] };
         let by_part = rise * (part - to);
@@ -304,6 +328,7 @@ struct Seen {
     /// Half of the time.
     half: f64,
     by: Vector3<f64>,
+    way: f64,
     turn: f64,
     /// Sine and cosine of B.
     B: (f64, f64),

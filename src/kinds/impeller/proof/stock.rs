@@ -28,6 +28,9 @@ use crate::text::{Text, t};
 /// Moves are judged as one whose axes stand this close, mm or degrees: above what sums of increments lose, far below the grid.
 const ALIKE: f64 = 1e-6;
 
+/// Places on the tool's end and side from which a move is first looked at.
+const GLANCE: usize = 2;
+
 /// A move without C, and what is known of its distance.
 pub type Known = ([f64; 8], Bounds);
 
@@ -38,14 +41,33 @@ pub struct Clear<'a> {
     d_s: f64,
     known: &'a mut Vec<Known>,
     safe: Option<(Bounds, At)>,
-    moves: Option<(Bounds, At)>,
+    /// The moves that differ, each where it is met first.
+    moves: Vec<(Way, At)>,
+}
+
+/// A move without C, on a grid far finer than that of programs, and its ends.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    key: [f64; 8],
+    ends: [Stand; 2],
+}
+
+impl Way {
+    fn new(from: &Pose, to: &Pose) -> Self {
+        let mut key = [0.0; 8];
+        let axes = [Axis::X, Axis::Y, Axis::Z, Axis::B];
+        for (place, value) in key.iter_mut().zip([from, to].iter().flat_map(|pose| axes.map(|axis| pose.get(axis)))) {
+            *place = (value / ALIKE).round();
+        }
+        Self { key, ends: [from, to].map(Stand::from) }
+    }
 }
 
 impl<'a> Clear<'a> {
     /// The judge of a design's programs with a tool of a diameter, with what is known from other programs.
     #[must_use]
     pub const fn new(design: &Design, d: f64, known: &'a mut Vec<Known>) -> Self {
-        Self { outside: Outside::of(design, d), d_s: design.d_s, known, safe: None, moves: None }
+        Self { outside: Outside::of(design, d), d_s: design.d_s, known, safe: None, moves: Vec::new() }
     }
 
     /// By how much axes that are all off by at most some mm or degrees bring the tool nearer to the stock.
@@ -53,19 +75,45 @@ impl<'a> Clear<'a> {
         off * 3.0_f64.sqrt() + off.to_radians() * self.outside.stock.reach(self.outside.L)
     }
 
-    fn distance(&mut self, from: &Pose, to: &Pose) -> Bounds {
-        let mut key = [0.0; 8];
-        let axes = [Axis::X, Axis::Y, Axis::Z, Axis::B];
-        for (place, value) in key.iter_mut().zip([from, to].iter().flat_map(|pose| axes.map(|axis| pose.get(axis)))) {
-            *place = (value / ALIKE).round();
+    /// What is known already of the distance along a move.
+    fn known(&self, way: &Way) -> Option<Bounds> {
+        self.known.iter().find(|(known, _)| *known == way.key).map(|(_, bounds)| *bounds)
+    }
+
+    fn distance(&mut self, way: &Way) -> Bounds {
+        if let Some(bounds) = self.known(way) {
+            return bounds;
         }
-        if let Some((_, bounds)) = self.known.iter().find(|(known, _)| *known == key) {
-            return *bounds;
-        }
-        let found = self.outside.along(&Stand::from(from), &Stand::from(to), WORK);
+        let [from, to] = &way.ends;
+        let found = self.outside.along(from, to, WORK);
         let bounds = Bounds { lower: found.lower - self.nearer(ALIKE), ..found };
-        self.known.push((key, bounds));
+        self.known.push((way.key, bounds));
         bounds
+    }
+
+    /// The least distance over all moves, and the first of them that comes so near. Those that seem nearest are looked at first:
+    /// of most others it is soon known that they are farther.
+    fn nearest(&mut self) -> Option<(Bounds, At)> {
+        let moves = std::mem::take(&mut self.moves);
+        let glance = |(way, _): &(Way, At)| self.outside.along(&way.ends[0], &way.ends[1], GLANCE).upper;
+        let mut order: Vec<(f64, usize)> = moves.iter().map(glance).zip(0..).collect();
+        order.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let (mut least, mut found) = (f64::INFINITY, vec![None; moves.len()]);
+        for (_, at) in order {
+            let (way, _) = &moves[at];
+            let [from, to] = &way.ends;
+            let known = self.known(way).is_some() || least == f64::INFINITY;
+            if known || !self.outside.is_farther(from, to, least, WORK) {
+                let bounds = self.distance(way);
+                least = least.min(bounds.lower);
+                found[at] = Some(bounds);
+            }
+        }
+        let mut nearest = None;
+        for ((_, at), bounds) in moves.into_iter().zip(found) {
+            bounds.into_iter().for_each(|bounds| lower(&mut nearest, bounds, at));
+        }
+        nearest
     }
 
     /// The answer on the least distance of a program.
@@ -97,20 +145,23 @@ impl Judge for Clear<'_> {
     fn see(&mut self, step: &Step<'_>) {
         let (motion, at) = (&step.motion, At::motion(&step.motion));
         if clear(step) {
-            let distance = self.distance(&motion.from, &motion.to);
-            lower(&mut self.moves, distance, at);
+            let way = Way::new(&motion.from, &motion.to);
+            if !self.moves.iter().any(|(known, _)| known.key == way.key) {
+                self.moves.push((way, at));
+            }
         } else if let Some(cut) = TrackStep::of(step) {
             let safe = match cut.points {
                 [None, Some(_)] => &motion.from,
                 [None, None] => &motion.to,
                 _ => return,
             };
-            let distance = self.distance(safe, safe);
+            let distance = self.distance(&Way::new(safe, safe));
             lower(&mut self.safe, distance, at);
         }
     }
 
-    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+    fn checks(mut self: Box<Self>, program: &Program) -> Vec<Check> {
+        let moves = self.nearest();
         let rows = [
             (
                 "safe-points",
@@ -120,7 +171,7 @@ impl Judge for Clear<'_> {
             (
                 "clear-moves",
                 t("Holgura al bruto al cruzar y en rápido", "Clearance to the stock in crossing and rapid moves"),
-                self.moves,
+                moves,
             ),
         ];
         let (d_s, rounding) = (mm(self.d_s), mm((self.nearer(0.0005) * 1e4).ceil() / 1e4));
