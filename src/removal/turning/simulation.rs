@@ -33,14 +33,14 @@ use crate::number::trig::hypot;
 const WITHIN: f64 = 780.0;
 
 /// A tool made ready.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Ready {
     tool: TurningTool,
     outline: Outline,
     bodies: Vec<Convex>,
 }
 /// A simulation under way.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Simulation {
     setup: Setup,
     tools: BTreeMap<u32, Ready>,
@@ -275,17 +275,30 @@ impl Simulation {
         [machine.get(Axis::Z) + origin_z - over_z - zero, machine.get(Axis::X) + origin_x - over_x]
     }
 
-    /// True where a rapid motion goes through no metal, straight or with each axis at its own of these rates, X and Z.
-    pub fn is_free(&mut self, motion: &Motion, control: &InForce, bent: Option<[f64; 2]>) -> bool {
-        let [z, r] = self.point(control.tool, &motion.machine);
+    /// True where a rapid motion leaves the same part with each axis at its own of these rates, X and Z, as straight: where both
+    /// ways are one, or neither goes through metal.
+    pub fn leaves_alike(&mut self, motion: &Motion, control: &InForce, rates: [f64; 2]) -> bool {
         let Some(ready) = self.tools.get(&control.tool) else { return true };
-        let (part, swept, tolerance) = (&mut self.part, &mut self.swept, self.setup.tolerance);
-        path::pieces(motion, [z - self.middle, r], bent, tolerance, &mut self.pieces);
-        let mut ends = self.pieces.iter().filter_map(|&piece| path::on_grid(piece, WITHIN));
-        ends.all(|[first, last]| {
-            let mut cutters = ready.outline.cutter.iter();
-            !cutters.any(|cutter| cutter.polygon.sweep(first, last, swept) && part.meets(swept))
-        })
+        let [z, r] = self.point(control.tool, &motion.machine);
+        let [straight, bent] = [None, Some(rates)].map(|bent| {
+            path::pieces(motion, [z - self.middle, r], bent, self.setup.tolerance, &mut self.pieces);
+            let ends = self.pieces.iter().filter_map(|&piece| path::on_grid(piece, WITHIN));
+            ends.filter(|[first, last]| first != last).collect::<Vec<_>>()
+        });
+        let mut cutters = ready.outline.cutter.iter().map(|cutter| &cutter.polygon);
+        straight == bent
+            || !cutters.any(|cutter| {
+                let mut ends = straight.iter().chain(&bent);
+                ends.any(|[first, last]| cutter.sweep(*first, *last, &mut self.swept) && self.part.meets(&self.swept))
+            })
+    }
+
+    /// The same work on from here, but in rapid motions each axis goes at its own of these rates, X and Z.
+    #[must_use]
+    pub fn bent(&self, rates: [f64; 2]) -> Self {
+        let mut other = self.clone();
+        (other.setup.lathe.bent_rapid, other.setup.lathe.rapid) = (true, rates);
+        other
     }
 
     /// Makes one motion.

@@ -48,6 +48,15 @@ pub struct Workpiece {
     most: u64,
 }
 
+impl Clone for Workpiece {
+    /// The part as it is; no library takes away the same beside.
+    fn clone(&self) -> Self {
+        let Self { region, fallen, gone, .. } = self;
+        let (region, fallen, gone) = (region.clone(), fallen.clone(), gone.clone());
+        Self { region, fallen, gone, apart: self.apart, work: self.work, most: self.most, ..Self::default() }
+    }
+}
+
 impl Workpiece {
     /// The part inside contours on the grid, counter-clockwise, holes clockwise; with the labels of their edges, see
     /// [`Region::labelled`]. `most` is how many steps of work it takes; from there on it stays as it is.

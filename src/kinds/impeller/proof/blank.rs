@@ -43,8 +43,8 @@ use crate::text::{Text, t};
 pub const LIMIT: f64 = 0.001;
 /// Chords of arcs stay within this, mm.
 const TOLERANCE: f64 = 5e-5;
-/// The rapid rates of X and Z along the three ways, mm/min: straight; X first; Z first.
-const WAYS: [(bool, [f64; 2]); 3] = [(false, [1.0, 1.0]), (true, [1e9, 1.0]), (true, [1.0, 1e9])];
+/// The rapid rates of X and Z along the two ways that are not straight, mm/min: X first; Z first.
+const BENT: [[f64; 2]; 2] = [[1e9, 1.0], [1.0, 1e9]];
 
 /// What the blank's program is read with: the tool T_b in the place at work, its offset D_b known and 0, the tip where the
 /// program leaves it.
@@ -185,13 +185,10 @@ impl Judge for Terms<'_> {
     }
 }
 
-/// The program over the stock, along each of the ways that a rapid motion may take. While none of them goes through metal, one
-/// part is that of all.
+/// The program over the stock, along each of the ways that a rapid motion may take. While all of them leave the same, one part
+/// is that of all.
 struct Over {
     ways: Vec<Simulation>,
-    /// The other ways, as long as their part is that of the first, and what they must then make good.
-    alike: Vec<Simulation>,
-    taken: Vec<(Motion, InForce)>,
     wanted: Profile,
     /// C.
     step: f64,
@@ -217,19 +214,12 @@ impl Over {
             support: Support::Never,
         };
         let turret = Turret { tools: [(blank.T_b, tool())].into(), body: None };
-        let ways = WAYS.map(|(bent_rapid, rapid)| {
-            let lathe = Lathe { rapid, bent_rapid, ..lathe(&stock) };
-            let setup = Setup { tolerance: TOLERANCE, ..Setup::new(lathe, stock, turret.clone()) };
-            Simulation::new(setup).ok()
-        });
+        let setup = Setup { tolerance: TOLERANCE, ..Setup::new(lathe(&stock), stock, turret) };
+        let straight = Simulation::new(setup).ok()?;
         let quarter = Span::Arc { to: [-torus.r, torus.R], radius: torus.r, clockwise: true };
         let spans = vec![Span::Line([0.0, torus.R - torus.r]), quarter, Span::Line([stock.ends()[0], torus.R])];
-        let mut ways = ways.into_iter().collect::<Option<Vec<_>>>()?;
-        let alike = ways.split_off(1);
         Some(Self {
-            ways,
-            alike,
-            taken: Vec::new(),
+            ways: vec![straight],
             wanted: Profile { start: [0.0, 0.0], spans },
             step: blank.C,
             rapid: None,
@@ -238,26 +228,15 @@ impl Over {
         })
     }
 
-    /// From a rapid motion through metal on, each way leaves another part.
-    fn part_ways(&mut self) {
-        for mut way in self.alike.drain(..) {
-            for (motion, control) in &self.taken {
-                way.take(motion, control);
-            }
-            self.ways.push(way);
-        }
-    }
-
     fn take(&mut self, motion: &Motion, control: &InForce) {
         self.motions += 1;
-        if !self.alike.is_empty() {
-            let straight = &mut self.ways[0];
-            let mut free = |(bent, rapid): (bool, _)| straight.is_free(motion, control, bent.then_some(rapid));
-            if motion.kind == MotionKind::Rapid && !WAYS.into_iter().all(&mut free) {
-                self.part_ways();
-            } else {
-                self.taken.push((*motion, *control));
-            }
+        if let [straight] = &mut self.ways[..]
+            && motion.kind == MotionKind::Rapid
+            && !BENT.iter().all(|rates| straight.leaves_alike(motion, control, *rates))
+        {
+            // From here on each way leaves another part.
+            let bent = BENT.map(|rates| straight.bent(rates));
+            self.ways.extend(bent);
         }
         for (way, simulation) in self.ways.iter_mut().enumerate() {
             for alarm in simulation.take(motion, control).alarms {
@@ -387,6 +366,8 @@ impl Judge for TooLarge<'_> {
 fn lathe(stock: &Stock) -> Lathe {
     let endless = [f64::NEG_INFINITY, f64::INFINITY];
     Lathe {
+        bent_rapid: false,
+        rapid: [1.0, 1.0],
         travel_x: endless,
         travel_z: endless,
         greatest_speed: f64::INFINITY,
