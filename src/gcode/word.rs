@@ -152,7 +152,9 @@ fn push_size(text: &mut String, size: Milli, trimmed: bool) {
     };
     if shown > 0 {
         text.push('.');
-        text.extend(decimals[..shown].iter().map(|&digit| char::from(digit)));
+        for &digit in &decimals[..shown] {
+            text.push(char::from(digit));
+        }
     }
 }
 

@@ -110,11 +110,14 @@ impl Limits {
             channel.least(&channel.wall(), &mut near.clone()).width - least
         };
         let fits = |N: u32| {
+            if N == count && beside.width < least {
+                return false;
+            }
             let channel = Channel::new(part, N, d_t);
             let wall = channel.wall();
             // Where this many are too near to each other, they mostly are at the hub.
             near.iter().all(|&(mut station)| channel.width_at(&wall, &mut station) >= least)
-                && channel.least(&wall, &mut stations()).width >= least
+                && (N == count || channel.least(&wall, &mut stations()).width >= least)
         };
         // The gap is narrower than the arc on the parallel, so that the published limits are upper bounds.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held within the form's limits")]

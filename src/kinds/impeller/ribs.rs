@@ -24,6 +24,7 @@
 //! Held against a dense grid.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
+use std::ops::Range;
 
 use nalgebra::Vector3;
 use rustc_hash::FxHashMap;
@@ -198,11 +199,13 @@ struct Seen {
     farthest: [usize; 2],
     /// Where poses end on both lines, by pose and side: the next strip begins with the second line.
     ends: [FxHashMap<(usize, bool), Option<f64>>; 2],
+    /// The poses that are known to cut the second line.
+    cutting: Range<usize>,
 }
 
 impl Default for Seen {
     fn default() -> Self {
-        Self { farthest: [usize::MAX; 2], ends: Default::default() }
+        Self { farthest: [usize::MAX; 2], ends: Default::default(), cutting: 0..0 }
     }
 }
 
@@ -253,7 +256,9 @@ impl<'a> Band<'a> {
     }
 
     /// From where to where the pass cuts two lines and what is between them; `None` where it does not.
-    fn cut(&self, lines: &[Line; 2], Seen { farthest, ends }: &mut Seen, fresh: bool) -> Option<[f64; 2]> {
+    fn cut(&self, lines: &[Line; 2], seen: &mut Seen, fresh: bool) -> Option<[f64; 2]> {
+        let Seen { farthest, ends, cutting } = seen;
+        let known = std::mem::take(cutting);
         let R = self.part.circle.torus.R;
         let step = lines[1].v - lines[0].v;
         // What the strip and the tool may be off the lines and the poses.
@@ -295,11 +300,12 @@ impl<'a> Band<'a> {
             (*found, *guess, *between) = (best, at, at);
         }
         let [one, other] = between;
-        let poses = self.poses.get(one.min(other)..=one.max(other))?;
-        let cuts = |pose: &Pose| lines.iter().all(|line| self.beside(pose, line, off).is_some());
-        if !poses.iter().all(cuts) {
+        let between = one.min(other)..one.max(other) + 1;
+        let cuts = |at: usize, line: &Line| self.beside(&self.poses[at], line, off).is_some();
+        if !between.clone().all(|at| (known.contains(&at) || cuts(at, &lines[0])) && cuts(at, &lines[1])) {
             return None;
         }
+        *cutting = between;
         let mut found = found.map(|x| x + self.behind);
         if let Some(own) = self.own {
             found[own] = if own == 0 { f64::NEG_INFINITY } else { f64::INFINITY };
