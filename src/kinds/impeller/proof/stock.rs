@@ -3,8 +3,8 @@
 //!
 //! The tool is a cylinder of its diameter and as long as any part of it could reach the stock; its holder and what holds the
 //! part are not known here. The stock is the turned blank before anything is milled, whatever of it was cut by then. A lower
-//! and an upper bound of the distance hold over the whole of each move ([`outside`](crate::kinds::impeller::outside)); a pass is
-//! only taken as one where the lower bound says so.
+//! and an upper bound of the distance hold over the whole of a move ([`outside`](crate::kinds::impeller::outside)); a pass is
+//! only taken as one where the lower bound says so. The nearest move is told; of the others it is proved that they are farther.
 //!
 //! What a pass may lack of the safety distance is what rounding to the grid takes: safe points and retract height are made
 //! for d_s exactly, and 0.0005 mm in each of X, Y and Z and 0.0005° of B, at the distance of the stock's farthest point from
