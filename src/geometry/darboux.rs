@@ -29,3 +29,10 @@ impl Darboux {
         Self { N, t, b: t.cross(&N) }
     }
 }
+
+/// A direction the other way, number by number: a vector's own minus is a loop, which not every place unrolls.
+#[inline]
+#[must_use]
+pub fn opposite(of: Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(-of.x, -of.y, -of.z)
+}

@@ -11,10 +11,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector3;
 
+use crate::geometry::darboux::opposite;
 use crate::geometry::torus::Torus;
 use crate::geometry::villarceau::Villarceau;
 use crate::kinds::impeller::design::Design;
-use crate::kinds::impeller::part::opposite;
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::track::Track;
 use crate::number::trig::sin_cos;

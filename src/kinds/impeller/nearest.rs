@@ -12,7 +12,8 @@ use std::sync::OnceLock;
 
 use nalgebra::Vector3;
 
-use crate::kinds::impeller::part::{Face, HUB, Part, RIM, opposite};
+use crate::geometry::darboux::opposite;
+use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
 use crate::number::root::golden;
 
 /// Lines of a face that are looked at first: steps between them, and they themselves.

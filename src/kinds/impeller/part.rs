@@ -18,7 +18,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector3;
 
-use crate::geometry::darboux::Darboux;
+use crate::geometry::darboux::{Darboux, opposite};
 use crate::geometry::torus::Torus;
 use crate::geometry::villarceau::Villarceau;
 use crate::kinds::impeller::design::Design;
@@ -64,7 +64,6 @@ pub struct Ruling {
 
 impl Ruling {
     /// The point at the depth h.
-    #[inline]
     #[must_use]
     pub fn at(&self, h: f64) -> Vector3<f64> {
         self.foot - self.N * h
@@ -80,13 +79,6 @@ pub struct Piece {
     pub v: [f64; 2],
     /// No ruling of it ends deeper than here, mm.
     pub bottom: f64,
-}
-
-/// A direction the other way, number by number: a vector's own minus is a loop, which not every place unrolls.
-#[inline]
-#[must_use]
-pub fn opposite(of: Vector3<f64>) -> Vector3<f64> {
-    Vector3::new(-of.x, -of.y, -of.z)
 }
 
 /// How fast the rulings between two v change, for each radian of v.
@@ -189,7 +181,6 @@ impl Part {
         self.across_at(sin_cos(v.clamp(HUB, RIM)).1)
     }
 
-    #[inline]
     fn across_at(&self, cos_v: f64) -> f64 {
         let Torus { R, r } = self.circle.torus;
         let (sin2, cos2) = (r * r / (R * R), self.circle.k * self.circle.k / (R * R));
@@ -203,7 +194,6 @@ impl Part {
         self.top_at(sin_cos(v.clamp(HUB, RIM)).1)
     }
 
-    #[inline]
     fn top_at(&self, cos_v: f64) -> f64 {
         -self.e * self.e / 8.0 * self.across_at(cos_v)
     }
@@ -334,7 +324,6 @@ impl Part {
     }
 
     /// True for a point between the hub plane and the rim cylinder.
-    #[inline]
     #[must_use]
     pub fn trimmed(&self, point: &Vector3<f64>) -> bool {
         let R = self.circle.torus.R;
@@ -342,7 +331,6 @@ impl Part {
     }
 
     /// How deep a point lies below the tops, T − r; the floor has the depth a_p.
-    #[inline]
     #[must_use]
     pub fn depth(&self, point: &Vector3<f64>) -> f64 {
         let Torus { R, r } = self.circle.torus;

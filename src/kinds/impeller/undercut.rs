@@ -22,11 +22,12 @@
 //! # Units
 //! Millimetres and radians.
 
+use crate::geometry::darboux::opposite;
 use crate::geometry::torus::Torus;
 use nalgebra::Vector3;
 use rustc_hash::FxHashMap;
 
-use crate::kinds::impeller::part::{Change, Face, Part, Piece, Ruling, opposite};
+use crate::kinds::impeller::part::{Change, Face, Part, Piece, Ruling};
 use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::kinds::impeller::track::Track;
 use crate::kinds::impeller::twist::Twist;
