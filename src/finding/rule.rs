@@ -4,8 +4,10 @@
 //! A code is one letter for the room and four digits, and is never given again. What makes two findings the same is their
 //! rule, what they carry and their place; the sentence follows from these.
 
-use crate::finding::{Datum, Exit, Finding, Grade, Place, Refusal};
-use crate::text::Text;
+use std::borrow::Cow;
+
+use crate::finding::{Datum, Exit, Finding, Grade, Place, Refusal, Said};
+use crate::text::{Language, Text};
 
 /// A row.
 #[derive(Debug)]
@@ -165,17 +167,7 @@ impl Rule {
 
 /// A text of a row with an ellipsis in the place of each field.
 fn unfilled(text: &Text) -> Text {
-    let bare = |text: &str| {
-        let (mut bare, mut rest) = (String::new(), text);
-        while let Some((before, (_, after))) =
-            rest.split_once('{').and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
-        {
-            bare.push_str(before);
-            bare.push('…');
-            rest = after;
-        }
-        bare + rest
-    };
+    let bare = |text: &str| with_fields(text, |_| Cow::Borrowed("…"));
     Text::new(bare(&text.es), bare(&text.en))
 }
 
@@ -188,27 +180,78 @@ impl Example {
 }
 
 /// A row with its values.
+///
+/// All that a row has of its own is in these two: what follows from them stands once, below, not once for each of a thousand rows.
 pub trait Raise {
     /// The row.
     fn rule(&self) -> &'static Rule;
-    /// The sentence, without a full stop.
-    fn what(&self) -> Text;
-    /// What to do about it.
-    fn remedy(&self) -> Text;
-    /// What it carries, by name.
-    fn carries(&self) -> Vec<(&'static str, Datum)>;
+    /// Its values, in the order of the row's fields.
+    fn values(&self) -> Vec<&dyn Said>;
 
     /// The finding at a place.
     fn at(&self, place: Place) -> Finding {
-        let rule = self.rule();
-        let alarm = rule.alarm_of(AlarmFamily::Lathe).map(|number| (AlarmFamily::Lathe, number));
-        Finding { alarm, ..Finding::of(rule, self.carries(), place, self.what(), self.remedy()) }
+        raised(self.rule(), self.values(), place)
     }
 
     /// The refusal for this alone.
     fn refused(&self, exit: Exit, place: Place) -> Refusal {
         Refusal::new(exit, self.at(place))
     }
+}
+
+impl dyn Raise + '_ {
+    /// The sentence, without a full stop.
+    #[must_use]
+    pub fn what(&self) -> Text {
+        filled(&self.rule().what, self.rule(), &self.values())
+    }
+
+    /// What to do about it.
+    #[must_use]
+    pub fn remedy(&self) -> Text {
+        filled(&self.rule().remedy, self.rule(), &self.values())
+    }
+
+    /// What it carries, by name.
+    #[must_use]
+    pub fn carries(&self) -> Vec<(&'static str, Datum)> {
+        carried(self.rule(), &self.values())
+    }
+}
+
+/// What a row with these values finds at a place.
+#[allow(clippy::needless_pass_by_value, reason = "taken here, it is dropped here, not in each of a thousand rows")]
+fn raised(rule: &'static Rule, values: Vec<&dyn Said>, place: Place) -> Finding {
+    let alarm = rule.alarm_of(AlarmFamily::Lathe).map(|number| (AlarmFamily::Lathe, number));
+    let [what, remedy] = [&rule.what, &rule.remedy].map(|text| filled(text, rule, &values));
+    Finding { alarm, ..Finding::of(rule, carried(rule, &values), place, what, remedy) }
+}
+
+/// Values by the names of a row's fields.
+fn carried(rule: &Rule, values: &[&dyn Said]) -> Vec<(&'static str, Datum)> {
+    rule.fields.iter().zip(values).map(|(&field, value)| (field, value.datum())).collect()
+}
+
+/// A text of a row with its values, each said in the language of the text.
+fn filled(text: &Text, rule: &Rule, values: &[&dyn Said]) -> Text {
+    let value = |name: &str| rule.fields.iter().position(|&field| field == name).and_then(|at| values.get(at));
+    let said = |language| {
+        with_fields(text.get(language), |name| value(name).map_or(Cow::Borrowed(""), |value| value.said(language)))
+    };
+    Text::new(said(Language::Es), said(Language::En))
+}
+
+/// A text with something in the place of each name in braces.
+fn with_fields<'a>(text: &str, mut said: impl FnMut(&str) -> Cow<'a, str>) -> String {
+    let (mut whole, mut rest) = (String::new(), text);
+    while let Some((before, (name, after))) =
+        rest.split_once('{').and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
+    {
+        whole.push_str(before);
+        whole.push_str(&said(name));
+        rest = after;
+    }
+    whole + rest
 }
 
 /// The rows of a room: a type for each, and a list of them all.
@@ -257,40 +300,23 @@ macro_rules! rules {
                     Self::RULE
                 }
 
-                fn what(&self) -> $crate::text::Text {
-                    $crate::finding::rule::both!(self, [$($field)*], $es, $en)
-                }
-
-                fn remedy(&self) -> $crate::text::Text {
-                    $crate::finding::rule::both!(self, [$($field)*], $remedy_es, $remedy_en)
-                }
-
-                fn carries(&self) -> Vec<(&'static str, $crate::finding::Datum)> {
-                    vec![$((stringify!($field), $crate::finding::Said::datum(&self.$field))),*]
+                fn values(&self) -> Vec<&dyn $crate::finding::Said> {
+                    vec![$(&self.$field),*]
                 }
             }
+
+            const _: () = {
+                // Nobody calls it: a name in braces that is no field does not compile.
+                #[allow(dead_code, unused_variables, non_snake_case, clippy::too_many_arguments)]
+                fn named($($field: &str),*) {
+                    let _ = (format_args!($es), format_args!($en), format_args!($remedy_es), format_args!($remedy_en));
+                }
+            };
         )*
 
         $(#[$about])*
         pub const $list: &[&$crate::finding::Rule] = &[$($name::RULE),*];
     };
-}
-
-/// A text whose fields in braces are said in each language.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! both {
-    ($self:ident, [$($field:ident)*], $es:literal, $en:literal) => {{
-        let es = {
-            $(let $field = $crate::finding::Said::said(&$self.$field, $crate::text::Language::Es); let _ = &$field;)*
-            format!($es)
-        };
-        let en = {
-            $(let $field = $crate::finding::Said::said(&$self.$field, $crate::text::Language::En); let _ = &$field;)*
-            format!($en)
-        };
-        $crate::text::Text::new(es, en)
-    }};
 }
 
 /// The workbook of a kind, or of its case behind `--case`, with other values: symbols or cells, each with what is typed there.
@@ -300,8 +326,6 @@ macro_rules! book {
     };
 }
 
-#[doc(hidden)]
-pub use both;
 pub(crate) use {book, rules};
 
 #[cfg(test)]
@@ -350,7 +374,7 @@ mod tests {
             LIST.iter().map(|rule| rule.fields).collect::<Vec<_>>(),
             [&["depth", "edge", "tool", "body"][..], &[]]
         );
-        assert_eq!(Bare {}.what(), t("nada", "nothing"));
+        assert_eq!((&Bare {} as &dyn Raise).what(), t("nada", "nothing"));
     }
 
     #[test]
