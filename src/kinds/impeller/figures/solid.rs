@@ -17,12 +17,12 @@ use crate::kinds::impeller::splitter::Splitter;
 use crate::number::trig::sin_cos;
 
 /// Steps of a blade; fewer along it where there are many.
-const STEPS: Steps = Steps { along: 44, deep: 1, across: 6 };
+const STEPS: Steps = Steps { along: 32, deep: 1, across: 6 };
 const ALONG_MANY: u16 = 18;
 const MANY: u32 = 12;
 /// Steps about the hub, and along its meridian.
-const ABOUT: u16 = 132;
-const MERIDIAN: u16 = 20;
+const ABOUT: u16 = 96;
+const MERIDIAN: u16 = 16;
 
 /// The impeller seen from above its narrow end.
 pub(super) fn cover(design: &Design, blade: &Blade, splitter: Option<&Splitter>, plan: Option<&Plan>) -> Figure {
