@@ -11,10 +11,12 @@
 //! Millimetres; degrees of B and C as in programs.
 
 use nalgebra::Vector3;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 
 use crate::limits::WAY_PIECES;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::Rotary;
+use crate::number::bisection::key;
 use crate::number::trig::sin_cos;
 
 /// What part of the way the bound of the velocity may lose.
@@ -25,17 +27,44 @@ fn settled(value: f64) -> f64 {
     (value * 1e6).round() / 1e6
 }
 
+/// All that the way of a block depends on: X, Y, Z and B of both its ends, mm and degrees, and how far C turns.
+fn block(from: &Pose, to: &Pose) -> [f64; 9] {
+    let [[x, y, z, B], [to_x, to_y, to_z, to_B]] =
+        [from, to].map(|pose| [Axis::X, Axis::Y, Axis::Z, Axis::B].map(|axis| settled(pose.get(axis))));
+    [x, y, z, B, to_x, to_y, to_z, to_B, settled(to.get(Axis::C) - from.get(Axis::C))]
+}
+
 /// What the way of the tip over the part from one pose to another is at most, mm.
 #[must_use]
 pub fn longest(machine: Rotary, from: &Pose, to: &Pose) -> f64 {
-    let place = |pose: &Pose| {
-        let [x, y, z] = [Axis::X, Axis::Y, Axis::Z].map(|axis| settled(pose.get(axis)));
-        Vector3::new(x, y, z + machine.L)
-    };
-    let (start, end) = (place(from), place(to));
-    let [B, to_B] = [from, to].map(|pose| settled(pose.get(Axis::B)).to_radians());
+    of(machine, block(from, to))
+}
+
+/// The ways of a program's blocks, each found once: every blade repeats those of the first.
+#[derive(Debug)]
+pub struct Ways {
+    machine: Rotary,
+    found: FxHashMap<[u64; 9], f64>,
+}
+
+impl Ways {
+    /// None is found yet.
+    #[must_use]
+    pub const fn new(machine: Rotary) -> Self {
+        Self { machine, found: FxHashMap::with_hasher(FxBuildHasher) }
+    }
+
+    /// The same as [`longest`].
+    pub fn longest(&mut self, from: &Pose, to: &Pose) -> f64 {
+        let block = block(from, to);
+        *self.found.entry(block.map(key)).or_insert_with(|| of(self.machine, block))
+    }
+}
+
+fn of(machine: Rotary, [x, y, z, B, to_x, to_y, to_z, to_B, dC]: [f64; 9]) -> f64 {
+    let (start, end) = (Vector3::new(x, y, z + machine.L), Vector3::new(to_x, to_y, to_z + machine.L));
+    let [B, to_B, dC] = [B, to_B, dC].map(f64::to_radians);
     let (by, dB) = (end - start, to_B - B);
-    let dC = settled(to.get(Axis::C) - from.get(Axis::C)).to_radians();
     let speed = |s: f64| {
         let y = start + by * s;
         let (sin, cos) = sin_cos(B + dB * s);
@@ -103,6 +132,10 @@ mod tests {
                 pose(at)
             };
             prop_assert!((longest(machine, &turned(from), &turned(to)) - found).abs() < 1e-4);
+            let mut ways = Ways::new(machine);
+            for _ in 0..2 {
+                prop_assert_eq!(ways.longest(&pose(from), &pose(to)), found);
+            }
         }
     }
 }

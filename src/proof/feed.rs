@@ -12,7 +12,7 @@ use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::{Program, Role};
 use crate::machine::axis::Axis;
 use crate::machine::rotary::Rotary;
-use crate::machine::tip_way::longest;
+use crate::machine::tip_way::Ways;
 use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question};
 use crate::proof::rules::{AxisTooFast, CutWithoutFeed, DecimalsAssumed, FeedWordSlows, TipTooFast};
@@ -66,7 +66,7 @@ const SLACK: f64 = 1.0 + 1e-6;
 /// Watches the speed of axes and tip.
 #[derive(Debug)]
 pub struct Feeds {
-    machine: Rotary,
+    ways: Ways,
     F: Option<f64>,
     F_max: Option<f64>,
     axis: Extreme,
@@ -85,7 +85,7 @@ impl Feeds {
     pub const fn new(machine: Rotary, F: Option<f64>, F_max: Option<f64>) -> Self {
         let nothing = Extreme::nothing();
         Self {
-            machine,
+            ways: Ways::new(machine),
             F,
             F_max,
             axis: nothing,
@@ -101,7 +101,7 @@ impl Feeds {
 impl Feeds {
     /// The same, where passes whose name ends so are run at a part of F.
     #[must_use]
-    pub const fn slower(self, slower: (&'static str, f64)) -> Self {
+    pub fn slower(self, slower: (&'static str, f64)) -> Self {
         Self { slower: Some(slower), ..self }
     }
 
@@ -134,7 +134,7 @@ impl Judge for Feeds {
                 self.fastest = axis;
             }
         }
-        let way = longest(self.machine, &motion.from, &motion.to);
+        let way = self.ways.longest(&motion.from, &motion.to);
         if let Some(F) = self.of(step) {
             let greatest = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
             let wanted = (way * 60.0 / F).max(self.F_max.map_or(0.0, |F_max| greatest * 60.0 / F_max));
