@@ -372,8 +372,11 @@ mod embedded {
             let sheet = pages(&sheet);
             assert_eq!(sheet.len(), setups.max(1), "{case}");
             assert!(sheet.iter().all(|page| page.contains(head) && page.contains(foot)), "{case}: {sheet:?}");
+            // What reads the page may set two blanks where the columns beside want it.
+            let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
             for program in &outcome.programs {
-                assert!(sheet.iter().any(|page| page.contains(program.title.get(language))), "{case}: {}", program.key);
+                let title = program.title.get(language);
+                assert!(sheet.iter().any(|page| plain(page).contains(title)), "{case}: {}", program.key);
             }
             assert!(!sheet.concat().contains("SHA-256"), "{case}: nobody compares sums by eye");
             let whole = pages(&whole);
