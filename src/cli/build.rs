@@ -3,8 +3,8 @@
 use std::env;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, LazyLock};
 
 use super::args::{Build, Outputs};
 use super::delivery::{self, Delivery, REPORT, SETUP, endings, leftovers, program_name};
@@ -221,7 +221,14 @@ fn build(
     let outcome = &*outcome;
     let (tables, live) = (settings.tables, settings.view);
     let delivery = Delivery { item, outcome, language, tables, printed, viewer, live, into: into.is_some() };
-    delivery.write(scene, &mut set)?;
+    // The figures of the report, which take as long as the results, beside them.
+    let draw = || {
+        if printed {
+            LazyLock::force(&outcome.figures);
+        }
+    };
+    let (written, ()) = rayon::join(|| delivery.write(scene, &mut set), draw);
+    written?;
     let failed = print(&delivery, &bytes, settings, logo, &mut set, verdict)?;
     if let Some(into) = into {
         into.put(outcome, &delivery.listed(&set), settings.tables, language, &mut set)?;

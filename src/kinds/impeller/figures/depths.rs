@@ -23,7 +23,7 @@ use crate::kinds::impeller::part::{HUB, Part};
 use crate::kinds::impeller::sweep::Sweep;
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::Position;
-use crate::number::trig::{atan2, hypot, sin_cos};
+use crate::number::trig::{asin, atan2, hypot, sin_cos};
 use crate::text::t;
 
 /// Cells along the blade, and about the whole axis.
@@ -36,6 +36,8 @@ const POSES: f64 = 400.0;
 /// Less is not cut at all; so far off, the depth is another than what is wanted, mm.
 const UNCUT: f64 = 0.02;
 const OFF: f64 = 0.05;
+/// What the arithmetic of a quick look may be off by, mm and mm².
+const TOUCH: f64 = 1e-6;
 /// Steps of the outlines.
 const OUTLINES: Steps = Steps { along: 64, deep: 1, across: 8 };
 
@@ -153,19 +155,26 @@ impl Map {
     /// Cuts with one pose: whatever channel it is in, all are alike.
     fn cut(&mut self, tip: &Vector3<f64>, axis: &Vector3<f64>, a: f64) {
         let Torus { R, r } = self.part.circle.torus;
-        let reach = a + 1.5 * self.part.a_p;
-        let (beside, psi) = (hypot(tip.x, tip.y) - R, atan2(tip.y, tip.x));
-        let v = atan2(tip.z, beside).rem_euclid(TAU);
-        if hypot(beside, tip.z) < r - self.part.a_p {
+        // No point of the metal that the tool cuts is farther from its tip.
+        let deep = 1.5 * self.part.a_p;
+        let reach = a + deep;
+        let (out, psi) = (hypot(tip.x, tip.y), atan2(tip.y, tip.x));
+        let (beside, v) = (hypot(out - R, tip.z), atan2(tip.z, out - R).rem_euclid(TAU));
+        if beside < r - self.part.a_p {
             return;
         }
         #[expect(clippy::cast_precision_loss, reason = "a small count")]
         let columns = self.columns as f64;
         for (row, cells) in self.rows.iter().zip(self.depths.chunks_mut(self.columns)) {
-            if (row.v - v).abs() * r > reach {
+            // With Δρ² + Δz² no less than 4·r_1·r_2·sin²(Δv/2) and in all 4·ρ_1·ρ_2·sin²(Δψ/2) more, points are reach apart.
+            let half = sin_cos((row.v - v) / 2.0).0;
+            let left = reach * reach - 4.0 * r * beside * half * half;
+            if left < 0.0 {
                 continue;
             }
-            let wide = (reach / (row.rho - reach).max(0.2 * row.rho)).min(PI);
+            let (sin_v, cos_v) = row.turn;
+            let inner = (row.rho - deep * cos_v.abs()).max(0.2 * row.rho);
+            let wide = 2.0 * asin((left / (4.0 * inner * out.max(f64::MIN_POSITIVE))).sqrt().min(1.0));
             let of = |angle: f64| ((row.u - angle) / self.pitch * columns).floor();
             let (first, last) = (of(psi + wide), of(psi - wide));
             #[expect(
@@ -173,16 +182,22 @@ impl Map {
                 clippy::cast_sign_loss,
                 reason = "within a channel, and some hundreds"
             )]
-            let (begin, count) = (first.rem_euclid(columns) as usize, (last - first + 1.0).max(0.0) as usize);
-            let (sin_v, cos_v) = row.turn;
+            let (mut column, count) = (first.rem_euclid(columns) as usize, (last - first + 1.0).max(0.0) as usize);
             // From column to column the angle falls by the same step.
             let mut turn = sin_cos(row.u - (first + 0.5) / columns * self.pitch);
-            for column in (0..self.columns).cycle().skip(begin).take(count) {
+            for _ in 0..count {
                 let (sin, cos) = turn;
                 turn = (sin * self.step.1 - cos * self.step.0, cos * self.step.1 + sin * self.step.0);
                 let Some(depth) = cells.get_mut(column) else { continue };
+                column = if column + 1 == self.columns { 0 } else { column + 1 };
                 let into = Vector3::new(cos_v * cos, cos_v * sin, sin_v);
                 let from = Vector3::new(R * cos, R * sin, 0.0) - tip;
+                // It cuts what has been left where it takes its upper end.
+                let top = from + into * (r + *depth);
+                let up = top.dot(axis);
+                if up < -TOUCH || top.norm_squared() - up * up > a * a + TOUCH {
+                    continue;
+                }
                 if let Some([enter, leave]) = passed(&from, &into, axis, a)
                     && enter <= r + *depth
                 {
