@@ -66,6 +66,7 @@ impl Browser {
             "--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1",
             // Small: every frame is drawn by software.
             "--window-size=840,560",
+            "--force-device-scale-factor=0.5",
         ]
         .map(str::to_owned)
         .into();

@@ -213,27 +213,35 @@ impl Beside<'_> {
             return Bounds { upper: self.a - least, middle, first };
         }
         // The normals turn along a ruling: its pieces are the longer, the farther they are from where the tool goes in deepest.
-        let (long, mut upper) = (way.max(SHORT), known);
+        // Of those that may hold more than is known the one that may hold most is halved, until it is as short as any.
+        let long = way.max(SHORT);
+        let mut open: Vec<(f64, [f64; 2])> = Vec::new();
+        let look = |open: &mut Vec<(f64, [f64; 2])>, [from, to]: [f64; 2], near: f64| {
+            let bound = self.at_most([from, to], near);
+            if bound > known {
+                open.push((bound, [from, to]));
+            }
+        };
         let (mut bottom, mut piece) = (lowest, long);
         while bottom > top {
             let from = if bottom - top > 2.0 * piece { bottom - piece } else { top };
             let near = if from == top && bottom == lowest { least } else { self.least([from, bottom]) };
-            upper = self.deepest([from, bottom], near, long, upper);
+            look(&mut open, [from, bottom], near);
             (bottom, piece) = (from, LONGER * piece);
         }
-        Bounds { upper, middle, first }
-    }
-
-    /// No point between two depths of a ruling is deeper below the face, or else than `known`: a piece that may hold more is
-    /// halved. None is nearer to the axis than `near`.
-    fn deepest(&self, [from, to]: [f64; 2], near: f64, long: f64, known: f64) -> f64 {
-        let bound = self.at_most([from, to], near);
-        if bound <= known || to - from <= long {
-            return bound.max(known);
+        let mut upper = known;
+        while let Some(at) = (0..open.len()).max_by(|&one, &other| open[one].0.total_cmp(&open[other].0)) {
+            let (bound, [from, to]) = open.swap_remove(at);
+            if to - from <= long {
+                upper = bound;
+                break;
+            }
+            let middle = f64::midpoint(from, to);
+            for half in [[middle, to], [from, middle]] {
+                look(&mut open, half, self.least(half));
+            }
         }
-        let middle = f64::midpoint(from, to);
-        let known = self.deepest([middle, to], self.least([middle, to]), long, known);
-        self.deepest([from, middle], self.least([from, middle]), long, known)
+        Bounds { upper, middle, first }
     }
 
     /// No point between two depths is nearer to the axis, wherever the blocks have it.
