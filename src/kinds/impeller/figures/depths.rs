@@ -24,6 +24,7 @@ use crate::kinds::impeller::sweep::Sweep;
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::Position;
 use crate::number::trig::{asin, atan2, hypot, sin_cos};
+use crate::number::{greater, lesser};
 use crate::text::t;
 
 /// Cells along the blade, and about the whole axis.
@@ -38,6 +39,8 @@ const UNCUT: f64 = 0.02;
 const OFF: f64 = 0.05;
 /// What the arithmetic of a quick look may be off by, mm and mm².
 const TOUCH: f64 = 1e-6;
+/// Steps along the axis of the tool, where it is seen which cells lie beside it.
+const AXIS: u16 = 8;
 /// Steps of the outlines.
 const OUTLINES: Steps = Steps { along: 64, deep: 1, across: 8 };
 
@@ -158,25 +161,39 @@ impl Map {
         // No point of the metal that the tool cuts is farther from its tip.
         let deep = 1.5 * self.part.a_p;
         let reach = a + deep;
-        let (out, psi) = (hypot(tip.x, tip.y), atan2(tip.y, tip.x));
-        let (beside, v) = (hypot(out - R, tip.z), atan2(tip.z, out - R).rem_euclid(TAU));
-        if beside < r - self.part.a_p {
-            return;
+        // Such a point is within a of the axis, there where that is no nearer to K than r − a: seen from K and from the axis of
+        // the part it lies no farther aside of it than the sine says.
+        let (mut v, mut psi) = ([f64::INFINITY, f64::NEG_INFINITY], [f64::INFINITY, f64::NEG_INFINITY]);
+        let first = atan2(tip.y, tip.x);
+        for part in steps(0.0, 1.0, AXIS) {
+            let at = tip + axis * (reach * part);
+            let out = hypot(at.x, at.y) - R;
+            let here =
+                [atan2(at.z, out).rem_euclid(TAU), first + (atan2(at.y, at.x) - first + PI).rem_euclid(TAU) - PI];
+            for (hull, here) in [&mut v, &mut psi].into_iter().zip(here) {
+                *hull = [lesser(hull[0], here), greater(hull[1], here)];
+            }
+            let from = hypot(out, at.z);
+            if part == 0.0 && from < r - self.part.a_p {
+                return;
+            }
+            if from < r - a {
+                break;
+            }
         }
+        let angle = |far: f64| if a < far { asin(a / far) } else { PI };
+        let aside = angle(r);
         #[expect(clippy::cast_precision_loss, reason = "a small count")]
         let columns = self.columns as f64;
         for (row, cells) in self.rows.iter().zip(self.depths.chunks_mut(self.columns)) {
-            // With Δρ² + Δz² no less than 4·r_1·r_2·sin²(Δv/2) and in all 4·ρ_1·ρ_2·sin²(Δψ/2) more, points are reach apart.
-            let half = sin_cos((row.v - v) / 2.0).0;
-            let left = reach * reach - 4.0 * r * beside * half * half;
-            if left < 0.0 {
+            if row.v < v[0] - aside || row.v > v[1] + aside {
                 continue;
             }
             let (sin_v, cos_v) = row.turn;
             let inner = (row.rho - deep * cos_v.abs()).max(0.2 * row.rho);
-            let wide = 2.0 * asin((left / (4.0 * inner * out.max(f64::MIN_POSITIVE))).sqrt().min(1.0));
+            let wide = angle(inner);
             let of = |angle: f64| ((row.u - angle) / self.pitch * columns).floor();
-            let (first, last) = (of(psi + wide), of(psi - wide));
+            let (first, last) = (of(psi[1] + wide), of(psi[0] - wide));
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
