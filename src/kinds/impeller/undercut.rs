@@ -22,6 +22,8 @@
 //! # Units
 //! Millimetres and radians.
 
+use std::collections::BinaryHeap;
+
 use crate::geometry::darboux::opposite;
 use crate::geometry::torus::Torus;
 use nalgebra::Vector3;
@@ -33,6 +35,7 @@ use crate::kinds::impeller::track::Track;
 use crate::kinds::impeller::twist::Twist;
 use crate::limits::UNDERCUT_BOXES;
 use crate::number::bisection::{Bounds, Cell, greatest, kept, key};
+use crate::number::queue::Waiting;
 use crate::number::root::quadratic;
 use crate::number::{greater, lesser};
 
@@ -215,12 +218,15 @@ impl Beside<'_> {
         // The normals turn along a ruling: its pieces are the longer, the farther they are from where the tool goes in deepest.
         // Of those that may hold more than is known the one that may hold most is halved, until it is as short as any.
         let long = way.max(SHORT);
-        let mut open: Vec<(f64, [f64; 2])> = Vec::new();
-        let look = |open: &mut Vec<(f64, [f64; 2])>, [from, to]: [f64; 2], near: f64| {
-            let bound = self.at_most([from, to], near);
+        // The heap gives the least first, and the greatest is wanted: bounds wait with their sign turned.
+        let mut open = BinaryHeap::new();
+        let mut looked = 0;
+        let mut look = |open: &mut BinaryHeap<Waiting<[f64; 2]>>, what: [f64; 2], near: f64| {
+            let bound = self.at_most(what, near);
             if bound > known {
-                open.push((bound, [from, to]));
+                open.push(Waiting { bound: -bound, order: looked, what });
             }
+            looked += 1;
         };
         let (mut bottom, mut piece) = (lowest, long);
         while bottom > top {
@@ -230,10 +236,9 @@ impl Beside<'_> {
             (bottom, piece) = (from, LONGER * piece);
         }
         let mut upper = known;
-        while let Some(at) = (0..open.len()).max_by(|&one, &other| open[one].0.total_cmp(&open[other].0)) {
-            let (bound, [from, to]) = open.swap_remove(at);
+        while let Some(Waiting { bound, what: [from, to], .. }) = open.pop() {
             if to - from <= long {
-                upper = bound;
+                upper = -bound;
                 break;
             }
             let middle = f64::midpoint(from, to);
