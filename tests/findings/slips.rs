@@ -119,7 +119,7 @@ pub fn beyond_memory() -> Vec<Finding> {
         &Fields::of(&hole::parameters::FORM, values(&hole::cases::CASES, None, &[])).unwrap(),
     )
     .unwrap();
-    let cut = hole::cut::cut(&design).unwrap().unwrap();
+    let cut = hole::cut::cut(&design).unwrap();
     let origin = Origin { workbook: "W.XLSX", sha256: "0", version: "0.0.0", language: Language::En };
     let program = hole::program::full(&design, &cut, &origin).unwrap();
     let bytes = program.control.text.memory + 1;

@@ -102,7 +102,7 @@ fn nearest_point(design: &hole::design::Design, [tip, up]: [Vector3<f64>; 2]) ->
 
 /// How near points of the torch come on the whole way of a cut.
 fn nearest_on_the_way(design: &hole::design::Design) -> f64 {
-    let cut = hole::cut::cut(design).expect("within the format").expect("a way");
+    let cut = hole::cut::cut(design).expect("a way");
     let places: Vec<[f64; 5]> = std::iter::once(cut.pierce)
         .chain(cut.legs.iter().map(|leg| leg.to))
         .map(|place| place.map(|size| size.value()))

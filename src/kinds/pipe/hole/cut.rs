@@ -72,6 +72,28 @@ pub struct TooHigh {
     pub D: f64,
 }
 
+/// Why there is no way round the hole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoWay {
+    /// A position that no program may carry.
+    Format(OutOfFormat),
+    /// The torch's axis does not leave the header's outside somewhere.
+    LiesDown,
+    /// The torch leans sideways by more than [`UPRIGHT`] where its tilt turns over: C would swing half a turn at once.
+    Swings {
+        /// The angle round the branch, radians.
+        alpha: f64,
+        /// The torch's tilt there, radians.
+        tilt: f64,
+    },
+}
+
+impl From<OutOfFormat> for NoWay {
+    fn from(error: OutOfFormat) -> Self {
+        Self::Format(error)
+    }
+}
+
 /// The tilt, in radians, below which C begins to give way; below half of it C has given way.
 pub const UPRIGHT: f64 = 2.0 * std::f64::consts::PI / 180.0;
 
@@ -177,13 +199,11 @@ pub fn off(pose: &TorchPose, station: &Station, beside: f64) -> f64 {
 const PIECES: u32 = 32;
 
 impl Way<'_> {
-    fn follow(&mut self, from: &Station, to: &Station, depth: u32) -> Result<(), OutOfFormat> {
+    fn follow(&mut self, from: &Station, to: &Station, depth: u32) -> Result<(), NoWay> {
         let next = machine_axes(to, self.groove.beside, Some(&self.at));
         let middle = self.groove.at(f64::midpoint(from.alpha, to.alpha));
         let beside = self.groove.beside;
-        if depth < CUT_HALVINGS
-            && let Some(middle) = middle
-        {
+        if let Some(middle) = middle {
             let halfway = between(&self.at, &next, 0.5).pose();
             let beam = off(&halfway, &middle, beside);
             let exact = machine_axes(&middle, beside, Some(&self.at)).pose();
@@ -192,6 +212,9 @@ impl Way<'_> {
             let by = halfway.tip - exact.tip;
             let aside = (by - along * by.dot(&along)).norm();
             if beam.max(aside) > 0.7 * self.design.arc_tolerance || to.alpha - from.alpha > TAU / 32.0 {
+                if depth == CUT_HALVINGS {
+                    return Err(NoWay::Swings { alpha: middle.alpha, tilt: next.B.abs() });
+                }
                 self.follow(from, &middle, depth + 1)?;
                 return self.follow(&middle, to, depth + 1);
             }
@@ -205,7 +228,7 @@ impl Way<'_> {
         )
     }
 
-    fn go(&mut self, to: &TorchAxes, held: bool, way: f64, follows: Follows) -> Result<(), OutOfFormat> {
+    fn go(&mut self, to: &TorchAxes, held: bool, way: f64, follows: Follows) -> Result<(), NoWay> {
         let place = on_grid(to)?;
         self.at = *to;
         if place == self.place {
@@ -230,13 +253,14 @@ fn lead_in(onto: &TorchAxes, station: &Station, way: f64) -> TorchAxes {
     TorchAxes { X: moved.X, Z: moved.Z, A: near(moved.A, onto.A), ..*onto }
 }
 
-/// The way round the hole; `None` where the torch's axis does not leave the header's outside somewhere.
+/// The way round the hole.
 ///
 /// # Errors
-/// For a position that no program may carry.
-pub fn cut(design: &Design) -> Result<Option<Cut>, OutOfFormat> {
+/// As [`NoWay`] says.
+pub fn cut(design: &Design) -> Result<Cut, NoWay> {
     let groove = design.groove();
-    let Some(first) = groove.at(0.0) else { return Ok(None) };
+    let at = |alpha| groove.at(alpha).ok_or(NoWay::LiesDown);
+    let first = at(0.0)?;
     // The torch keeps its direction on the way in; at α = 0 or α = π the pipe keeps its turn.
     let onto = machine_axes(&first, groove.beside, None);
     let pierce = lead_in(&onto, &first, design.lead_in);
@@ -247,7 +271,7 @@ pub fn cut(design: &Design) -> Result<Option<Cut>, OutOfFormat> {
     }
     let mut before = first;
     for j in 1..=PIECES {
-        let Some(next) = groove.at(TAU * f64::from(j) / f64::from(PIECES)) else { return Ok(None) };
+        let next = at(TAU * f64::from(j) / f64::from(PIECES))?;
         way.follow(&before, &next, 0)?;
         before = next;
     }
@@ -256,15 +280,14 @@ pub fn cut(design: &Design) -> Result<Option<Cut>, OutOfFormat> {
     // A last piece that is hardly there would be a move too short for its F word.
     while left > 0.05 && alpha < 2.0 * TAU {
         let step = TAU / 720.0;
-        let (Some(here), Some(next)) = (groove.at(alpha), groove.at(alpha + step)) else { return Ok(None) };
+        let (here, next) = (at(alpha)?, at(alpha + step)?);
         let length = (root(&next, groove.beside) - root(&here, groove.beside)).norm();
         let part = (left / length).min(1.0);
         alpha += step * part;
         left -= length;
     }
     if alpha > TAU {
-        let Some(next) = groove.at(alpha) else { return Ok(None) };
-        way.follow(&before, &next, 0)?;
+        way.follow(&before, &at(alpha)?, 0)?;
     }
-    Ok(Some(Cut { pierce: on_grid(&pierce)?, pierce_held: held, legs: way.legs }))
+    Ok(Cut { pierce: on_grid(&pierce)?, pierce_held: held, legs: way.legs })
 }

@@ -32,14 +32,15 @@ use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Shown, Wants, out_of_format};
 use crate::kinds::pipe::form::{D_HEADER, DIALECT};
 use crate::kinds::pipe::hole::bounds::too_high;
-use crate::kinds::pipe::hole::cut::{Cut, TooHigh, cut};
+use crate::kinds::pipe::hole::cut::{Cut, NoWay, TooHigh, UPRIGHT, cut};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::figures::{figures, template};
-use crate::kinds::pipe::hole::parameters::{D_MAX, FORM, G0, GAMMA, H, HOLD_OFF, HOLD_ON, LEAD_IN, Z_S};
+use crate::kinds::pipe::hole::parameters::{D_MAX, FORM, G0, GAMMA, H, HOLD_OFF, HOLD_ON, KERF, LEAD_IN, M, Z_S};
 use crate::kinds::pipe::hole::program::{distance, full, hold};
 use crate::kinds::pipe::hole::proof::Curve;
 use crate::kinds::pipe::hole::rules::{
-    HeightNotHeld, HoleByIncrements, HoleOnLinearAxes, LandCutApart, TorchLiesDown, TorchTooHigh, TurnsAboutTip,
+    HeightNotHeld, HoleByIncrements, HoleOnLinearAxes, LandCutApart, TorchLiesDown, TorchSwings, TorchTooHigh,
+    TurnsAboutTip,
 };
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
@@ -110,11 +111,22 @@ impl Method for Hole {
         if let Some(place) = too_high(design) {
             return Err(vec![height_refused(design, &place)]);
         }
-        match cut(design).map_err(no_room)? {
-            Some(cut) => Ok(Model { cut, stations: tables::stations(design) }),
-            None => {
+        match cut(design) {
+            Ok(cut) => Ok(Model { cut, stations: tables::stations(design) }),
+            Err(NoWay::Format(error)) => Err(no_room(error)),
+            Err(NoWay::LiesDown) => {
                 let nowhere = TooHigh { alpha: 0.0, sigma_o: None, D: f64::INFINITY };
                 Err(vec![height_refused(design, &nowhere)])
+            }
+            Err(NoWay::Swings { alpha, tilt }) => {
+                let degrees = |angle: f64| Size::degrees(angle.to_degrees(), 2);
+                let told = TorchSwings {
+                    alpha: degrees(alpha),
+                    tilt: degrees(tilt),
+                    most: degrees(UPRIGHT),
+                    kerf: Size::mm(design.kerf),
+                };
+                Err(vec![told.at(at([KERF.key(), M.key(), GAMMA.key()]))])
             }
         }
     }

@@ -105,4 +105,12 @@ rules! {
         why "El programa guía la punta: si esta se desplaza al girar, el corte se sale de la curva.",
             "The program guides the tip: if the tip shifts as the head turns, the cut leaves the curve.";
         example book!("pipe-hole");
+    "P3016" TorchSwings Stop { alpha: Size, tilt: Size, most: Size, kerf: Size }
+        es "en α = {alpha} el eje C tendría que dar media vuelta de golpe: la antorcha se inclina {tilt} hacia un lado, y como mucho puede {most}; el corte mide {kerf}"
+        en "at α = {alpha} the C axis would have to swing half a turn at once: the torch leans {tilt} sideways, and {most} is the most; the kerf is {kerf}"
+        remedy "elija un corte más fino (kerf, o m si kerf está vacío) u otro ángulo de bisel γ",
+            "choose a finer kerf (kerf, or m where kerf is empty) or another groove angle γ";
+        why "Donde la antorcha pasa de inclinarse hacia fuera a inclinarse hacia el agujero, C gira media vuelta. Con la antorcha casi vertical rodete lo evita; más inclinada, el chorro se saldría de la curva.",
+            "Where the torch passes from leaning away from the hole to leaning over it, C turns by half a turn. With the torch nearly upright rodete avoids that; leaning more, the beam would leave the curve.";
+        example book!("pipe-hole", "m" = "6");
 }
