@@ -20,6 +20,9 @@ use crate::number::root::golden;
 const LINES: u8 = 40;
 const ROW: usize = 41;
 
+/// Every so many of them are looked at for each axis; those between them only where they may be near.
+const APART: u8 = 4;
+
 /// The same about each of the nearest of them.
 const FINER: std::ops::RangeInclusive<u8> = 12..=120;
 const FINER_ROW: usize = 121;
@@ -90,6 +93,8 @@ pub struct Wall {
     rows: Vec<OnceLock<Vec<Line>>>,
     /// Between two of them no distance is less than at the nearer by more than this, mm.
     between: f64,
+    /// The same between two that are looked at for each axis.
+    between_apart: f64,
 }
 
 /// What the lines that are looked at first say of an axis.
@@ -98,6 +103,7 @@ pub struct Scan<'a> {
     wall: &'a Wall,
     aside: f64,
     axis: Axis,
+    /// Infinite where the line is farther than the nearest by more than [`Wall::valley_reach`].
     apart: [f64; ROW],
     /// The least distance is not more than this.
     pub most: f64,
@@ -194,6 +200,7 @@ impl Wall {
             finer: *FINER.start(),
             rows: vec![OnceLock::new(); ROW],
             between: 0.0,
+            between_apart: 0.0,
         };
         wall.lines = (0..=LINES).map(|line| wall.line(v[0] + wall.step() * f64::from(line))).collect();
         // A point of a ruling moves no faster with v than the face's points do and its upper end along it, which goes one way.
@@ -207,8 +214,14 @@ impl Wall {
             all().fold(f64::MIN, f64::max) - all().fold(f64::MAX, f64::min)
         });
         let slides = rises.fold((tops[0] - tops[1]).abs(), f64::max);
-        wall.between = speed * wall.step() / 2.0 + slides + ARITHMETIC;
+        let between = |steps: f64| speed * wall.step() * steps / 2.0 + slides + ARITHMETIC;
+        (wall.between, wall.between_apart) = (between(1.0), between(f64::from(APART)));
         wall
+    }
+
+    /// In a valley the least is no farther below a line than the line is from it.
+    fn valley_reach(&self) -> f64 {
+        self.step() * self.part.circle.torus.R * 1.5
     }
 
     /// From one of the lines that are looked at first to the next.
@@ -304,9 +317,24 @@ impl Wall {
 
     fn scan(&self, aside: f64, axis: &Axis) -> Scan<'_> {
         let axis = self.high(axis);
-        let apart =
-            std::array::from_fn(|line| self.lines.get(line).map_or(f64::INFINITY, |line| line.apart(aside, &axis)));
-        let most = apart.iter().fold(f64::INFINITY, |least: f64, one| least.min(*one));
+        let mut apart = [f64::INFINITY; ROW];
+        let mut most = f64::INFINITY;
+        let step = usize::from(APART);
+        for (apart, line) in apart.iter_mut().zip(&self.lines).step_by(step) {
+            *apart = line.apart(aside, &axis);
+            most = most.min(*apart);
+        }
+        let reach = self.valley_reach();
+        for first in (0..ROW - 1).step_by(step) {
+            if apart[first].min(apart[first + step]) - self.between_apart > most + reach {
+                continue;
+            }
+            let between = first + 1..first + step;
+            for (apart, line) in apart[between.clone()].iter_mut().zip(&self.lines[between]) {
+                *apart = line.apart(aside, &axis);
+                most = most.min(*apart);
+            }
+        }
         Scan { wall: self, aside, axis, apart, most, least: most - self.between }
     }
 
@@ -342,11 +370,15 @@ impl Scan<'_> {
     /// The least distance, and the v where it is.
     #[must_use]
     pub fn nearest(&self) -> (f64, f64) {
+        self.sought(f64::NEG_INFINITY)
+    }
+
+    /// The least distance, and the v where it is; or the first that is less than asked.
+    fn sought(&self, asked: f64) -> (f64, f64) {
         let (wall, [begin, end]) = (self.wall, self.wall.v);
         let at = |v: f64| wall.apart(v, self.aside, &self.axis);
         let step = wall.step();
-        // In a valley the least is no farther below a line than the line is from it.
-        let reach = step * wall.part.circle.torus.R * 1.5;
+        let reach = wall.valley_reach();
         let nearer = |one: (f64, f64), other: (f64, f64)| if other.0 < one.0 { other } else { one };
         let mut first = [(f64::INFINITY, begin); ROW];
         for ((place, apart), line) in first.iter_mut().zip(self.apart).zip(&wall.lines) {
@@ -364,6 +396,9 @@ impl Scan<'_> {
             for at_row in bottoms(row, reach) {
                 let (apart, about) = row[at_row];
                 least = nearer(least, (apart, about));
+                if least.0 < asked {
+                    return least;
+                }
                 let ends = wall.within(about, finer);
                 // At an end of the face the distance may still be falling: then the end is the nearest.
                 let inwards = if about == begin { ends[1] } else { ends[0] };
@@ -374,6 +409,9 @@ impl Scan<'_> {
                 let bottom = valley(about, finer / 4.0, at).filter(|(_, v)| (ends[0]..=ends[1]).contains(v));
                 let found = bottom.unwrap_or_else(|| golden(ends, STEPS, at));
                 least = nearer(least, found);
+                if least.0 < asked {
+                    return least;
+                }
                 // Another valley beside that one.
                 let mut beside = [(f64::INFINITY, about); BESIDE_ROW];
                 for (place, line) in beside.iter_mut().zip(-BESIDE..=BESIDE) {
@@ -394,10 +432,16 @@ impl Scan<'_> {
         least
     }
 
+    /// The least distance, or any that there is and is less than asked.
+    #[must_use]
+    pub fn least_or_less(&self, asked: f64) -> f64 {
+        self.sought(asked).0
+    }
+
     /// True where the least distance is no less than asked.
     #[must_use]
     pub fn keeps(&self, asked: f64) -> bool {
-        self.most >= asked && (self.least >= asked || self.nearest().0 >= asked)
+        self.most >= asked && (self.least >= asked || self.sought(asked).0 >= asked)
     }
 }
 

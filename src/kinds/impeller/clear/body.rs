@@ -81,7 +81,7 @@ impl Body {
         }
         for face in faces {
             if face.least < asked.map_or(least, |asked| least.min(asked)) {
-                least = least.min(face.nearest().0);
+                least = least.min(face.least_or_less(asked.unwrap_or(f64::NEG_INFINITY)));
             }
         }
         least

@@ -2,9 +2,10 @@
 //! is left out at once.
 //!
 //! # Derivation
-//! Let no tip of a bunch be farther than δ from that of its middle pose, and no axis, as a unit vector, differ from its axis
-//! by more than θ. Of a point w away from the middle tip neither the distance from any axis of the bunch nor the height
-//! over any end then differs by more than δ + θ·|w| from that of the middle pose: both are lengths of w × A and w·A.
+//! Let no tip of a bunch be farther than δ from that of its middle pose, nor farther than η along its axis A, and no axis, as
+//! a unit vector, differ from A by more than θ. Of a point w away from the middle tip the distance from any axis of the bunch
+//! then does not differ by more than δ + θ·|w| from that of the middle pose: it is the length of w × A. The height over any
+//! end, w·A, does not differ by more than η + θ·(|w| + δ). On a floor η is small beside δ.
 //!
 //! # Units
 //! Millimetres and radians.
@@ -77,8 +78,8 @@ pub struct Bunch {
     /// From which to which.
     of: [usize; 2],
     middle: Pose,
-    /// δ and θ.
-    off: [f64; 2],
+    /// δ, θ and η.
+    off: [f64; 3],
     /// The bunch after this one and its parts.
     next: usize,
 }
@@ -105,8 +106,8 @@ impl Bunch {
     #[must_use]
     pub fn seen(&self, point: &Vector3<f64>) -> Seen {
         let [beside, up] = self.middle.seen(point);
-        let off = self.off[0] + self.off[1] * (point - self.middle.tip).norm();
-        Seen { beside: beside - off, up: up + off }
+        let ([tip, turn, along], away) = (self.off, (point - self.middle.tip).norm());
+        Seen { beside: beside - (tip + turn * away), up: up + along + turn * (away + tip) }
     }
 }
 
@@ -143,8 +144,10 @@ impl Poses {
 
     fn bunch(&mut self, [from, to]: [usize; 2]) {
         let middle = self.poses[from + (to - from) / 2];
-        let off = self.poses[from..to].iter().fold([0.0_f64; 2], |[tip, turn], pose| {
-            [tip.max((pose.tip - middle.tip).norm()), turn.max((pose.along - middle.along).norm())]
+        let off = self.poses[from..to].iter().fold([0.0_f64; 3], |[tip, turn, along], pose| {
+            let by = pose.tip - middle.tip;
+            let turned = (pose.along - middle.along).norm();
+            [tip.max(by.norm()), turn.max(turned), along.max(by.dot(&middle.along).abs())]
         });
         let at = self.bunches.len();
         self.bunches.push(Bunch { of: [from, to], middle, off, next: 0 });
