@@ -128,7 +128,7 @@ const FAGOR_8055_BASE: Control = Control {
     tool: ToolCall::Change,
     change: ToolChange::Routine,
     length: LengthWord::D,
-    offsets: OffsetRule::Select,
+    offsets: OffsetRule::SelectOrPreset,
     cancel: Cancel::LeavesNone,
     machine_move: MachineMove::InForce,
     reference: Reference::None,

@@ -10,7 +10,8 @@ use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 /// where a block has G96 with S; `%number-name` is a Fagor 8070. An M code from M10 to M18
 /// or M20 to M29, which LinuxCNC does not have and a machine's builder gives a Fagor (clamps of rotary axes), is a Fagor
 /// 8055. A Fanuc lathe of system A is told by a T of place and offset, `T0101`, or `T101` in a text without M6; by `G50 S`; and by
-/// G71, G72 or G73 with P, Q and U or W. U and W alone tell nothing: they are axes of LinuxCNC. Everything else is LinuxCNC.
+/// G71, G72 or G73 with P, Q and U or W; by G28 or G30 with U or W; and by G92 with F, a thread. U and W alone tell nothing: they are
+/// axes of LinuxCNC. Everything else is LinuxCNC.
 ///
 /// With a lathe's workbook (`turned`), what no header names is a control that turns; see [`guess_turning`].
 #[must_use]
@@ -35,7 +36,9 @@ pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
         }
     }
     let short = || text.lines().any(short_place_and_offset) && !text.lines().any(|line| has(&code(line), "M", "6"));
-    if text.lines().any(|line| place_and_offset(line) || speed_limit(line) || roughs(line)) || short() {
+    if text.lines().any(|line| place_and_offset(line) || speed_limit(line) || roughs(line) || home_or_thread(line))
+        || short()
+    {
         return &FANUC_LATHE_A;
     }
     if text.lines().any(builders_code) { &FAGOR_8055 } else { &LINUXCNC }
@@ -93,6 +96,14 @@ fn roughs(line: &str) -> bool {
         && word(&code, 'P')
         && word(&code, 'Q')
         && (word(&code, 'U') || word(&code, 'W'))
+}
+
+/// True where a line goes to a reference point by increments, as G28 U0 W0, or threads by G92 with F.
+fn home_or_thread(line: &str) -> bool {
+    let code = code(line);
+    let home = ["28", "30"].into_iter().any(|number| has(&code, "G", number));
+    home && (word(&code, 'U') || word(&code, 'W'))
+        || has(&code, "G", "92") && word(&code, 'F') && (word(&code, 'X') || word(&code, 'Z'))
 }
 
 /// True where a line without comment and blanks has a letter with a number, with or without a leading zero.
@@ -170,6 +181,9 @@ mod tests {
             ("G71 U2. R1.\nG71 P10 Q20 U.4 W.1 F.3\n", "nc", "fanuc-lathe-a"),
             ("G71 P10 Q20 U.4 W.1 F.3\n", "ngc", "linuxcnc"),
             ("G71 Q100 X20 Z0 D1\nG70 Q100 P2 U1\n", "nc", "linuxcnc"),
+            ("O0001\nG28 U0 W0\nG0 X50. Z2.\n", "nc", "fanuc-lathe-a"),
+            ("G97 S800 M3\nG92 X29. Z-20. F1.5\nX28.4\n", "nc", "fanuc-lathe-a"),
+            ("G28 Z0\nG92 X0 Y0\nG92.1 F100 X1\n", "nc", "linuxcnc"),
             ("G0 U1 W2\n", "nc", "linuxcnc"),
             ("(M11)\nG0 X1\nM2\n", "nc", "linuxcnc"),
             ("G0 X1 M3 M19\nM2\n", "nc", "linuxcnc"),

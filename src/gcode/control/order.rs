@@ -110,6 +110,9 @@ impl Reference {
 pub enum OffsetRule {
     /// G54 selects; G92 sets this position to its words.
     Select,
+    /// The same, and only one of both is in force: G54 ends what G92 has set. Fagor 8055, programming manual of the M and EN
+    /// models, page 58.
+    SelectOrPreset,
     /// With axis words and no motion code G54 shifts the system; G50 takes increments too.
     SelectOrShift,
 }
@@ -119,8 +122,17 @@ impl OffsetRule {
     #[must_use]
     pub const fn shifts(self) -> bool {
         match self {
-            Self::Select => false,
+            Self::Select | Self::SelectOrPreset => false,
             Self::SelectOrShift => true,
+        }
+    }
+
+    /// True where G54 ends what the code that sets a position has set.
+    #[must_use]
+    pub const fn preset_ends(self) -> bool {
+        match self {
+            Self::Select | Self::SelectOrShift => false,
+            Self::SelectOrPreset => true,
         }
     }
 }

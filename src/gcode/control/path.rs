@@ -52,6 +52,16 @@ impl RadiusRule {
             Self::None | Self::Nose(_) => false,
         }
     }
+
+    /// How many blocks the control sees beside the one that it makes under nose compensation, where a manual says so: Fanuc 16i,
+    /// operator's manual for lathes, B-62754EN page 225.
+    #[must_use]
+    pub const fn sees(self) -> Option<u32> {
+        match self {
+            Self::Nose(NoseCorner::Straight) => Some(2),
+            Self::Nose(NoseCorner::StraightTo120) | Self::Cutter | Self::None => None,
+        }
+    }
 }
 
 /// How holes are drilled by cycles.

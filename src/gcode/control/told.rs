@@ -372,6 +372,7 @@ told! {
     }
     OffsetRule {
         Self::Select => "G54 elige; G92 da a esta posición sus palabras", "G54 selects; G92 sets this position to its words";
+        Self::SelectOrPreset => "G54 elige y anula lo que fijó G92; G92 da a esta posición sus palabras", "G54 selects, and ends what G92 has set; G92 sets this position to its words";
         Self::SelectOrShift => "G54 con palabras de ejes y sin código de movimiento desplaza el sistema; G50 toma también incrementos", "G54 with axis words and no motion code shifts the system; G50 takes increments too";
     }
     Cancel {

@@ -1,7 +1,9 @@
 //! Nose radius compensation between the plan of a block and the motions that are handed out.
 //!
-//! A control looks a few blocks ahead and overcuts a corner behind which more blocks without motion stand; the stage looks on until
-//! the next motion, over dwells and over any number of blocks that only change a mode.
+//! A control looks a few blocks ahead and overcuts a corner behind which more blocks without motion stand: a Fanuc holds two blocks
+//! beside the one that it makes (16i, operator's manual for lathes, B-62754EN page 225). The stage
+//! looks on until the next motion, over dwells and over any number of blocks that only change a mode, and warns where the
+//! control would not have seen it.
 //!
 //! Motions under G41 and G42 pass through the [stage](crate::gcode::turning::nose), which holds one of them back; their
 //! times come from the path that it makes. The stage works in machine coordinates, in which the path has no jumps when an
@@ -32,8 +34,9 @@ use crate::gcode::turning::nose::{Element, Misfit, Nose, Path, Point, STRAIGHT, 
 use crate::gcode::turning::pace::Pace;
 use crate::gcode::turning::rules::{
     ArcOfOtherPlane, CompensationBeginsOnArc, CompensationEndsOnArc, CompensationPlane, CompensationWithoutOffset,
-    MachineMoveCancelsNose, NoseChanges, NoseCutsContour, NoseInArc, NoseInCorner, NoseInShortPiece, NoseNotInTable,
-    NoseWithoutTable, PassTip, PassesNotCompensated, SharpNose, ThreadUnderCompensation, TooManyStillBlocks,
+    MachineMoveCancelsNose, MotionNotSeen, NoseChanges, NoseCutsContour, NoseInArc, NoseInCorner, NoseInShortPiece,
+    NoseNotInTable, NoseTaken, NoseWithoutTable, PassTip, PassesNotCompensated, SharpNose, ThreadUnderCompensation,
+    TooManyStillBlocks,
 };
 use crate::limits::STILL_PIECES;
 use crate::machine::axis::{Axis, Pose};
@@ -64,6 +67,8 @@ pub(super) struct Compensator {
     aside: Point,
     /// The compensation in force has been refused.
     refused: bool,
+    /// Blocks begun since the last motion in the plane.
+    blocks: u32,
 }
 
 impl Compensator {
@@ -74,7 +79,7 @@ impl Compensator {
             RadiusRule::Nose(NoseCorner::StraightTo120) => FAGOR_STRAIGHT,
             RadiusRule::Nose(NoseCorner::Straight) | RadiusRule::Cutter | RadiusRule::None => STRAIGHT,
         };
-        Self { stage: Stage::new(straight), straight, aside: [0.0; 2], refused: false }
+        Self { stage: Stage::new(straight), straight, aside: [0.0; 2], refused: false, blocks: 0 }
     }
 
     /// Motions pass as they are programmed.
@@ -114,6 +119,14 @@ impl Reader<'_, '_> {
             self.memory.remarks.row(&CompensationWithoutOffset {}, spot, Some(column));
         }
         self.state.modal.compensation = side;
+        if side != Compensation::Off
+            && self.state.modal.offset != 0
+            && let Ok(nose) = self.known_nose()
+        {
+            let (offset, tip, q) = (self.state.modal.offset, nose.tip.number(), nose.tip.in_linuxcnc());
+            let taken = NoseTaken { offset, radius: Bare::mm(nose.radius, 3), tip, q };
+            self.memory.remarks.row(&taken, self.block.spot, Some(self.block.g_column(Group::CutterCompensation)));
+        }
         Ok(())
     }
 
@@ -158,6 +171,24 @@ impl Reader<'_, '_> {
         self.memory.remarks.row(&PassesNotCompensated {}, spot, None);
     }
 
+    /// A block begins.
+    pub(super) fn count_block(&mut self) {
+        self.memory.compensator.blocks = self.memory.compensator.blocks.saturating_add(1);
+    }
+
+    /// Warns where the control has not seen a motion that follows others under compensation: it puts the nose at right angles to
+    /// the end of the one before, and the corner may be cut.
+    fn remark_unseen(&mut self, motion: &Motion, side: Compensation) {
+        let still = std::mem::take(&mut self.memory.compensator.blocks).saturating_sub(1);
+        if let Some(sees) = self.memory.control.radius.sees().filter(|&sees| still >= sees)
+            && side != Compensation::Off
+            && !self.memory.compensator.stage.idle()
+        {
+            let spot = Spot { text: self.block.spot.text, line: motion.line, n: motion.n };
+            self.memory.remarks.row(&MotionNotSeen { still, sees }, spot, None);
+        }
+    }
+
     /// Hands a motion out, by way of the stage where a compensation is in force.
     pub(super) fn hand_out(&mut self, motion: Motion) {
         let mut control = InForce { file: self.block.spot.text, ..self.state.modal.in_force() };
@@ -174,6 +205,10 @@ impl Reader<'_, '_> {
         if self.memory.compensator.refused {
             self.memory.queue.push_back(Ok((motion, control, number)));
             return;
+        }
+        let [was, is] = [point(&motion.from), point(&motion.to)];
+        if was != is {
+            self.remark_unseen(&motion, side);
         }
         let nose = match self.nose(side, &motion) {
             Ok(nose) => nose,

@@ -37,6 +37,7 @@ impl Reader<'_, '_> {
     /// Executes the block in hand.
     pub(super) fn execute(&mut self) -> Result<()> {
         self.corner_goes_on();
+        self.count_block();
         if let Some((M::Call | M::CallBlock | M::Return, _)) = self.block.m(4) {
             self.calls_alone()?;
         }
@@ -90,6 +91,9 @@ impl Reader<'_, '_> {
             if self.shifts_system() {
                 self.shift_system(system);
             } else {
+                if self.memory.control.offsets.preset_ends() {
+                    self.end_preset();
+                }
                 self.select_system(system);
             }
         }

@@ -6,7 +6,7 @@ use crate::gcode::interpreter::cursor::{Cursor, comments};
 use crate::gcode::interpreter::library::{Mark, Spot};
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
-use crate::gcode::interpreter::tape::has_code;
+use crate::gcode::interpreter::tape::{has_code, titled};
 use crate::gcode::interpreter::{Reader, Stage, block_number, pass_fraction, without_end};
 use crate::gcode::rules::flow::{BlockEmpty, BlockNumberTooGreat, SwitchUnknown};
 use crate::gcode::rules::lexis::{
@@ -125,7 +125,11 @@ impl Reader<'_, '_> {
         let opening =
             self.memory.stage == Stage::Opening && !self.memory.percent && (!bare || self.only_blank_lines_before()?);
         cursor.pass();
-        let alone = if bare { line.trim_ascii() == b"%" } else { cursor.peek() == 0 };
+        let alone = if bare {
+            line.trim_ascii() == b"%"
+        } else {
+            cursor.peek() == 0 || self.memory.control.lexis.percent.leader() && titled(line)
+        };
         if self.memory.control.lexis.percent.named() {
             if opening {
                 self.memory.percent = true;
@@ -180,7 +184,7 @@ impl Reader<'_, '_> {
         while at.line.lines < LEADER_LINES {
             let Some(behind) = self.memory.library.line(at, &mut line)? else { break };
             let words = line.trim_ascii().to_ascii_uppercase();
-            if words == b"%" {
+            if titled(&words) {
                 let more = text && self.memory.library.line(behind, &mut line)?.is_some();
                 if more && !line.trim_ascii().is_empty() {
                     let first = Spot { line: 1, ..self.block.spot };

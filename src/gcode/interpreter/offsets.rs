@@ -14,8 +14,8 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::MotionKind;
 use crate::gcode::rules::geometry::{
     AxesOrSpeed, LengthOfRotaryAxis, OffsetsPNotWhole, OffsetsPTooGreat, OffsetsRotation, OffsetsWithTurning,
-    OffsetsWithoutL, OffsetsWithoutP, RotationWithG92, SetPositionLeft, SetPositionLeftOfLathe, ToolTableLoaded,
-    ToolTableWithTool,
+    OffsetsWithoutL, OffsetsWithoutP, PresetEnds, PresetLeft, RotationWithG92, SetPositionLeft, SetPositionLeftOfLathe,
+    ToolTableLoaded, ToolTableWithTool,
 };
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::{
@@ -233,6 +233,16 @@ impl Reader<'_, '_> {
         self.keep_g92(true, Some(g92));
     }
 
+    /// What G92 has set ends: a work offset is selected, and the control has one of both in force.
+    pub(super) fn end_preset(&mut self) {
+        let (on, registers) = self.g92_registers();
+        if on && registers != Pose::default() {
+            let column = self.block.g_column(crate::gcode::code::Group::WorkOffset);
+            self.memory.remarks.row(&PresetEnds {}, self.block.spot, Some(column));
+            self.change_position(G::ClearPosition);
+        }
+    }
+
     /// G92 or G50 of a lathe: with S alone the greatest spindle speed.
     pub(super) fn set_position_or_speed(&mut self) -> Result<()> {
         let axes = AXES.into_iter().any(|axis| self.block.has(axis));
@@ -276,6 +286,8 @@ impl Reader<'_, '_> {
             let spot = self.block.spot;
             if self.memory.control.offsets.shifts() {
                 self.memory.remarks.row(&SetPositionLeftOfLathe {}, spot, None);
+            } else if self.memory.control.offsets.preset_ends() {
+                self.memory.remarks.row(&PresetLeft {}, spot, None);
             } else {
                 self.memory.remarks.row(&SetPositionLeft {}, spot, None);
             }
@@ -287,5 +299,28 @@ impl Reader<'_, '_> {
         (self.state.modal.feed, self.state.modal.feed_word) = (0.0, 0.0);
         self.state.modal.spindle = Spindle::Stopped;
         self.state.modal.coolant = false;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8070, LINUXCNC};
+    use crate::gcode::interpreter::{Interpreter, Setting};
+    use crate::machine::axis::Axis;
+
+    /// Where X of the machine ends.
+    fn end(program: &str, control: &'static Control) -> f64 {
+        let motions: Result<Vec<_>, _> = Interpreter::over(program.as_bytes(), Setting::new(control)).collect();
+        motions.expect("a good program").last().expect("a motion").machine.get(Axis::X)
+    }
+
+    #[test]
+    fn a_work_offset_ends_g92_on_a_fagor_and_adds_to_it_on_linuxcnc() {
+        let fagor = "%A,MX--,\nG71 G90 G54\nG0 X10\nG92 X0\nG54\nG0 X5\nM30\n";
+        assert_eq!(end(fagor, &FAGOR_8055), 5.0);
+        assert_eq!(end(&fagor.replace("A,MX--,", "1-A"), &FAGOR_8070), 5.0);
+        // Set after the offset, it counts.
+        assert_eq!(end(&fagor.replace("G54\nG0 X5", "G54\nG92 X0\nG0 X5"), &FAGOR_8055), 15.0);
+        assert_eq!(end("G21 G90 G54\nG0 X10\nG92 X0\nG54\nG0 X5\nG92.1\nM2\n", &LINUXCNC), 15.0);
     }
 }

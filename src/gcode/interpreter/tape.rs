@@ -20,6 +20,15 @@ pub(super) fn has_code(line: &[u8]) -> bool {
     line.windows(2).any(code)
 }
 
+/// True for a line of a `%` alone, or with a title in letters and no code behind it: a Fanuc passes over what stands there up to the
+/// end of the block (B-62694EN/03, page 88). A number or a comma behind it is another control's first line.
+pub(super) fn titled(line: &[u8]) -> bool {
+    let title = line.trim_ascii().strip_prefix(b"%").map(<[u8]>::trim_ascii);
+    title.is_some_and(|title| {
+        title.first().is_none_or(u8::is_ascii_alphabetic) && !title.contains(&b',') && !has_code(title)
+    })
+}
+
 impl Tape {
     /// The beginning of a file.
     pub(super) const fn new(lexis: &Lexis) -> Self {
@@ -33,6 +42,7 @@ impl Tape {
         let mut cursor = Cursor::new(line, self.comments);
         let percent =
             if self.percent.bare() { line.trim_ascii() == b"%" } else { cursor.accept(b'%') && cursor.peek() == 0 };
+        let percent = percent || matches!(self.percent, Percent::Leader) && titled(line);
         let begun = match self.percent {
             Percent::Named => return false,
             // A `%` that none has opened is refused where it is executed.

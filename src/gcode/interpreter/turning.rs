@@ -11,6 +11,7 @@ use crate::gcode::code::{G, Group, TurningCycle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::Feed;
 use crate::gcode::turning::Move;
@@ -19,8 +20,8 @@ use crate::gcode::turning::groove::{self, Groove};
 use crate::gcode::turning::pattern_repeating::{Repeat, repeat};
 use crate::gcode::turning::rough::{self, Rough};
 use crate::gcode::turning::rules::{
-    FirstBlockMissing, FirstBlockUnused, FirstBlockWordMissing, RepeatPassesNotWhole, ThreadFirstBlockDigits,
-    ThreadWordMissing,
+    AllowanceIntoWall, FirstBlockMissing, FirstBlockUnused, FirstBlockWordMissing, RepeatPassesNotWhole,
+    ThreadFirstBlockDigits, ThreadWordMissing,
 };
 use crate::gcode::turning::thread_cycle::{Threading, thread};
 use crate::gcode::turning::trouble::Trouble;
@@ -100,6 +101,9 @@ impl Reader<'_, '_> {
             }
         };
         let moves = self.told(moves)?;
+        if let Some(line) = rough::cut_into(&contour.profile, [U, W]) {
+            self.memory.remarks.row(&AllowanceIntoWall {}, Spot { line, n: None, ..self.block.spot }, None);
+        }
         self.make_contour_moves(moves, feed, contour.blocks);
         Ok(())
     }

@@ -422,4 +422,18 @@ rules! {
         why "El control no recarga la tabla mientras hay una herramienta en el husillo.",
             "The control does not reload the table while a tool is in the spindle.";
         example Example::program("linuxcnc", "G21 G90 F100|T1 M6|G10 L0|M2", "3:1");
+    "G0460" PresetEnds Caution {}
+        es "el decalaje de origen anula lo que fijó G92: este control no lleva los dos a la vez"
+        en "the work offset ends what G92 has set: this control does not have both in force"
+        remedy "programe G92 después del decalaje, o quítelo", "program G92 after the work offset, or take it out";
+        why "En un LinuxCNC o un Fanuc G92 se suma al decalaje; en un Fagor se anulan uno a otro.",
+            "On a LinuxCNC or a Fanuc G92 is added to the work offset; on a Fagor each ends the other.";
+        example Example::program("fagor-8055", "G71 G90 G54|G0 X10|G92 X0|G54|G0 X5|G54|M30", "4:1");
+    "G0461" PresetLeft Caution {}
+        es "G92 sigue activo al final y desplaza también el programa siguiente"
+        en "G92 is still active at the end and also shifts the next program"
+        remedy "active un decalaje de origen, como G54, antes del final", "select a work offset, such as G54, before the end";
+        why "El programa siguiente trabaja en otro sitio, y su texto no lo dice.",
+            "The next program works in another place, and its text does not say so.";
+        example Example::program("fagor-8055", "G71 G90|G0 X10|G92 X0|M30", "4");
 }

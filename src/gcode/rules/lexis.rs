@@ -163,9 +163,10 @@ rules! {
             "The control never runs a block there.";
         example Example::program("fanuc-lathe-a", "the program of the flange|%|O0001|G0 X40. Z2.|M30|%", "1");
     "G0023" ProgramNumber Stop {}
-        es "un número de programa solo se admite al principio"
-        en "a program number is allowed only at the beginning"
-        remedy "guarde cada programa en su archivo", "keep each program in its own file";
+        es "un número de programa solo se admite al principio y solo en su bloque"
+        en "a program number is allowed only at the beginning, alone in its block"
+        remedy "guarde cada programa en su archivo; lo que siga al número, en el bloque siguiente",
+            "keep each program in its own file; write what follows the number in the next block";
         why "Un número en medio puede empezar otro programa: lo que se ejecuta depende del control.",
             "A number in the middle may begin another program: the control decides what runs.";
         example Example::program("fagor-8055", "G0 X1|O5|M30", "2:1");

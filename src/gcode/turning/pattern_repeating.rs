@@ -14,8 +14,10 @@
 use crate::finding::Size;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::profile::Profile;
-use crate::gcode::turning::rough::{check, finite};
-use crate::gcode::turning::rules::{ContourBeginsWithArc, ContourNotFound, RepeatWithoutPasses, TooManyRepeats};
+use crate::gcode::turning::rough::{check, finite, into_metal};
+use crate::gcode::turning::rules::{
+    ContourBeginsWithArc, ContourNotFound, RepeatIntoMetal, RepeatWithoutPasses, TooManyRepeats,
+};
 use crate::gcode::turning::scan::{PassFrame, moved};
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
@@ -38,8 +40,8 @@ pub struct Repeat {
 /// G73: passes parallel to the contour.
 ///
 /// # Errors
-/// PS0321 for a number of passes below 1, PS0063 for a contour without blocks, PS0065 for one that begins with an arc, and a
-/// limit for more than [`ROUGHING_PASSES`] passes or 1,000,000 moves.
+/// PS0321 for a number of passes below 1, PS0063 for a contour without blocks, PS0065 for one that begins with an arc, a refusal
+/// without a number for a first or a last pass that runs into the contour, and a limit for more than [`ROUGHING_PASSES`] passes or 1,000,000 moves.
 pub fn repeat(profile: &Profile, repeat: &Repeat) -> Result<Vec<Move>, Box<Trouble>> {
     let Repeat { relief, passes, allowance, feed } = *repeat;
     finite(&[relief[0], relief[1], allowance[0], allowance[1], feed.unwrap_or(0.0)])?;
@@ -56,12 +58,17 @@ pub fn repeat(profile: &Profile, repeat: &Repeat) -> Result<Vec<Move>, Box<Troub
     if count > most {
         return Err(Trouble::of(&TooManyRepeats { passes: Size::number(count as f64, 0), most: most as f64 }).beyond());
     }
+    // The first pass and the last: those between lie between them.
+    let by = |left: f64| [0, 1].map(|axis: usize| allowance[axis] + relief[axis] * left);
+    if into_metal(profile, by(0.0)) || count > 1 && into_metal(profile, by(1.0)) {
+        return Err(Trouble::of(&RepeatIntoMetal {}));
+    }
     let plain = PassFrame { axes: [0, 1], signs: [1.0; 2] };
     let mut tool = CycleMoves::new(plain, profile.start);
     for pass in 0..count {
         #[expect(clippy::cast_precision_loss, reason = "counts of passes")]
         let left = if count == 1 { 0.0 } else { 1.0 - pass as f64 / (count - 1) as f64 };
-        let by: [f64; 2] = std::array::from_fn(|axis| allowance[axis] + relief[axis] * left);
+        let by = by(left);
         tool.rapid([profile.start[0] + by[0], profile.start[1] + by[1]]);
         for element in &profile.elements {
             tool.element(&moved(element, by), feed);

@@ -96,6 +96,30 @@ fn frame(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<PassFrame
     Ok(PassFrame { axes, signs: [if along < 0.0 { 1.0 } else { -1.0 }, height] })
 }
 
+/// A contour that goes one way along Z, or else along X, in its drawing.
+fn drawn(profile: &Profile, shift: [f64; 2]) -> Option<(PassFrame, Path)> {
+    let rough = Rough { depth: 0.0, retract: 0.0, U: shift[0], W: shift[1], feed: None, both_axes: None };
+    [[1, 0], [0, 1]].into_iter().find_map(|axes| {
+        let frame = frame(profile, &rough, axes).ok()?;
+        let path = Path::of(profile, frame, [0.0; 2]);
+        path.goes_back(0, TOLERANCE).is_none().then_some((frame, path))
+    })
+}
+
+/// True where a contour, moved by a shift, goes below itself across the passes.
+pub(super) fn into_metal(profile: &Profile, shift: [f64; 2]) -> bool {
+    drawn(profile, shift).is_some_and(|(frame, _)| frame.inward(shift)[1] < -EPS)
+}
+
+/// The line of the first block of a contour into which the contour moved by a shift would be cut; none where the contour goes one way
+/// along neither axis.
+#[must_use]
+pub fn cut_into(profile: &Profile, shift: [f64; 2]) -> Option<usize> {
+    let (frame, path) = drawn(profile, shift)?;
+    let element = path.cut_by(&Path::of(profile, frame, frame.inward(shift)), TOLERANCE)?;
+    profile.elements.get(element).map(|element| element.line)
+}
+
 /// The line of the first element that passes the starting point across the passes.
 fn beyond(profile: &Profile, frame: PassFrame, start: f64, below: bool) -> usize {
     let past = |p: [f64; 2]| if below { frame.inward(p)[1] > start } else { frame.inward(p)[1] < start };

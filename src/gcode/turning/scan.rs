@@ -14,6 +14,9 @@ use crate::number::trig;
 
 /// Lengths below which two points are the same, mm.
 pub(super) const EPS: f64 = 1e-9;
+/// Places at which a contour is held against itself moved, between two ends of its parts.
+const CUT_LOOKS: u8 = 16;
+const CUT_LOOK_LAST: u8 = CUT_LOOKS - 1;
 
 /// The mirrors between program coordinates and the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,6 +81,23 @@ impl Part {
             }
         };
         u.clamp(low, high)
+    }
+
+    /// v where the part has a u strictly between its ends.
+    fn v_at(&self, u: f64) -> Option<f64> {
+        let [low, high] = [self.from[0].min(self.to[0]), self.from[0].max(self.to[0])];
+        if !(low < u && u < high) {
+            return None;
+        }
+        Some(match self.round {
+            None => self.from[1] + (self.to[1] - self.from[1]) * ((u - self.from[0]) / (self.to[0] - self.from[0])),
+            Some(Round { centre, .. }) => {
+                let radius = trig::hypot(self.from[0] - centre[0], self.from[1] - centre[1]);
+                let across = u - centre[0];
+                let half = (radius * radius - across * across).max(0.0).sqrt();
+                if self.from[1] + self.to[1] < 2.0 * centre[1] { centre[1] - half } else { centre[1] + half }
+            }
+        })
     }
 
     fn is_point(&self) -> bool {
@@ -243,6 +263,33 @@ impl Path {
             farthest = farthest.max(sign * part.from[axis]);
             let back = farthest - sign * part.to[axis] > tolerance;
             back.then_some(part.element)
+        })
+    }
+
+    /// The first element of a contour into which the same contour, moved, would be cut by more than `tolerance`. Both go one way
+    /// along u; where one of them has no v nothing is asked.
+    ///
+    /// Between two u at which a part of either begins or ends both are smooth: they are held against each other next to those and at
+    /// some places between.
+    pub fn cut_by(&self, moved: &Self, tolerance: f64) -> Option<usize> {
+        let ends = |path: &Self| path.parts.iter().flat_map(|part| [part.from[0], part.to[0]]).collect::<Vec<_>>();
+        let mut breaks = [ends(self), ends(moved)].concat();
+        breaks.sort_by(|one, other| other.total_cmp(one));
+        let highest = |path: &Self, u: f64| {
+            let over = path.parts.iter().filter_map(|part| Some((part.v_at(u)?, part.element)));
+            over.max_by(|one, other| one.0.total_cmp(&other.0))
+        };
+        breaks.windows(2).filter(|pair| pair[0] - pair[1] > tolerance).find_map(|pair| {
+            (1..CUT_LOOKS).find_map(|look| {
+                let part = match look {
+                    1 => EPS,
+                    CUT_LOOK_LAST => 1.0 - EPS,
+                    _ => f64::from(look) / f64::from(CUT_LOOKS),
+                };
+                let u = pair[0] + (pair[1] - pair[0]) * part;
+                let ((own, element), (other, _)) = (highest(self, u)?, highest(moved, u)?);
+                (own - other > tolerance).then_some(element)
+            })
         })
     }
 

@@ -58,15 +58,13 @@ impl Tip {
     /// The tip that LinuxCNC's tool table gives by an orientation, 0 to 9.
     #[must_use]
     pub fn of_linuxcnc(orientation: u8) -> Option<Self> {
-        Self::new(match orientation {
-            1 => 4,
-            2 => 3,
-            3 => 2,
-            4 => 1,
-            6 => 8,
-            8 => 6,
-            other => other,
-        })
+        Self::new(turned_over(orientation))
+    }
+
+    /// The orientation that LinuxCNC's tool table gives it, 1 to 9.
+    #[must_use]
+    pub const fn in_linuxcnc(self) -> u8 {
+        turned_over(self.number())
     }
 
     /// The number, 1 to 9.
@@ -118,6 +116,19 @@ impl Nose {
     #[must_use]
     pub fn to_tip(&self) -> Point {
         self.tip.vector().map(|share| share * self.radius)
+    }
+}
+
+/// A tip's number with X the other way round, from LinuxCNC's and to it.
+const fn turned_over(number: u8) -> u8 {
+    match number {
+        1 => 4,
+        2 => 3,
+        3 => 2,
+        4 => 1,
+        6 => 8,
+        8 => 6,
+        other => other,
     }
 }
 

@@ -244,4 +244,20 @@ rules! {
         why "Si el bloque debía mecanizar, lo que sigue avanza sin desbaste, a toda la profundidad.",
             "If the block was meant to cut, what follows goes in without roughing, at the full depth.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G71 U2. R1.|G71 U.4 W.1 F.2|G0 X60.|M30", "3");
+    "G0656" AllowanceIntoWall Caution {}
+        es "la demasía lleva el desbaste dentro de esta pared, que mira hacia el otro lado"
+        en "the allowance moves roughing into this wall, which faces the other way"
+        remedy "deje sin demasía el eje de las pasadas (W0 en G71, U0 en G72) donde el contorno tiene una cavidad",
+            "leave no allowance along the passes (W0 in G71, U0 in G72) where the contour has a pocket";
+        why "La demasía desplaza todo el contorno hacia el punto de comienzo: la pared del otro lado de una cavidad queda cortada por debajo de su medida.",
+            "The allowance moves the whole contour towards the starting point: the far wall of a pocket is cut below its size.";
+        example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X62. Z2.|G71 U4. R.5|G71 P10 Q20 U.4 W.1|N10 G0 X40. Z2.|G1 Z-10.|X50.|Z-20.|X42.|Z-30.|N20 X62.|M30", "8");
+    "G0657" RepeatIntoMetal Stop {}
+        es "la primera o la última pasada de G73 va por debajo del contorno"
+        en "the first or the last pass of G73 runs below the contour"
+        remedy "compruebe los signos de U y W en los dos bloques: retirada y demasía van del contorno hacia el punto de comienzo",
+            "check the signs of U and W in both blocks: relief and allowance go from the contour towards the starting point";
+        why "El acabado no puede reponer lo que el desbaste ha quitado.",
+            "Finishing cannot put back what roughing has removed.";
+        example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X62. Z2.|G73 U5. W2. R2|G73 P10 Q20 U-.4 W-.1|N10 G0 X40. Z0|G1 Z-10.|N20 X62.|M30", "4:1");
 }

@@ -21,12 +21,13 @@ pub use self::corner::{
     CornerRunsBack, CornerSignAgainstLine, CornerTooLong, CornerTwice, CornerWithoutLine,
 };
 pub use self::cycles::{
-    AllowanceIntoMetal, ContourBackAlongX, ContourBackAlongZ, ContourBeginsWithArc, ContourBeyondStart,
-    ContourDoesNotAdvance, ContourNotFound, CycleNotFinite, FirstBlockMissing, FirstBlockUnused, FirstBlockWordMissing,
-    GrooveReliefNegative, GrooveStepNegative, GrooveStepZero, GrooveWithoutDepth, NoDepthOfCut, RepeatPassesNotWhole,
-    RepeatWithoutPasses, RetractionNegative, ThreadAllowance, ThreadAngle, ThreadDigits, ThreadFirstBlockDigits,
-    ThreadLeadNotPositive, ThreadLeastCut, ThreadStartsInside, ThreadTooShort, ThreadWithoutHeight, ThreadWordMissing,
-    TooManyGrooveSteps, TooManyRepeats, TooManyRoughingPasses, TooManyThreadPasses,
+    AllowanceIntoMetal, AllowanceIntoWall, ContourBackAlongX, ContourBackAlongZ, ContourBeginsWithArc,
+    ContourBeyondStart, ContourDoesNotAdvance, ContourNotFound, CycleNotFinite, FirstBlockMissing, FirstBlockUnused,
+    FirstBlockWordMissing, GrooveReliefNegative, GrooveStepNegative, GrooveStepZero, GrooveWithoutDepth, NoDepthOfCut,
+    RepeatIntoMetal, RepeatPassesNotWhole, RepeatWithoutPasses, RetractionNegative, ThreadAllowance, ThreadAngle,
+    ThreadDigits, ThreadFirstBlockDigits, ThreadLeadNotPositive, ThreadLeastCut, ThreadStartsInside, ThreadTooShort,
+    ThreadWithoutHeight, ThreadWordMissing, TooManyGrooveSteps, TooManyRepeats, TooManyRoughingPasses,
+    TooManyThreadPasses,
 };
 pub use self::fagor::{
     FagorArcHalf, FagorArcRadii, FagorArcTurnsBack, FagorDrillFactor, FagorDrillNegative, FagorGrooveNegative,
@@ -51,6 +52,7 @@ pub use self::lathe::{
 };
 pub use self::nose::{
     ArcOfOtherPlane, CompensationBeginsOnArc, CompensationEndsOnArc, CompensationPlane, CompensationWithoutOffset,
-    MachineMoveCancelsNose, NoseChanges, NoseCutsContour, NoseInArc, NoseInCorner, NoseInShortPiece, NoseNotInTable,
-    NoseWithoutTable, PassTip, PassesNotCompensated, SharpNose, ThreadUnderCompensation, TooManyStillBlocks,
+    MachineMoveCancelsNose, MotionNotSeen, NoseChanges, NoseCutsContour, NoseInArc, NoseInCorner, NoseInShortPiece,
+    NoseNotInTable, NoseTaken, NoseWithoutTable, PassTip, PassesNotCompensated, SharpNose, ThreadUnderCompensation,
+    TooManyStillBlocks,
 };

@@ -71,8 +71,8 @@ rules! {
             "Without radius and orientation nobody knows where the centre of the nose is.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0303|M3 S500 F120.|G0 X40. Z5.|G42 G1 X20. Z2.|Z-10.|X30.|G40 X40.|M30", at: "5", given: &[("--tools", "T3 Z0")] };
     "G0779" NoseWithoutTable Stop { offset: u32 }
-        es "G41 o G42, pero el corrector {offset} no tiene radio de punta en la tabla de herramientas"
-        en "G41 or G42, but offset {offset} has no nose radius in the tool table"
+        es "G41 o G42, pero sin tabla de herramientas el corrector {offset} no tiene radio de punta"
+        en "G41 or G42, but without a tool table offset {offset} has no nose radius"
         remedy "indique con --tools una tabla con el radio y la orientación de la punta",
             "give with --tools a table that has the nose radius and the tip orientation";
         why "Sin radio y orientación no se sabe dónde está el centro de la punta.",
@@ -140,4 +140,19 @@ rules! {
         why "El control necesita el movimiento siguiente para calcular cada esquina.",
             "The control needs the next motion to work out each corner.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0101|M3 S500 F120.|G0 X40. Z5.|G42 G1 X20. Z2.|Z-10.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|G4 X1.|X30.|G40 X40.|M30", at: "24", given: &[("--tools", "T1 D1.6 Q2")] };
+    "G0788" MotionNotSeen Caution { still: u32, sees: u32 }
+        es "{still} bloques sin movimiento antes de este, con G41 o G42: el control solo ve {sees} bloques, y corta el rincón que haya"
+        en "{still} blocks without motion before this one, with G41 or G42: the control sees {sees} blocks only, and cuts into an inner corner"
+        remedy "deje como mucho un bloque sin movimiento entre dos movimientos, o programe G40 antes",
+            "leave one block without motion at most between two motions, or program G40 before them";
+        why "Si no ve el movimiento siguiente, el control pone la punta en ángulo recto al final del anterior. rodete sigue como si lo viera.",
+            "If it does not see the next motion, the control puts the nose at right angles to the end of the one before. rodete goes on as if it did.";
+        example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0101|M3 S500 F120.|G0 X60. Z5.|G42 X40. Z2.|G1 Z-10.|M8|G4 U1.|X50.|G40 X60.|M30", at: "9", given: &[("--tools", "T1 D1.6 Q2")] };
+    "G0789" NoseTaken Note { offset: u32, radius: Bare, tip: u8, q: u8 }
+        es "corrector {offset}: punta de radio {radius}, número de punta {tip} en este control, Q{q} en una tabla de LinuxCNC"
+        en "offset {offset}: nose radius {radius}, tip number {tip} on this control, Q{q} in a table of LinuxCNC"
+        remedy "", "";
+        why "LinuxCNC numera las puntas con X al revés: el 2 de una tabla suya es el 3 de un Fanuc. Con el número equivocado la pieza sale mal por dos radios.",
+            "LinuxCNC numbers the tips with X the other way round: 2 in its table is 3 of a Fanuc. With the wrong number the part is off by two radii.";
+        example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0101|M3 S500 F120.|G0 X60. Z5.|G42 X40. Z2.|G1 Z-10.|X50.|G40 X60.|M30", at: "5:1", given: &[("--tools", "T1 D1.6 Q2")] };
 }
