@@ -131,6 +131,7 @@ mod tests {
             let groove = Groove {
                 pair: PipePair::new(R * part, R, theta, R * (1.0 - part) * off),
                 R_o: R * 1.1,
+                R_i: R,
                 gamma,
                 beside: 0.8,
                 torch: Torch { r_g: 6.0, R_g: 15.0, Psi: 0.5, d0: 4.0, g0: 2.0 },

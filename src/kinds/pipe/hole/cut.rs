@@ -21,7 +21,7 @@ use crate::kinds::pipe::hole::station::{Groove, Station};
 use crate::limits::CUT_HALVINGS;
 use crate::machine::torch::{TorchAxes, TorchPose};
 use crate::number::grid::{Milli, OutOfFormat};
-use crate::number::trig::{atan2, hypot, sin_cos};
+use crate::number::trig::{acos, atan2, hypot, sin_cos};
 
 /// A, X, Z, B and C on the grid.
 pub type Place = [Milli; 5];
@@ -79,7 +79,7 @@ pub enum NoWay {
     Format(OutOfFormat),
     /// The torch's axis does not leave the header's outside somewhere.
     LiesDown,
-    /// The torch leans sideways by more than [`UPRIGHT`] where its tilt turns over: C would swing half a turn at once.
+    /// The torch leans sideways by more than half of [`UPRIGHT`] where its tilt turns over: C would swing half a turn at once.
     Swings {
         /// The angle round the branch, radians.
         alpha: f64,
@@ -96,6 +96,12 @@ impl From<OutOfFormat> for NoWay {
 
 /// The tilt, in radians, below which C begins to give way; below half of it C has given way.
 pub const UPRIGHT: f64 = 2.0 * std::f64::consts::PI / 180.0;
+
+/// How far the torch leans, radians, where the header is turned so that its tip is at the top.
+fn tilt(pose: &TorchPose) -> f64 {
+    let (sin, cos) = sin_cos(atan2(-pose.tip.y, pose.tip.z));
+    acos((pose.axis.z * cos - pose.axis.y * sin).clamp(-1.0, 1.0))
+}
 
 /// The axes of a place of the cut, near those before.
 ///
@@ -213,7 +219,7 @@ impl Way<'_> {
             let aside = (by - along * by.dot(&along)).norm();
             if beam.max(aside) > 0.7 * self.design.arc_tolerance || to.alpha - from.alpha > TAU / 32.0 {
                 if depth == CUT_HALVINGS {
-                    return Err(NoWay::Swings { alpha: middle.alpha, tilt: next.B.abs() });
+                    return Err(NoWay::Swings { alpha: middle.alpha, tilt: tilt(&middle.pose) });
                 }
                 self.follow(from, &middle, depth + 1)?;
                 return self.follow(&middle, to, depth + 1);

@@ -198,6 +198,7 @@ impl Design {
         Groove {
             pair: self.pair(),
             R_o: self.R_o(),
+            R_i: self.R_i(),
             gamma: self.gamma.to_radians(),
             beside: self.kerf / 2.0,
             torch: self.torch(),

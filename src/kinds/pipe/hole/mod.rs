@@ -123,7 +123,7 @@ impl Method for Hole {
                 let told = TorchSwings {
                     alpha: degrees(alpha),
                     tilt: degrees(tilt),
-                    most: degrees(UPRIGHT),
+                    most: degrees(UPRIGHT / 2.0),
                     kerf: Size::mm(design.kerf),
                 };
                 Err(vec![told.at(at([KERF.key(), M.key(), GAMMA.key()]))])

@@ -64,11 +64,11 @@ rules! {
             "The more the torch leans, the farther away its tip must stay so that its body clears the pipe; from there the arc does not cut.";
         example book!("pipe-hole", "gamma" = "45", "D_max" = "8");
     "P3010" TorchLiesDown Stop { alpha: Size }
-        es "en α = {alpha} la antorcha se tumba: su eje no sale por el exterior del tubo"
-        en "at α = {alpha} the torch lies flat: its axis does not come out of the pipe's outside"
-        remedy "elija un ángulo de bisel γ menor, una antorcha más fina, un g0 menor o un D_max mayor",
-            "choose a smaller groove angle γ, a slimmer torch, a smaller g0, or a larger D_max";
-        why "Un chorro paralelo a la pared no la atraviesa.", "A beam parallel to the wall does not go through it.";
+        es "en α = {alpha} la antorcha se tumba: su chorro no va por la pared desde la raíz hasta el exterior del tubo"
+        en "at α = {alpha} the torch lies flat: its beam does not go through the wall from the root to the pipe's outside"
+        remedy "elija un ángulo de bisel γ menor que el que hay entre los tubos", "choose a groove angle γ smaller than the angle between the pipes";
+        why "Un chorro paralelo a la pared no la atraviesa, y uno que viene por debajo cruza el hueco y corta la pared opuesta.",
+            "A beam parallel to the wall does not go through it, and one from below crosses the bore and cuts the opposite wall.";
         example book!("pipe-hole", "gamma" = "60", "theta" = "60");
     "P3011" HeightNotHeld Caution {}
         es "la altura planeada no es siempre d0 y el programa no bloquea el control de altura: la antorcha bajaría y chocaría"

@@ -6,6 +6,9 @@
 //! both. The torch stands in the plane of m and n at φ − γ from m: with no groove along the branch's wall, with the groove
 //! angle γ leaning away from it by as much. The angle to the tangent plane is σ = asin(sin(φ − γ)).
 //!
+//! Where φ is less than γ the torch would stand below the tangent plane, and its beam would cross the bore and come out of the wall
+//! on the other side: there is no such place. A beam that stays in the wall is taken.
+//!
 //! The torch is over the header's outside, so that its height is counted from where its axis leaves the wall, at Q, and from
 //! the tangent plane there, which stands at σ_o to it.
 //!
@@ -26,6 +29,8 @@ pub struct Groove {
     pub pair: PipePair,
     /// R_o, the header's outside.
     pub R_o: f64,
+    /// R_i, its bore.
+    pub R_i: f64,
     /// γ, the groove angle.
     pub gamma: f64,
     /// Half the kerf.
@@ -33,6 +38,9 @@ pub struct Groove {
     /// The torch.
     pub torch: Torch,
 }
+
+/// How far a beam may dip into the bore on its way through the wall, mm: far less than it is wide.
+const DIP: f64 = 0.01;
 
 /// One place of the cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,7 +74,8 @@ pub struct Station {
 }
 
 impl Groove {
-    /// The place at the angle α round the branch; `None` where the torch's axis does not leave the header's outside.
+    /// The place at the angle α round the branch; `None` where the torch's axis does not leave the header's outside, or crosses its
+    /// bore before.
     #[must_use]
     pub fn at(&self, alpha: f64) -> Option<Station> {
         let pair = &self.pair;
@@ -91,6 +100,12 @@ impl Groove {
         );
         let inside = b * b - a * c;
         if a <= 1e-12 || inside < 0.0 {
+            return None;
+        }
+        // Nearest to the header's axis the line of the root is at −b/a, which lies before it where the torch stands above the wall.
+        let across = root.y * axis.y + root.z * axis.z;
+        let bore = self.R_i - DIP;
+        if across < 0.0 && root.y * root.y + root.z * root.z - across * across / a < bore * bore {
             return None;
         }
         let face = beam + axis * ((inside.sqrt() - b) / a);
@@ -128,6 +143,7 @@ mod tests {
         Groove {
             pair: PipePair::new(30.0, 50.0, 90.0, 0.0),
             R_o: 56.0,
+            R_i: 50.0,
             gamma,
             beside: 0.0,
             torch: Torch { r_g: 6.0, R_g: 15.0, Psi: 0.5, d0: 4.0, g0: 2.0 },

@@ -150,7 +150,14 @@ mod tests {
     use crate::machine::axis::Position;
 
     fn groove(pair: PipePair, R_o: f64, gamma: f64) -> Groove {
-        Groove { pair, R_o, gamma, beside: 0.8, torch: Torch { r_g: 6.0, R_g: 15.0, Psi: 0.5, d0: 4.0, g0: 2.0 } }
+        Groove {
+            pair,
+            R_o,
+            R_i: pair.R,
+            gamma,
+            beside: 0.8,
+            torch: Torch { r_g: 6.0, R_g: 15.0, Psi: 0.5, d0: 4.0, g0: 2.0 },
+        }
     }
 
     /// Root, direction and length of the line at an angle.

@@ -17,7 +17,7 @@
 mod crossing;
 pub mod rules;
 
-use crate::kinds::pipe::hole::parameters::{ARC_TOLERANCE, F_MAX, G0, GAMMA, Z_S};
+use crate::kinds::pipe::hole::parameters::{ARC_TOLERANCE, F_MAX, G0, GAMMA, LEAD_IN, Z_S};
 use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::Vector3;
@@ -262,7 +262,10 @@ impl Judge for Clearance<'_> {
         let down = -up(-least);
         let asked = Question::new("clearance", name, program);
         let asked = asked.showing(Text::same(format!("≥ {}", mm(down))), Text::same(mm(limit)));
-        let asked = self.near.put(asked.of_parameters([G0.key(), ARC_TOLERANCE.key(), Z_S.key()]), 0).measuring(least);
+        let asked = self
+            .near
+            .put(asked.of_parameters([G0.key(), Z_S.key(), LEAD_IN.key(), ARC_TOLERANCE.key()]), 0)
+            .measuring(least);
         vec![asked.holds(least >= limit, |place| {
             let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
             TorchTooNear { distance: size(down), g0: size(self.design.g0) }.at(place)

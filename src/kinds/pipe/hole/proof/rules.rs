@@ -15,7 +15,7 @@ crate::finding::rule::rules! {
     "V0302" TorchTooNear Stop { distance: Size, g0: Size }
         es "la antorcha se acerca a {distance} del tubo; el mínimo es g0 = {g0}"
         en "the torch comes within {distance} of the pipe; the minimum is g0 = {g0}"
-        remedy "elija una tolerancia más fina, o un g0 mayor", "choose a finer tolerance, or a larger g0";
+        remedy "elija un g0 o una Z_s mayor, o una entrada más corta", "choose a larger g0 or Z_s, or a shorter lead-in";
         why "Si la antorcha toca el tubo, se dobla y pierde el arco.",
             "A torch that touches the pipe bends and loses its arc.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "X51.853 Z89.142", to: "X51.853 Z86.142" };
