@@ -306,6 +306,7 @@ pub fn simulate(design: &Design, plan: &Plan, cut: &Cut, grid: [u32; 2], floor: 
             .collect()
     };
     let mut walls = feet(1.0, 0.0, 0.0);
+    let apart = walls.windows(2).map(|pair| norm(add(pair[1], pair[0], -1.0))).fold(0.0, f64::max).min(1.0);
     walls.extend(feet(-1.0, -design.pitch(), 0.0));
     if let Some(v_s) = v_s {
         walls.extend(feet(1.0, -design.pitch() / 2.0, v_s));
@@ -357,8 +358,11 @@ pub fn simulate(design: &Design, plan: &Plan, cut: &Cut, grid: [u32; 2], floor: 
             }
             whole += rho * design.a_p;
             left += rho * (design.a_p - depth).max(0.0);
-            // A line that begins in the rest of a face is broken there; on the floor its end counts.
-            found.floor_rest = found.floor_rest.max(design.a_p - deepest);
+            // A line that begins in the rest of a face is broken there; on the floor its end counts. A place between two points of a
+            // foot seems farther from the wall than it is.
+            if wall * wall >= plan.told.floor.beside * plan.told.floor.beside + apart * apart / 4.0 {
+                found.floor_rest = found.floor_rest.max(design.a_p - deepest);
+            }
         }
     }
     found.left = left / whole;

@@ -187,7 +187,8 @@ fn the_published_splitter_cuts_into_its_neighbour() {
     assert!((nearest - 2.25).abs() < 0.01, "{nearest}");
     let caution = common::outcome("tfg-2021", &[]);
     let caution = caution.findings.iter().find(|finding| finding.what.en.contains("the splitter's pass cuts")).unwrap();
-    assert_eq!((caution.grade, caution.value.as_str()), (Grade::Caution, "bounded between -1.9376 and -1.9375 mm"));
+    // 1.93755 mm; rulings are taken to begin up to 0.00085 mm above the turned surface, which adds 0.0002.
+    assert_eq!((caution.grade, caution.value.as_str()), (Grade::Caution, "bounded between -1.9378 and -1.9376 mm"));
     assert!(caution.remedy.en.starts_with("set splitter_fade = each-side or "), "{}", caution.remedy.en);
     assert!(
         !common::outcome("tfg-2021", &[("splitters", Value::Choice("no"))])

@@ -305,7 +305,7 @@ fn a_value_in_words_is_in_the_language_of_the_message() {
     let folder = super::common::folder();
     let new = ["new", "impeller", "impeller.xlsx", "--case", "tfg-2021", "--lang", "es"];
     rodete(&folder).args(new).assert().success();
-    let told = predicate::str::contains("comprendida entre -1.9376 y -1.9375 mm (límite 0 mm)");
+    let told = predicate::str::contains("comprendida entre -1.9378 y -1.9376 mm (límite 0 mm)");
     let spanish = told.and(predicate::str::contains("bounded").not()).and(predicate::str::contains("lines").not());
     rodete(&folder).args(["check", "impeller.xlsx"]).assert().success().stderr(spanish);
 }

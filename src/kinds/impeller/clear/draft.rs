@@ -33,7 +33,7 @@ use crate::limits::CLEAR_BLOCKS;
 use crate::number::trig::{atan2, hypot, sin_cos};
 
 /// The feed into the full.
-const SLOT_FEED: f64 = 0.5;
+pub(super) const SLOT_FEED: f64 = 0.5;
 /// The part of its width by which a tool steps from lane to lane at most.
 const LAPPED: f64 = 0.9;
 /// Pairs of lanes that are looked at side by side.

@@ -88,6 +88,16 @@ fn chart(part: &Part, points: &[Vector3<f64>], turn: f64) -> Vec<[f64; 2]> {
     points.iter().map(angles).collect()
 }
 
+/// The points about the middle of a foot whose v goes on from each to the next: far out on the straight ends of a thick blade it
+/// turns back.
+fn onwards(foot: &[[f64; 2]]) -> std::ops::Range<usize> {
+    let middle = foot.len() / 2;
+    let on = |at: usize| foot[at + 1][0] > foot[at][0];
+    let first = (0..middle).rev().find(|&at| !on(at)).map_or(0, |at| at + 1);
+    let last = (middle..foot.len().saturating_sub(1)).find(|&at| !on(at)).unwrap_or(foot.len().saturating_sub(1));
+    first..(last + 1).min(foot.len())
+}
+
 /// ψ of a foot at v.
 fn psi_at(foot: &[[f64; 2]], v: f64) -> f64 {
     let after = foot.partition_point(|point| point[0] < v).clamp(1, foot.len().max(2) - 1);
@@ -102,6 +112,9 @@ impl Floor {
         let turns = [0.0, -pitch];
         let walls = [0, 1].map(|side: usize| foot(part, Face::ALL[side], turns[side]));
         let sides = [0, 1].map(|side: usize| chart(part, &walls[side], turns[side]));
+        let stretches = sides.each_ref().map(|side| onwards(side));
+        let walls = [0, 1].map(|side: usize| walls[side][stretches[side].clone()].to_vec());
+        let sides = [0, 1].map(|side: usize| sides[side][stretches[side].clone()].to_vec());
         let walls = walls.map(|feet| {
             let apart = feet.windows(2).map(|pair| (pair[1] - pair[0]).norm()).fold(ARITHMETIC, f64::max) + ARITHMETIC;
             (feet, apart)
@@ -117,8 +130,8 @@ impl Floor {
     }
 }
 
-/// True where a point is no nearer than asked to any of a row of points, two of which that follow each other are no farther
-/// apart than told: what is far from one is far from the next ones as well.
+/// True where a point is no nearer than asked to a line of straight pieces, given by their ends, none of which is longer than told:
+/// what is far from one end is far from the next ones as well.
 fn clear_of(row: &[Vector3<f64>], apart: f64, point: &Vector3<f64>, asked: f64) -> bool {
     let mut next = 0;
     while let Some(one) = row.get(next) {
@@ -126,11 +139,27 @@ fn clear_of(row: &[Vector3<f64>], apart: f64, point: &Vector3<f64>, asked: f64) 
         if spare < 0.0 {
             return false;
         }
+        // The pieces on both sides of an end that is nearer than their length may come nearer than it does.
+        if spare < apart {
+            let ends = [next.checked_sub(1), Some(next + 1)];
+            let beside = ends.into_iter().flatten().filter_map(|other| row.get(other));
+            if beside.map(|other| from_piece(point, [one, other])).any(|off| off < asked) {
+                return false;
+            }
+        }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count, not negative")]
         let over = (spare / apart).min(1e6) as usize;
         next += over.max(1);
     }
     true
+}
+
+/// How far a point is from a straight piece.
+fn from_piece(point: &Vector3<f64>, [one, other]: [&Vector3<f64>; 2]) -> f64 {
+    let (along, from) = (other - one, point - one);
+    let square = along.norm_squared();
+    let part = if square > 0.0 { (from.dot(&along) / square).clamp(0.0, 1.0) } else { 0.0 };
+    (from - along * part).norm()
 }
 
 /// The lowest place along the line from c, between r and r_f, that a tool holds; r where it holds none.
@@ -211,9 +240,11 @@ impl Ground {
         (Vector3::new(self.R * cos, self.R * sin, 0.0), Vector3::new(cos_v * cos, cos_v * sin, sin_v))
     }
 
+    /// True for a place between the walls, no nearer than asked to them and to a splitter.
     fn is_free(&self, v: f64, psi: f64) -> bool {
         let (c, out) = self.line(v, psi);
-        self.floor.is_free(&(c + out * self.depths[1]), self.beside)
+        let [high, low] = self.floor.sides.each_ref().map(|side| psi_at(side, v));
+        (low..=high).contains(&psi) && self.floor.is_free(&(c + out * self.depths[1]), self.beside)
     }
 
     /// What some poses leave at a place. The one that held the deepest place of the last line usually does for the next.
@@ -414,13 +445,34 @@ mod tests {
     }
 
     #[test]
-    fn a_row_of_points_is_as_far_as_its_nearest() {
-        let row: Vec<Vector3<f64>> = (0..100_u8).map(|k| Vector3::new(f64::from(k) * 0.1, 0.0, 0.0)).collect();
-        for k in 0..50_u8 {
-            let point = Vector3::new(f64::from(k) * 0.31 - 2.0, 0.4, 0.1);
-            let nearest = row.iter().map(|one| (point - one).norm()).fold(f64::INFINITY, f64::min);
-            for asked in [0.3, 0.45, 1.0, 3.0] {
-                assert_eq!(clear_of(&row, 0.1 + ARITHMETIC, &point, asked), nearest >= asked, "{k} {asked}");
+    fn a_line_is_as_far_as_its_nearest_point_however_far_apart_its_ends_are() {
+        for (count, apart) in [(100_u8, 0.1), (5, 2.5)] {
+            let row: Vec<Vector3<f64>> = (0..count).map(|k| Vector3::new(f64::from(k) * apart, 0.0, 0.0)).collect();
+            let length = f64::from(count - 1) * apart;
+            for k in 0..50_u8 {
+                let point = Vector3::new(f64::from(k) * 0.31 - 2.0, 0.4, 0.1);
+                let beyond = (point.x - point.x.clamp(0.0, length)).abs();
+                let nearest = Vector3::new(beyond, point.y, point.z).norm();
+                for asked in [0.3, 0.45, 1.0, 3.0] {
+                    assert_eq!(clear_of(&row, apart + ARITHMETIC, &point, asked), nearest >= asked, "{k} {asked}");
+                }
+            }
+        }
+    }
+
+    /// Steps across a large part are wider than the strip beside a wall that is left out: what lies beyond it is the blade.
+    #[test]
+    fn places_in_a_blade_are_no_floor() {
+        let part = Part::with(Torus { R: 100.0, r: 60.0 }, 8.0, 8.0);
+        let floor = Floor::new(&part, PI / 2.0, 6.0, None);
+        let ground = Ground { floor, beside: 0.4, R: 100.0, depths: [60.0, 68.0], tool: Tool::flat(12.0) };
+        for v in [3.3, 4.0, 4.6] {
+            let [high, low] = [0, 1].map(|side: usize| psi_at(&ground.floor.sides[side], v));
+            let middle = f64::midpoint(low, high);
+            assert!(ground.is_free(v, middle), "{v}");
+            for step in 1..40_u8 {
+                let off = f64::from(step) * 0.001;
+                assert!(!ground.is_free(v, high + off) && !ground.is_free(v, low - off), "{v} {off}");
             }
         }
     }

@@ -4,7 +4,7 @@
 //! leave ribs. Here the floor is cut by lanes whose tool stands along its own normal and is never too deep ([`lane`],
 //! [`contact`], [`scallop`]), the flanks by an axis fitted to the face ([`fit`], [`flank`]), the whole channel by roughing
 //! levels, floor lanes, flanks and the contour of a splitter and the way round it ([`contour`], [`round`]), in one [`plan`];
-//! where lanes leave too much before a nose, the tool leans (`lean`). Where the points lie follows from a tolerance
+//! where lanes leave too much before a nose, the tool leans (`lean`). What goes into the full is run slower (`engagement`). Where the points lie follows from a tolerance
 //! ([`placement`]). Where a cut may be made partly, its passes begin where they enter no blade (`entered`). What is left all
 //! the same is told ([`told`]); where a tool does not pass there is no plan ([`cut::DoesNotFit`]).
 
@@ -14,6 +14,7 @@ pub mod contact;
 pub mod contour;
 pub mod cut;
 pub mod draft;
+mod engagement;
 mod entered;
 pub mod fields;
 pub mod fit;

@@ -19,6 +19,7 @@ use crate::kinds::impeller::clear::contact::{Beside, Contacts};
 use crate::kinds::impeller::clear::contour;
 use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::draft::{Draft, LOOKS, begin, ridge, steps};
+use crate::kinds::impeller::clear::engagement::engage;
 use crate::kinds::impeller::clear::entered::Begins;
 use crate::kinds::impeller::clear::fit::Flank;
 use crate::kinds::impeller::clear::flank::FlankWay;
@@ -75,6 +76,7 @@ impl Plan {
             begins = later;
             plan = Self::beginning(job, cut, begins)?;
         }
+        engage(job, cut, &mut plan.passes);
         Ok(plan)
     }
 

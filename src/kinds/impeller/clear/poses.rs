@@ -187,6 +187,16 @@ impl Poses {
         })
     }
 
+    /// True where one of so many first poses holds a point.
+    #[must_use]
+    pub fn held_before(&self, before: usize, tool: Tool, point: &Vector3<f64>) -> bool {
+        let far = |bunch: &Bunch| {
+            let Seen { beside, up } = bunch.seen(point);
+            bunch.of[0] >= before || apart(tool, [beside, up]) > 0.0
+        };
+        self.of(far).any(|(number, pose)| number < before && pose.apart(tool, point) <= 0.0)
+    }
+
     /// A pose at which a point is no farther from a tool than `over`: the nearest of those beside one that is known to be near,
     /// else any.
     #[must_use]
