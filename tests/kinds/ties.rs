@@ -73,3 +73,21 @@ fn ties_of_B_are_rounded_by_whole_numbers_and_F_follows_from_them() {
         }
     }
 }
+
+/// X of the safe points half-way between two thousandths was rounded up on one side and down on the other, and the crossing moves Y alone.
+#[test]
+fn programs_close_where_safe_points_lie_between_two_thousandths() {
+    for d_t in [5.951, 5.963, 5.985, 6.005, 6.035, 6.085] {
+        let made = outcome("full", &[("d_t", Value::Real(d_t))]);
+        for key in ["blade", "splitter", "impeller"] {
+            let text = program(&made, key);
+            let start = made.programs.iter().find(|one| one.key == key).expect("the program").start;
+            let end = *read_back(&text, start).last().expect("a motion");
+            for axis in [Axis::X, Axis::Y, Axis::Z, Axis::B] {
+                assert_eq!(end.get(axis), start.get(axis), "d_t {d_t}, {key}, {axis:?}");
+            }
+        }
+        let found: Vec<_> = made.findings.iter().map(|one| one.code()).filter(|code| code.starts_with('V')).collect();
+        assert!(!["V0006", "V0007", "V0012"].iter().any(|code| found.contains(code)), "d_t {d_t}: {found:?}");
+    }
+}

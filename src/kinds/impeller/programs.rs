@@ -59,6 +59,11 @@ impl Tracks {
         let track = |points: &[nalgebra::Vector3<f64>]| -> Result<Arc<[Position]>, OutOfFormat> {
             points.iter().enumerate().map(|(i, point)| position(i, point)).collect()
         };
+        // From side to side only Y changes. Half-way between two thousandths the arithmetic would round X of one side up and of the other
+        // down.
+        let across = |from: Position, to: &nalgebra::Vector3<f64>| Milli::round(to.y).map(|Y| from.with(Axis::Y, Y));
+        let (entry_obverse, exit_obverse) =
+            (position(0, &passes.entry.obverse)?, position(last, &passes.exit.obverse)?);
         Ok(Self {
             obverse: track(&passes.obverse)?,
             reverse: track(&passes.reverse)?,
@@ -68,10 +73,10 @@ impl Tracks {
             full_from: splitter
                 .filter(|splitter| splitter.fade == Fade::EachSide)
                 .map(|splitter| [splitter.out.m, splitter.back.m]),
-            entry_obverse: position(0, &passes.entry.obverse)?,
-            entry_reverse: position(0, &passes.entry.reverse)?,
-            exit_obverse: position(last, &passes.exit.obverse)?,
-            exit_reverse: position(last, &passes.exit.reverse)?,
+            entry_obverse,
+            entry_reverse: across(entry_obverse, &passes.entry.reverse)?,
+            exit_obverse,
+            exit_reverse: across(exit_obverse, &passes.exit.reverse)?,
         })
     }
 }
