@@ -97,8 +97,8 @@ pub fn greatest_above(
             *best = Some((found.middle, cell));
         }
         let least = best.map_or(known, |(value, _)| known.max(value + tolerance));
-        // What cannot hold the greatest is forgotten.
-        if found.upper > least {
+        // What cannot hold the greatest is forgotten. What is no number may.
+        if found.upper > least || found.upper.is_nan() {
             open.push((Open(found.upper, cell), found.first));
         }
         looked

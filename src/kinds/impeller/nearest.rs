@@ -338,14 +338,30 @@ impl Wall {
         Scan { wall: self, aside, axis, apart, most, least: most - self.between }
     }
 
-    /// The distance of an axis from a half round of some radius about the ruling of the mean line at v. Points of it stand up
-    /// to the radius times the sine of the lean higher over the tool's end, or lower, than those of the ruling.
+    /// The half round of the radius e/2 with which a splitter begins at v.
     #[must_use]
-    pub fn from_round(&self, v: f64, radius: f64, axis: &Axis) -> f64 {
-        let line = self.line(v);
-        let upright = line.down.dot(&axis.along);
-        let shift = radius * (1.0 - upright * upright).max(0.0).sqrt();
-        line.apart(0.0, &Axis { range: [axis.range[0] - shift, axis.range[1] + shift], ..*axis }) - radius
+    pub fn half_round(&self, v: f64) -> HalfRound {
+        let (line, [top, bottom]) = (self.line(v), self.part.noses_ends(v));
+        HalfRound { line: Line { top, middle: line.middle.max(bottom), ..line }, radius: self.part.e / 2.0 }
+    }
+}
+
+/// The half round with which a splitter begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfRound {
+    /// The ruling of the mean line that it stands about.
+    line: Line,
+    radius: f64,
+}
+
+impl HalfRound {
+    /// The distance of an axis from it. Points of it stand up to the radius times the sine of the lean higher over the tool's end, or
+    /// lower, than those of the ruling.
+    #[must_use]
+    pub fn apart(&self, axis: &Axis) -> f64 {
+        let upright = self.line.down.dot(&axis.along);
+        let shift = self.radius * (1.0 - upright * upright).max(0.0).sqrt();
+        self.line.apart(0.0, &Axis { range: [axis.range[0] - shift, axis.range[1] + shift], ..*axis }) - self.radius
     }
 }
 

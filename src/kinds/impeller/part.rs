@@ -116,6 +116,9 @@ const RISES: usize = 32;
 const PLACES: u8 = 4;
 const MISSED: f64 = 0.01;
 
+/// Steps of f at whose ends it is looked how high the half round of a splitter begins.
+const NOSE_PLACES: u8 = 64;
+
 /// Steps in which the floor is looked for along a ruling.
 const STEPS: u8 = 100;
 /// How near to the floor a ruling has come to it, mm.
@@ -159,10 +162,15 @@ impl Part {
         rises
     }
 
-    /// How far above the depth that the curvature gives it a ruling begins. One that does not enter the tube within half its radius is of a
-    /// blade nearly as thick as the tube is wide: of that the curvature tells all.
+    /// How far above the depth that the curvature gives it a ruling begins.
     fn above(&self, face: Face, v: f64) -> f64 {
-        let (ruling, top, r) = (self.ruling(face, v), self.top(v), self.circle.torus.r);
+        self.rise_of(&self.ruling(face, v), self.top(v))
+    }
+
+    /// How far above a depth a ruling begins, if it does; else 0. One that does not enter the tube within half its radius is of a blade
+    /// nearly as thick as the tube is wide: of that the curvature tells all.
+    fn rise_of(&self, ruling: &Ruling, top: f64) -> f64 {
+        let r = self.circle.torus.r;
         // T falls no faster than a point moves: from there up to where the tube is entered, never past it.
         let mut h = top;
         for _ in 0..STEPS {
@@ -176,6 +184,40 @@ impl Part {
             }
         }
         0.0
+    }
+
+    /// The ruling of the half round with which a splitter begins at v_s, on the side −cos f·t + sin f·b of the mean one, f from −π/2 to π/2.
+    #[must_use]
+    pub fn nose(&self, v_s: f64, f: f64) -> Ruling {
+        let (P, Darboux { N, t, b }) = self.frame(v_s);
+        let (sin, cos) = sin_cos(f);
+        Ruling { foot: P + (b * sin - t * cos) * (self.e / 2.0), N }
+    }
+
+    /// The depth at which the ruling of a half round begins: along the tube the torus bends more than across the blade.
+    #[must_use]
+    pub fn nose_top(&self, v_s: f64, f: f64) -> f64 {
+        let top = self.top(v_s);
+        if self.end.is_some() { top } else { top - self.rise_of(&self.nose(v_s, f), top) }
+    }
+
+    /// Depths above which no ruling of the half round begins, and below which none goes on: out of the tube's bend the floor falls away.
+    /// What may lie between the places that are looked at is of second order in their distance.
+    #[must_use]
+    pub fn noses_ends(&self, v_s: f64) -> [f64; 2] {
+        let ends = (0..=NOSE_PLACES).map(|place| {
+            let f = PI * (f64::from(place) / f64::from(NOSE_PLACES) - 0.5);
+            [self.nose_top(v_s, f), self.floor(&self.nose(v_s, f), self.top(v_s))]
+        });
+        let mut range = [[f64::MAX, f64::MIN]; 2];
+        for end in ends {
+            for (range, end) in range.iter_mut().zip(end) {
+                *range = [range[0].min(end), range[1].max(end)];
+            }
+        }
+        let [tops, bottoms] = range;
+        let missed = |[least, most]: [f64; 2]| (most - least) * MISSED;
+        [tops[0] - missed(tops), bottoms[1] + missed(bottoms)]
     }
 
     /// The same part, but its rulings all end at the depth h and not at the floor: what published figures with a limit of
@@ -505,6 +547,30 @@ mod tests {
             // The other two come out of the blank before their ends.
             assert!(!part.trimmed(&part.ruling(Face::Reverse, HUB).foot));
             assert!(!part.trimmed(&part.ruling(Face::Obverse, RIM).foot));
+        }
+    }
+
+    /// Recomputed from outside: a nose of 50 mm was cut 0.10 mm too deep, where the height of the faces' rulings was taken for its own.
+    #[test]
+    fn no_metal_of_a_half_round_stands_above_its_highest_ruling() {
+        let thick = [(60.0, 36.0, 14.0, 6.0), (100.0, 65.0, 24.0, 8.0), (200.0, 140.0, 50.0, 12.0)];
+        for (R, r, e, a_p) in DESIGNS.into_iter().chain(thick) {
+            let part = Part::with(Torus { R, r }, e, a_p);
+            for v_s in [HUB + 0.2, 3.7, 4.2, RIM - 0.2] {
+                let [highest, deepest] = part.noses_ends(v_s);
+                let mut least = f64::MAX;
+                for step in 0..=777_u16 {
+                    let f = PI * (f64::from(step) / 777.0 - 0.5);
+                    let ruling = part.nose(v_s, f);
+                    // From far up down to the first metal, in small steps.
+                    let first = (0..4000_u16)
+                        .map(|k| highest - 1.0 + f64::from(k) * 0.001)
+                        .find(|&h| part.depth(&ruling.at(h)) > 1e-9);
+                    least = least.min(first.unwrap_or(f64::MAX));
+                    assert!(part.floor(&ruling, part.top(v_s)) <= deepest, "{R} {v_s}: {deepest}");
+                }
+                assert!((highest - 1e-9..highest + 0.05 * e).contains(&least), "{R} {v_s}: {highest} {least}");
+            }
         }
     }
 

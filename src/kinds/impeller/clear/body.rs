@@ -8,7 +8,7 @@
 //! # Units
 //! Millimetres and radians.
 
-use crate::kinds::impeller::nearest::{Axis, Wall};
+use crate::kinds::impeller::nearest::{Axis, HalfRound, Wall};
 use crate::kinds::impeller::part::{Face, Part};
 use crate::number::trig::sin_cos;
 use nalgebra::Vector3;
@@ -35,13 +35,15 @@ pub struct Body {
     pub turn: f64,
     half: f64,
     wall: Wall,
+    nose: HalfRound,
 }
 
 impl Body {
     /// The splitter of a part, turned from blade 0, from v_s on, as a tool of the radius a needs it.
     #[must_use]
     pub fn new(part: &Part, v_s: f64, turn: f64, a: f64) -> Self {
-        Self { v_s, turn, half: part.e / 2.0, wall: Wall::new(part, a).from(v_s) }
+        let wall = Wall::new(part, a).from(v_s);
+        Self { v_s, turn, half: part.e / 2.0, nose: wall.half_round(v_s), wall }
     }
 
     /// How far an axis is from it; negative inside.
@@ -60,7 +62,7 @@ impl Body {
     ///
     /// A point of the mean surface is half the thickness from both faces: an axis that is e from one of them is not inside.
     fn least(&self, axis: &Axis, asked: Option<f64>) -> f64 {
-        let mut least = self.wall.from_round(self.v_s, self.half, axis);
+        let mut least = self.nose.apart(axis);
         let less = |least: f64| asked.is_some_and(|asked| least < asked);
         if less(least) {
             return least;

@@ -381,7 +381,7 @@ impl Draft<'_> {
                     } else {
                         self.climbing(side(j))
                     };
-                    let mode = if first || 2 * j == K { Mode::Slot } else { self.mode(side(j), direction) };
+                    let mode = if first { Mode::Slot } else { self.mode(side(j), direction) };
                     let half = usize::from(side(j) == Face::Reverse);
                     let wanted = Wanted {
                         mode,

@@ -15,11 +15,13 @@ use rayon::prelude::*;
 use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
 use crate::kinds::impeller::clear::draft::SLOT_FEED;
 use crate::kinds::impeller::clear::pass::{Cutting, Mode, Pass};
-use crate::kinds::impeller::clear::poses::{Pose, Poses};
+use crate::kinds::impeller::clear::poses::{Pose, Poses, along};
 use crate::kinds::impeller::clear::tool::Tool;
 
-/// How far apart poses and places are at most, in parts of the radius.
+/// How far apart poses are at most, in parts of the radius.
 const APART: f64 = 0.25;
+/// Places of a pass are as far apart, but there are no more than this.
+const PLACES: f64 = 160.0;
 /// The part of a tool's width at which metal is looked for beside its axis.
 const BESIDE: f64 = 0.97;
 /// The least height over the end, in diameters; it is doubled up to the depth of the channel. A cut less deep than a twentieth of
@@ -35,30 +37,13 @@ struct Taken {
     before: Vec<usize>,
 }
 
-/// Places of a pass with metal on the left alone, on the right alone, and on both sides.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How far along a pass metal is on the left alone, on the right alone, and on both sides, mm. Where it cuts its whole width farther than a
+/// short way, the rest is not looked at.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Sides {
-    left: u32,
-    right: u32,
-    both: u32,
-}
-
-/// The poses of a pass, no farther from each other than told.
-fn poses(job: &Job, pass: &Pass, apart: f64) -> Vec<Pose> {
-    let pose = |stand: &crate::kinds::impeller::clearance::Stand| {
-        let [tip, along] = job.machine.tool(&stand.at, stand.B, stand.C);
-        Pose { tip, along }
-    };
-    let mut all: Vec<Pose> = pass.points.first().map(pose).into_iter().collect();
-    for pair in pass.points.windows(2) {
-        let steps = ((pose(&pair[1]).tip - pose(&pair[0]).tip).norm() / apart).ceil().clamp(1.0, 1e4);
-        let mut step = 1.0;
-        while step <= steps {
-            all.push(pose(&pair[0].towards(&pair[1], step / steps)));
-            step += 1.0;
-        }
-    }
-    all
+    left: f64,
+    right: f64,
+    both: f64,
 }
 
 impl Taken {
@@ -68,7 +53,7 @@ impl Taken {
         for pass in passes {
             before.push(all.len());
             if pass.tool == which {
-                all.extend(poses(job, pass, tool.a() * APART));
+                all.extend(along(job.machine, &pass.points, tool.a() * APART));
             }
         }
         Self { tool, poses: Poses::new(all), before }
@@ -85,7 +70,9 @@ fn width(tool: Tool, height: f64) -> f64 {
 fn sides(job: &Job, cut: &Cut, taken: &[Taken; 2], passes: &[Pass], at: usize) -> Sides {
     let (pass, part) = (&passes[at], &job.part);
     let tool = cut.tool(pass.tool);
-    let way = poses(job, pass, tool.a() * APART);
+    let way = along(job.machine, &pass.points, tool.a() * APART);
+    let length: f64 = way.windows(2).map(|pair| (pair[1].tip - pair[0].tip).norm()).sum();
+    let step = (tool.a() * APART).max(length / PLACES);
     let metal = |point: &Vector3<f64>| {
         part.trimmed(point)
             && part.depth(point) > 0.0
@@ -103,7 +90,7 @@ fn sides(job: &Job, cut: &Cut, taken: &[Taken; 2], passes: &[Pass], at: usize) -
         let travel = tip - pair[0].tip;
         let Some(right) = travel.cross(&along).try_normalize(1e-9) else { continue };
         last += travel.norm();
-        if last < tool.a() * APART {
+        if last < step {
             continue;
         }
         last = 0.0;
@@ -115,9 +102,14 @@ fn sides(job: &Job, cut: &Cut, taken: &[Taken; 2], passes: &[Pass], at: usize) -
             right_cut |= on_right;
             both_cut |= on_left && on_right;
         }
-        sides.both += u32::from(both_cut);
-        sides.left += u32::from(left_cut && !right_cut);
-        sides.right += u32::from(right_cut && !left_cut);
+        if both_cut {
+            sides.both += step;
+            if sides.both >= SHORT * tool.a() {
+                break;
+            }
+        } else if left_cut != right_cut {
+            *(if left_cut { &mut sides.left } else { &mut sides.right }) += step;
+        }
     }
     sides
 }
@@ -142,7 +134,7 @@ pub(super) fn engage(job: &Job, cut: &Cut, passes: &mut [Pass]) {
     };
     for (pass, found) in passes.iter_mut().zip(found) {
         let Some(Sides { left, right, both }) = found else { continue };
-        if f64::from(both) * APART >= SHORT {
+        if both >= SHORT * cut.tool(pass.tool).a() {
             pass.mode = Mode::Slot;
             pass.feed = pass.feed.min(SLOT_FEED);
         } else if left != right {

@@ -23,8 +23,9 @@ use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
 use crate::number::trig::{atan2, hypot, sin_cos};
 
-/// Stations of the floor that are looked at between its ends.
-const ALONG: u8 = 48;
+/// How many stations of the floor are looked at between its ends: so many for each radius of the tool, and within these limits.
+const ALONG_A_RADIUS: f64 = 2.0;
+const ALONG: [f64; 2] = [48.0, 480.0];
 /// Rulings by which a wall's foot is known.
 const FEET: u16 = 200;
 /// What the arithmetic may lose, mm.
@@ -34,9 +35,14 @@ const STEPS: u8 = 8;
 const HALVINGS: u8 = 12;
 /// Halvings for the place at a distance from a wall.
 const EDGES: u8 = 8;
-/// So many of the places at which more is left than beside them are looked at more closely, in so many steps each.
+/// So many of the places at which more is left than beside them are looked at more closely, in so many steps at most, which are halved so
+/// often.
 const TOPS: usize = 16;
-const CLIMBS: u8 = 12;
+const CLIMBS: u8 = 60;
+const HALVED: u8 = 8;
+/// Aslant as well: so the ridges run, and the edge of a nose.
+const AROUND: [(f64, f64); 8] =
+    [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0), (-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)];
 /// How far a wall's edge may shift aside from one step to the next, in steps of ψ.
 const WIDER: f64 = 2.0;
 
@@ -207,19 +213,29 @@ struct Sample {
     wall: f64,
 }
 
-/// The places of a station that are looked at, and how far apart they are, in ψ.
+/// The places of a station that are looked at, from which ψ on, and how far apart they are.
 #[derive(Clone, Debug)]
 struct Row {
+    low: f64,
     step: f64,
     seen: Vec<Sample>,
 }
 
 impl Row {
-    /// The places at which no less is left than beside them.
-    fn tops(&self) -> impl Iterator<Item = (Sample, f64)> {
-        let rest = |at: Option<usize>| at.and_then(|at| self.seen.get(at)).map_or(0.0, |one| one.rest);
-        let is_top = move |at: usize| rest(Some(at)) >= rest(at.checked_sub(1)).max(rest(Some(at + 1)));
-        self.seen.iter().enumerate().filter(move |(at, _)| is_top(*at)).map(|(_, &top)| (top, self.step))
+    /// The most that is left within a step and a half of a place that is so many steps from the row's beginning.
+    fn about(&self, steps: f64) -> f64 {
+        let [from, to] = [-1.5, 1.5].map(|off| self.low + self.step * (steps + off));
+        let first = self.seen.partition_point(|one| one.psi < from);
+        self.seen[first..].iter().take_while(|one| one.psi <= to).map(|one| one.rest).fold(0.0, f64::max)
+    }
+
+    /// The places at which no less is left than beside them, in this row and in others beside it.
+    fn tops<'r>(&'r self, beside: impl Iterator<Item = &'r Self> + Clone + 'r) -> impl Iterator<Item = Sample> + 'r {
+        let is_top = move |one: &Sample| {
+            let steps = (one.psi - self.low) / self.step;
+            one.rest >= beside.clone().map(|row| row.about(steps)).fold(self.about(steps), f64::max)
+        };
+        self.seen.iter().copied().filter(is_top)
     }
 }
 
@@ -311,7 +327,7 @@ impl<'a> Eye<'a> {
             }
             before = Some((psi, here));
         }
-        Row { step, seen }
+        Row { low, step, seen }
     }
 
     fn at(&self, v: f64, psi: f64, wall: f64) -> Sample {
@@ -330,24 +346,28 @@ impl<'a> Eye<'a> {
 
     /// The greatest rest about a sample, by steps in v and ψ that become smaller. What is just as far from a wall as asked stays so.
     fn climbed(&self, mut top: Sample, [mut by_v, mut by_psi]: [f64; 2], within: [f64; 2]) -> Sample {
+        let mut halved = 0;
         for _ in 0..CLIMBS {
             let mut best = top;
-            for (up, aside) in [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)] {
+            for (up, aside) in AROUND {
                 let v = (top.v + up * by_v).clamp(within[0], within[1]);
                 let one = if top.wall == 0.0 {
                     let psi = top.psi + aside * by_psi;
                     self.ground.is_free(v, psi).then(|| self.at(v, psi, 0.0))
                 } else {
                     let sides = [-1.0, 1.0].map(|side| top.psi + side * top.wall * by_psi * WIDER);
-                    (up != 0.0 && self.ground.is_free(v, sides[0]) && !self.ground.is_free(v, sides[1]))
+                    (aside == 0.0 && self.ground.is_free(v, sides[0]) && !self.ground.is_free(v, sides[1]))
                         .then(|| self.edge(v, sides))
                 };
                 best = one.filter(|one| one.rest > best.rest).unwrap_or(best);
             }
             if best.rest > top.rest {
                 top = best;
-            } else {
+            } else if halved < HALVED {
                 (by_v, by_psi) = (by_v / 2.0, by_psi / 2.0);
+                halved += 1;
+            } else {
+                break;
             }
         }
         top
@@ -379,10 +399,13 @@ impl FloorLook {
         let torus = part.circle.torus;
         let floor = Floor::new(part, pitch, tool.a(), v_s);
         let ground = Ground { floor, beside, R: torus.R, depths: [torus.r, torus.r + part.a_p], tool };
-        let (cutters, apart) = (vec![poses], (RIM - from) / f64::from(ALONG));
+        let wanted = torus.R * (RIM - from) / tool.a() * ALONG_A_RADIUS;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the limits")]
+        let along = wanted.ceil().clamp(ALONG[0], ALONG[1]) as u16;
+        let (cutters, apart) = (vec![poses], (RIM - from) / f64::from(along));
         // At the ends of the floor a ridge is often highest, and runs aslant: they are looked at themselves.
-        let between = (0..ALONG).map(|station| from + apart * (f64::from(station) + 0.5));
-        let stations: Vec<f64> = between.chain([from, RIM]).collect();
+        let between = (0..along).map(|station| from + apart * (f64::from(station) + 0.5));
+        let stations: Vec<f64> = std::iter::once(from).chain(between).chain([RIM]).collect();
         let rows = stations.par_iter().map(|&v| Eye::new(&ground, &cutters).row(v, across)).collect();
         Self { ground, cutters, from, apart, rows }
     }
@@ -405,7 +428,12 @@ impl FloorLook {
     /// The most that is left: about the greatest of the places it is looked for more closely.
     #[must_use]
     pub fn most(&self) -> FloorRest {
-        let mut tops: Vec<_> = self.rows.iter().flat_map(Row::tops).collect();
+        let row = |at: usize| self.rows.get(at);
+        let tops = self.rows.iter().enumerate().flat_map(|(at, one)| {
+            let beside = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(row);
+            one.tops(beside).map(|top| (top, one.step))
+        });
+        let mut tops: Vec<(Sample, f64)> = tops.collect();
         tops.sort_by(|one, other| other.0.rest.total_cmp(&one.0.rest));
         tops.truncate(TOPS);
         let climbed = |&(top, step): &(Sample, f64)| {
@@ -428,6 +456,10 @@ mod tests {
 
     use super::*;
     use crate::geometry::torus::Torus;
+    use crate::kinds::impeller::clear::cut::{Cut, Job, Which};
+    use crate::kinds::impeller::clear::lane::v_at;
+    use crate::kinds::impeller::clear::plan::Plan;
+    use crate::machine::rotary::Rotary;
 
     #[test]
     fn a_tool_is_left_through_its_side_or_its_end() {
@@ -484,6 +516,31 @@ mod tests {
         let look = FloorLook::new(&part, [PI / 2.0, 0.4], None, Tool::flat(3.0), (Poses::default(), HUB), 20);
         for v in [HUB, RIM] {
             assert!(look.rows.iter().flat_map(|row| &row.seen).filter(|one| one.v == v).count() > 10, "{v}");
+        }
+    }
+
+    /// Before the nose of a splitter and on large parts a sixth more was left than told.
+    #[test]
+    fn no_more_is_left_at_ten_times_as_many_places() {
+        let designs = [
+            ([75.6, 52.2], 2, [6.1, 6.2], [17.7, 15.2], true),
+            ([139.1, 94.3], 5, [6.8, 7.5], [10.7, 7.0], false),
+            ([57.8, 39.3], 4, [4.4, 3.8], [7.6, 4.8], true),
+        ];
+        for ([R, r], N, [e, a_p], [rough, finish], splitters) in designs {
+            let job = Job { part: Part::with(Torus { R, r }, e, a_p), N, machine: Rotary { L: 242.9 } };
+            let cut = Cut { splitters, blank: 1.6 * R, partly: true, ..Cut::usual(rough, finish) };
+            let plan = Plan::new(&job, &cut).expect("a plan");
+            let finishing = plan.passes.iter().filter(|pass| pass.tool == Which::Finish);
+            let poses = Poses::along(job.machine, finishing.map(|pass| pass.points.as_slice()));
+            let (told, from) = (plan.told.floor, v_at(plan.told.finish_from));
+            let around = [TAU / f64::from(N), told.beside];
+            let look = FloorLook::new(&job.part, around, plan.told.splitter_from, cut.finish, (poses, from), 40);
+            let row =
+                |k: u16| Eye::new(&look.ground, &look.cutters).row(from + (RIM - from) * f64::from(k) / 300.0, 120);
+            let rows: Vec<Row> = (0..=300_u16).into_par_iter().map(row).collect();
+            let most = rows.iter().flat_map(|row| &row.seen).map(|one| one.rest).fold(0.0, f64::max);
+            assert!(most > 0.0 && most <= told.most * 1.05 + 1e-3, "{R}: {most} where {} is told", told.most);
         }
     }
 

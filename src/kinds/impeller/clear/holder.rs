@@ -56,9 +56,13 @@ impl Blank {
     /// The same over a block, nowhere less.
     fn above_block(&self, [from, to]: [&Stand; 2]) -> f64 {
         let (turn, M) = (to.B - from.B, self.stock.reach(self.L));
-        // Positions are rounded to 0.001 mm and degrees.
-        let rounding = 0.0005 + 0.0005_f64.to_radians() * M;
-        self.above(from).max(self.above(to)) + M * turn * turn / 8.0 + rounding
+        self.above(from).max(self.above(to)) + M * turn * turn / 8.0 + self.rounding()
+    }
+
+    /// How far rounding positions to 0.001 mm and degrees moves a point of the blank, at most: by 0.0005 along each of three axes, and
+    /// by B and C.
+    fn rounding(&self) -> f64 {
+        0.0005 * 3.0_f64.sqrt() + 2.0 * 0.0005_f64.to_radians() * self.stock.reach(self.L)
     }
 
     /// How far above the tip of its tool the blank reaches at most while passes are run: a holder of any radius that begins
@@ -90,7 +94,7 @@ impl Blank {
                 return f64::MIN;
             }
             // By so much more it would be clear: it is in the blank by no more.
-            outside.along(&raised(&pair[0]), &raised(&pair[1]), WORK).lower.max(free)
+            (outside.along(&raised(&pair[0]), &raised(&pair[1]), WORK).lower - self.rounding()).max(free)
         };
         let blocks: Vec<&[Stand]> = passes.flat_map(|points| points.windows(2)).collect();
         let least = blocks.into_par_iter().map(of_block).reduce(|| f64::INFINITY, f64::min);

@@ -1,10 +1,10 @@
-//! The poses of a tool along its passes, in bunches of some that follow each other, so that what none of a bunch can reach
-//! is left out at once.
+//! The poses of a tool along its passes, in bunches of some whose tips are near each other, so that what none of a bunch can
+//! reach is left out at once. A bunch is halved across the longest side of what holds its tips.
 //!
 //! # Derivation
-//! Let no tip of a bunch be farther than δ from that of its middle pose, nor farther than η along its axis A, and no axis, as
-//! a unit vector, differ from A by more than θ. Of a point w away from the middle tip the distance from any axis of the bunch
-//! then does not differ by more than δ + θ·|w| from that of the middle pose: it is the length of w × A. The height over any
+//! Let no tip of a bunch be farther than δ from the mean of all, nor farther than η along their mean axis A, and no axis, as
+//! a unit vector, differ from A by more than θ. Of a point w away from the mean tip the distance from any axis of the bunch
+//! then does not differ by more than δ + θ·|w| from that of the mean pose: it is the length of w × A. The height over any
 //! end, w·A, does not differ by more than η + θ·(|w| + δ). On a floor η is small beside δ.
 //!
 //! # Units
@@ -72,11 +72,36 @@ fn apart(tool: Tool, [beside, up]: [f64; 2]) -> f64 {
     out.max(down).min(0.0) + (beyond * beyond + below * below).sqrt() - tool.r_c
 }
 
-/// Poses that follow each other.
+/// The poses of a pass, given by its points: both ends of each block, and between them as many as are no farther apart than told,
+/// mm at the tip.
+#[must_use]
+pub fn along(machine: Rotary, points: &[Stand], apart: f64) -> Vec<Pose> {
+    let pose = |stand: &Stand| {
+        let [tip, along] = machine.tool(&stand.at, stand.B, stand.C);
+        Pose { tip, along }
+    };
+    let mut poses: Vec<Pose> = points.first().map(pose).into_iter().collect();
+    for pair in points.windows(2) {
+        let (from, to) = (poses[poses.len() - 1], pose(&pair[1]));
+        let steps = ((to.tip - from.tip).norm() / apart).ceil().clamp(1.0, MOST);
+        let mut step = 1.0;
+        while step < steps {
+            poses.push(pose(&pair[0].towards(&pair[1], step / steps)));
+            step += 1.0;
+        }
+        poses.push(to);
+    }
+    poses
+}
+
+/// Poses near each other.
 #[derive(Clone, Debug)]
 pub struct Bunch {
-    /// From which to which.
+    /// From which to which in the order of the bunches.
     of: [usize; 2],
+    /// The least of their numbers.
+    first: usize,
+    /// The mean of them.
     middle: Pose,
     /// δ, θ and η.
     off: [f64; 3],
@@ -97,6 +122,8 @@ pub struct Seen {
 #[derive(Clone, Debug, Default)]
 pub struct Poses {
     poses: Vec<Pose>,
+    /// Their numbers, in the order of the bunches.
+    order: Vec<usize>,
     /// A bunch comes before its parts.
     bunches: Vec<Bunch>,
 }
@@ -115,46 +142,55 @@ impl Poses {
     /// Poses in the order in which they are taken.
     #[must_use]
     pub fn new(poses: Vec<Pose>) -> Self {
-        let mut made = Self { poses, bunches: Vec::new() };
+        let order = (0..poses.len()).collect();
+        let mut made = Self { poses, order, bunches: Vec::new() };
         if !made.poses.is_empty() {
             made.bunch([0, made.poses.len()]);
         }
         made
     }
 
-    /// Those of passes, given by their points: both ends of each block and some between.
+    /// Those of passes, given by their points.
     #[must_use]
     pub fn along<'p>(machine: Rotary, passes: impl Iterator<Item = &'p [Stand]>) -> Self {
-        let pose = |stand: Stand| {
-            let [tip, along] = machine.tool(&stand.at, stand.B, stand.C);
-            Pose { tip, along }
-        };
-        let mut poses = Vec::new();
-        for pair in passes.flat_map(|points| points.windows(2)) {
-            let tips = [0, 1].map(|end: usize| pose(pair[end]).tip);
-            let steps = ((tips[1] - tips[0]).norm() / APART).ceil().clamp(2.0, MOST);
-            let mut step = 0.0;
-            while step <= steps {
-                poses.push(pose(pair[0].towards(&pair[1], step / steps)));
-                step += 1.0;
-            }
-        }
-        Self::new(poses)
+        Self::new(passes.flat_map(|points| along(machine, points, APART)).collect())
     }
 
     fn bunch(&mut self, [from, to]: [usize; 2]) {
-        let middle = self.poses[from + (to - from) / 2];
-        let off = self.poses[from..to].iter().fold([0.0_f64; 3], |[tip, turn, along], pose| {
-            let by = pose.tip - middle.tip;
-            let turned = (pose.along - middle.along).norm();
-            [tip.max(by.norm()), turn.max(turned), along.max(by.dot(&middle.along).abs())]
+        let Self { poses, order, .. } = self;
+        let of = &mut order[from..to];
+        let (mut low, mut high, mut tip, mut along) =
+            ([f64::MAX; 3], [f64::MIN; 3], Vector3::zeros(), Vector3::zeros());
+        for &number in of.iter() {
+            let pose = &poses[number];
+            tip += pose.tip;
+            along += pose.along;
+            for axis in 0..3 {
+                low[axis] = low[axis].min(pose.tip[axis]);
+                high[axis] = high[axis].max(pose.tip[axis]);
+            }
+        }
+        #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+        let tip = tip / of.len() as f64;
+        // Axes all around have no mean: any one of them will do.
+        let along = along.try_normalize(1e-9).unwrap_or(poses[of[0]].along);
+        let off = of.iter().fold([0.0_f64; 3], |[most, turn, high], &number| {
+            let (by, turned) = (poses[number].tip - tip, (poses[number].along - along).norm());
+            [most.max(by.norm()), turn.max(turned), high.max(by.dot(&along).abs())]
         });
-        let at = self.bunches.len();
-        self.bunches.push(Bunch { of: [from, to], middle, off, next: 0 });
+        let first = of.iter().copied().min().unwrap_or_default();
+        let half = (to - from) / 2;
         if to - from > FEW {
-            let half = from + (to - from) / 2;
-            self.bunch([from, half]);
-            self.bunch([half, to]);
+            let longest = (0..3).max_by(|&one, &other| (high[one] - low[one]).total_cmp(&(high[other] - low[other])));
+            let axis = longest.unwrap_or_default();
+            let place = |number: &usize| poses[*number].tip[axis];
+            of.select_nth_unstable_by(half, |one, other| place(one).total_cmp(&place(other)).then(one.cmp(other)));
+        }
+        let at = self.bunches.len();
+        self.bunches.push(Bunch { of: [from, to], first, middle: Pose { tip, along }, off, next: 0 });
+        if to - from > FEW {
+            self.bunch([from, from + half]);
+            self.bunch([from + half, to]);
         }
         self.bunches[at].next = self.bunches.len();
     }
@@ -165,12 +201,13 @@ impl Poses {
         self.poses.get(at)
     }
 
-    /// The poses, with their numbers, of all bunches but those that are left out.
+    /// The poses, with their numbers, of all bunches but those that are left out; in the order of the bunches.
     pub fn of(&self, mut out: impl FnMut(&Bunch) -> bool) -> impl Iterator<Item = (usize, &Pose)> {
         let (mut at, mut left) = (0, 0..0);
         std::iter::from_fn(move || {
             loop {
-                if let Some(number) = left.next() {
+                if let Some(place) = left.next() {
+                    let number = *self.order.get(place)?;
                     return Some((number, self.poses.get(number)?));
                 }
                 let bunch = self.bunches.get(at)?;
@@ -192,7 +229,7 @@ impl Poses {
     pub fn held_before(&self, before: usize, tool: Tool, point: &Vector3<f64>) -> bool {
         let far = |bunch: &Bunch| {
             let Seen { beside, up } = bunch.seen(point);
-            bunch.of[0] >= before || apart(tool, [beside, up]) > 0.0
+            bunch.first >= before || apart(tool, [beside, up]) > 0.0
         };
         self.of(far).any(|(number, pose)| number < before && pose.apart(tool, point) <= 0.0)
     }
@@ -258,6 +295,9 @@ mod tests {
                 let found = poses.holding(tool, &point, 0.02, usize::from(k));
                 assert_eq!(found.is_some(), one, "{k} {tool:?}");
                 assert!(found.is_none_or(|at| all[at].apart(tool, &point) <= 0.02));
+                let before = usize::from(k);
+                let early = all.iter().take(before).any(|pose| pose.apart(tool, &point) <= 0.0);
+                assert_eq!(poses.held_before(before, tool, &point), early, "{k} {tool:?}");
                 let nearest = all.iter().map(|pose| pose.apart(tool, &point)).fold(1.0, f64::min);
                 assert_eq!(poses.apart(tool, &point, 1.0), nearest, "{k} {tool:?}");
                 held += u32::from(one);

@@ -118,13 +118,13 @@ pub fn face_lines(part: &Part, face: Face, turn: f64, from: f64) -> Vec<Line> {
 /// The lines of the half-round nose of a splitter that begins at v_s.
 #[must_use]
 pub fn nose_lines(part: &Part, v_s: f64, turn: f64) -> Vec<Line> {
-    let (P, frame) = part.frame(v_s);
+    let frame = part.frame(v_s).1;
     (0..=NOSE_LINES)
         .map(|line| {
-            let (sin, cos) = sin_cos(PI * f64::from(line) / f64::from(NOSE_LINES) - FRAC_PI_2);
+            let f = PI * f64::from(line) / f64::from(NOSE_LINES) - FRAC_PI_2;
+            let (sin, cos) = sin_cos(f);
             let out = frame.b * sin - frame.t * cos;
-            let ruling = Ruling { foot: P + out * (part.e / 2.0), N: frame.N };
-            Line { ruling, top: part.top(v_s), out, v: v_s, turn }
+            Line { ruling: part.nose(v_s, f), top: part.nose_top(v_s, f), out, v: v_s, turn }
         })
         .collect()
 }

@@ -19,7 +19,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::finding::{Finding, Place, Raise, Size};
 use crate::gcode::program::Program;
-use crate::kinds::impeller::clearance::{Bounds, CLOSE, Stand, Until, WORK, Walls};
+use crate::kinds::impeller::clearance::{Bounds, CLOSE, Place as Near, Stand, Until, WORK, Walls};
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::part::{HUB, Part};
@@ -134,7 +134,13 @@ impl Neighbours {
     pub fn along(&self, way: &Way, track: Track) -> Clearances {
         let to = |walls: &Walls| {
             let bounds = walls.clearance(&way.stands, Until::Within(CLOSE), WORK);
-            let place = bounds.place?;
+            let place = match bounds.place {
+                Some(place) => place,
+                // Nothing of the walls ever counts.
+                None if bounds.lower == f64::INFINITY => return None,
+                // The work has ended before anything was seen: what is not known is not left out.
+                None => Near { along: 0.0, v: HUB },
+            };
             Some(Clearance { bounds, other: (place.v - HUB) * self.steps, at: way.at(track, place.along)? })
         };
         let [blades, splitters] =

@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 use crate::kinds::impeller::clear::body::turn;
 use crate::kinds::impeller::clearance::{Bounds, Place};
 use crate::kinds::impeller::design::Design;
-use crate::kinds::impeller::part::{Face, Part};
+use crate::kinds::impeller::part::Part;
 use crate::kinds::impeller::sweep::Stretch;
 
 /// How often a stretch is halved at most.
@@ -52,10 +52,8 @@ impl Nose {
     pub fn new(design: &Design, v_s: f64, a: f64) -> Self {
         let part = Part::new(design);
         let (P, frame) = part.frame(v_s);
-        let top = part.top(v_s);
-        let bottom = Face::ALL.map(|face| part.floor(&part.ruling(face, v_s), top));
-        let depths = [top, bottom.into_iter().fold(part.a_p, f64::max)];
-        Self { v_s, P, N: frame.N, t: frame.t, half: part.e / 2.0, a, depths }
+        let [top, bottom] = part.noses_ends(v_s);
+        Self { v_s, P, N: frame.N, t: frame.t, half: part.e / 2.0, a, depths: [top, bottom.max(part.a_p)] }
     }
 
     /// How far above its tip a tool may meet it.
