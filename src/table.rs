@@ -177,6 +177,8 @@ pub struct Column {
     pub law: Law,
     /// What a spreadsheet computes them by; `None` where they stand as values: what is searched for, or read back.
     pub live: Option<Live>,
+    /// The formulas take a value that stands as it is: when an input changes they follow it only in part.
+    pub in_part: bool,
     /// The values.
     pub values: Cells,
 }
@@ -185,7 +187,7 @@ impl Column {
     /// A column of numbers.
     #[must_use]
     pub fn numbers(symbol: &'static str, unit: Unit, law: Law, values: impl Into<Arc<[f64]>>) -> Self {
-        Self { symbol: t(symbol, symbol), unit, law, live: None, values: Cells::Numbers(values.into()) }
+        Self { symbol: t(symbol, symbol), unit, law, live: None, in_part: false, values: Cells::Numbers(values.into()) }
     }
 
     /// The column under another name.
@@ -209,6 +211,13 @@ impl Column {
         self
     }
 
+    /// The column whose formulas take a value that stands as it is.
+    #[must_use]
+    pub const fn in_part(mut self) -> Self {
+        self.in_part = true;
+        self
+    }
+
     /// Three columns from a list of vectors.
     #[must_use]
     pub fn vectors(symbols: [&'static str; 3], unit: Unit, law: Law, values: &Arc<[Vector3<f64>]>) -> [Self; 3] {
@@ -217,6 +226,7 @@ impl Column {
             unit,
             law,
             live: None,
+            in_part: false,
             values: Cells::Component(Arc::clone(values), axis),
         })
     }
@@ -224,7 +234,7 @@ impl Column {
     /// A column of texts.
     #[must_use]
     pub fn texts(symbol: Text, law: Law, values: Vec<Text>) -> Self {
-        Self { symbol, unit: Unit::None, law, live: None, values: Cells::Texts(values.into()) }
+        Self { symbol, unit: Unit::None, law, live: None, in_part: false, values: Cells::Texts(values.into()) }
     }
 }
 

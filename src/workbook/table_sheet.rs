@@ -111,7 +111,8 @@ impl<'a> TableSheet<'a> {
         if live.on() { self.strike_values(sheet, styles, guard) } else { Ok(()) }
     }
 
-    /// Strikes out the values when an input was changed: among cells that follow, those of before would pass for new ones.
+    /// Strikes out the values when an input was changed, and what follows it only in part: among cells that follow, those of before would
+    /// pass for new ones.
     fn strike_values(&self, sheet: &mut Worksheet, styles: &Styles, guard: &Guard) -> Result<(), WriteError> {
         let number = |column: &Column| !matches!(column.values, Cells::Texts(_));
         // Where no points are counted, words before the first number name the rows; words alone are a verdict.
@@ -124,7 +125,7 @@ impl<'a> TableSheet<'a> {
             };
             let mut from = None;
             for (row, at) in (FIRST..=self.last_row()? + 1).zip(0..) {
-                let value = at < self.table.rows() && !follows(at);
+                let value = column.in_part || at < self.table.rows() && !follows(at);
                 match from {
                     None if value => from = Some(row),
                     Some(first) if !value => {

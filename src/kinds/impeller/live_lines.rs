@@ -26,6 +26,8 @@ struct Course {
     start: u8,
     exits: [u8; 2],
     ends: &'static [u8],
+    /// Its paths follow inputs only in part.
+    in_part: bool,
 }
 
 const BLADE: Course = Course {
@@ -36,6 +38,7 @@ const BLADE: Course = Course {
     start: 1,
     exits: [3, 4],
     ends: &[2, 1, 1],
+    in_part: false,
 };
 
 const SPLITTER: Course = Course {
@@ -49,6 +52,7 @@ const SPLITTER: Course = Course {
     start: 2,
     exits: [4, 3],
     ends: &[2, 2],
+    in_part: true,
 };
 
 /// The sheets of the programs of one blade and of one splitter in the published layout; none of another program.
@@ -97,10 +101,13 @@ impl Course {
             let values: Vec<f64> =
                 at.iter().map(|position: &Position| f64::from(position.get(axis).thousandths())).collect();
             let law = Law::Told("1000·x, B, C in thousandths");
-            columns.push(Column::numbers(symbol, Unit::Count, law, values).by(self.axis_formula(axis)));
+            let column = Column::numbers(symbol, Unit::Count, law, values).by(self.axis_formula(axis));
+            let of_path = matches!(axis, Axis::X | Axis::Y | Axis::Z);
+            columns.push(if self.in_part && of_path { column.in_part() } else { column });
         }
         let same = |texts: &[String]| texts.iter().map(|text| Text::same(text.clone())).collect::<Vec<_>>();
-        columns.push(Column::texts(t("bloque", "block"), Law::None, same(&texts)).by(self.text_formula()));
+        let blocks = Column::texts(t("bloque", "block"), Law::None, same(&texts)).by(self.text_formula());
+        columns.push(if self.in_part { blocks.in_part() } else { blocks });
         columns.push(Column::texts(t("programa", "program"), Law::None, same(&texts)));
         let equal: Vec<f64> = (0..texts.len()).map(|row| if row == 0 { 0.0 } else { 1.0 }).collect();
         let equal = Column::numbers("equal", Unit::Count, Law::None, equal).named(t("igual", "equal"));

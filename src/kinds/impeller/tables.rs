@@ -318,7 +318,8 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
     };
     let fraction = |symbol, law, side: &Side, m| {
         let formula = format!("MIN(1,(([i]+1)/({m}+1))^5)");
-        Column::numbers(symbol, Unit::One, law, side.fraction.clone()).by(formula)
+        // m is searched for.
+        Column::numbers(symbol, Unit::One, law, side.fraction.clone()).by(formula).in_part()
     };
     let Splitter { out, back, .. } = splitter;
     let (mut columns, paths, fractions) = match splitter.fade {
@@ -337,7 +338,8 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
         ),
     };
     let path = |symbols, at: usize, side: &Side, sign| {
-        vectors(symbols, MM, Law::Told(paths[at]), &side.path, offset(sign, fractions[at]))
+        let columns = vectors(symbols, MM, Law::Told(paths[at]), &side.path, offset(sign, fractions[at]));
+        columns.into_iter().map(Column::in_part)
     };
     columns.extend(path(["x_1", "y_1", "z_1"], 0, out, '-'));
     columns.extend(path(["x_2", "y_2", "z_2"], 1, back, '+'));
