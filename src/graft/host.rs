@@ -25,6 +25,9 @@ const WORKBOOKS: [&str; 2] = [
     "application/vnd.ms-excel.sheet.macroEnabled.main+xml",
 ];
 
+/// The type of a table.
+const TABLE: &str = "application/vnd.openxmlformats-officedocument.spreadsheetml.table+xml";
+
 /// A workbook that may take sheets.
 #[derive(Debug)]
 pub struct Host<'a> {
@@ -40,6 +43,8 @@ pub struct Host<'a> {
     pub(super) sheets: Vec<String>,
     /// The sheets that were put in before, by their slugs.
     pub(super) ours: BTreeMap<String, usize>,
+    /// The names of tables and their ranges: a workbook has them and its defined names of one stock.
+    pub(super) tables: Vec<[String; 2]>,
     notes: Vec<Finding>,
 }
 
@@ -84,8 +89,10 @@ impl<'a> Host<'a> {
         let mut notes = told(&book, &relations);
         notes.extend(macros.then(|| MacrosStay {}.at(Place::File)));
         let ours = BTreeMap::new();
-        let mut host = Self { parts, root, book, relations, types, styles, sheets, ours, notes };
+        let tables = Vec::new();
+        let mut host = Self { parts, root, book, relations, types, styles, sheets, ours, tables, notes };
         host.ours = host.known(&cells)?;
+        host.tables = host.tables()?;
         let copies = host.copies()?;
         host.notes.extend(copies);
         Ok(host)
@@ -174,6 +181,19 @@ impl<'a> Host<'a> {
             }
         }
         Ok(found)
+    }
+
+    /// The names of its tables, and their ranges.
+    fn tables(&mut self) -> Result<Vec<[String; 2]>, Refusal> {
+        let is_table = |part: &&str| self.types.of_part(part).is_some_and(|kind| kind.eq_ignore_ascii_case(TABLE));
+        let parts: Vec<String> = self.parts.all().filter(is_table).map(str::to_owned).collect();
+        let mut tables = Vec::new();
+        for part in parts {
+            let Some((_, root)) = self.parts.parsed(&part)? else { continue };
+            let said = ["displayName", "ref"].map(|key| root.attribute(key).unwrap_or_default().to_owned());
+            tables.push(said);
+        }
+        Ok(tables)
     }
 
     fn strings(&mut self, none: bool) -> Result<Vec<String>, Refusal> {

@@ -266,7 +266,18 @@ impl Host<'_> {
             let name = Name { name: (*name).to_owned(), sheet: None, hidden: false, formula: formula.clone() };
             names.push(name);
         }
+        let wanted = names.iter().filter(|name| name.sheet.is_none()).map(|name| name.name.to_lowercase());
+        let wanted: Vec<String> = wanted.collect();
+        self.no_table(|table| wanted.iter().any(|name| name == table))?;
         Ok(names)
+    }
+
+    /// Refuses a workbook with a table that is called as a name is to be.
+    fn no_table(&self, wanted: impl Fn(&str) -> bool) -> Result<(), Refusal> {
+        let found = self.tables.iter().find(|[name, _]| wanted(&name.to_lowercase()));
+        found.map_or(Ok(()), |[name, range]| {
+            Err(refused(&DefinedNameTaken { name: name.clone(), formula: crate::escape::excerpt(range, 80) }))
+        })
     }
 
     /// The workbook's own name that is called so and leads somewhere else than to our sheets.
@@ -285,7 +296,8 @@ impl Host<'_> {
     pub fn has_room_for_results(&self) -> Result<(), Refusal> {
         let ours = |name: &str| name == STALE || name == stamp::NAME || name.starts_with(DERIVED);
         let names = self.book.names.iter().filter(|one| one.sheet.is_none() && ours(&one.name.to_lowercase()));
-        names.filter_map(|one| self.taken(&one.name)).next().map_or(Ok(()), |there| Err(taken(there)))
+        names.filter_map(|one| self.taken(&one.name)).next().map_or(Ok(()), |there| Err(taken(there)))?;
+        self.no_table(ours)
     }
 
     /// Lists the new sheets; gives the part of relationships with theirs, and the parts that hold the order of calculation.

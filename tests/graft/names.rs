@@ -111,3 +111,24 @@ fn an_input_whose_name_was_lost_gets_it_again_and_one_that_was_taken_is_refused(
     assert_eq!(refused.exit, Exit::Refused);
     assert_eq!(said(&refused), "B0112 the workbook's name Torus_r already stands for something else: 42\n");
 }
+
+/// A workbook has its tables and its defined names of one stock (ISO 29500-1, 18.5.1.2): Excel would repair the file.
+#[test]
+fn a_table_that_is_called_as_one_of_our_names_is_refused() {
+    const TYPE: &str = "application/vnd.openxmlformats-officedocument.spreadsheetml.table+xml";
+    let formed = with_form(KINDS[0], &book("h3.xlsx"));
+    let with = |name: &str| {
+        let table = format!(
+            "<table xmlns=\"http://schemas.openxmlformats.org/spreadsheetml/2006/main\" id=\"99\" name=\"own\" displayName=\"{name}\" ref=\"A1:C3\"/>"
+        );
+        let part = format!("<Override PartName=\"/xl/tables/table99.xml\" ContentType=\"{TYPE}\"/></Types>");
+        let parts = Parts::of(&formed).put("xl/tables/table99.xml", table);
+        parts.replace("[Content_Types].xml", "</Types>", &part).zip()
+    };
+    let own = with("Own");
+    Results::of(&own).put_into(&own);
+    let taken = with("Stale_Inputs");
+    let refused = host(&taken).put(&Results::of(&taken).donor()).expect_err("a table of that name");
+    assert_eq!(said(&refused), "B0112 the workbook's name Stale_Inputs already stands for something else: A1:C3\n");
+    assert!(host(&taken).has_room_for_results().is_err() && host(&own).has_room_for_results().is_ok());
+}
