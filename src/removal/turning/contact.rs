@@ -7,8 +7,10 @@ use crate::geometry::exact::meeting::{Meeting, Stretch};
 use crate::number::trig::hypot;
 
 /// Metal shorter along the motion than this, mm, and than this share of the longest piece, does not count as depth of cut: a pass
-/// that ends at a shoulder also removes the fillet that the nose left there in the pass before, a sliver far above the pass.
+/// that ends at a shoulder also removes the fillet that the nose left there in the pass before, a sliver far above the pass. What is
+/// higher than the nose of a large insert is no fillet, but a collar.
 const SLIVER: [f64; 2] = [1.0, 0.05];
+const FILLET: f64 = 2.4;
 
 /// A cutting edge faces a path if more than this share of its normal is along it: 10°. Below that it rubs.
 const FACES: f64 = 0.17;
@@ -169,10 +171,13 @@ impl Ride<'_> {
         }
         ends.pop();
         let longest = ends.iter().map(|[.., length]| *length).fold(0.0, f64::max);
-        let least = SLIVER[0].min(SLIVER[1] * longest);
-        let mut counts = ends.iter().filter(|[.., length]| *length > least);
-        let first = counts.next()?;
-        Some(counts.next_back().unwrap_or(first)[1] - first[0])
+        let across = |least: f64| {
+            let mut counts = ends.iter().filter(|[.., length]| *length > least);
+            let first = counts.next()?;
+            Some(counts.next_back().unwrap_or(first)[1] - first[0])
+        };
+        let [all, counted] = [TOUCH, SLIVER[0].min(SLIVER[1] * longest)].map(across);
+        if all > counted.map(|counted| counted + FILLET) { all } else { counted }
     }
 
     /// A corner of the part at the start of the path.
@@ -308,6 +313,8 @@ impl Contact {
             self.back = Some(self.back.map_or(deep, |other| other.max(deep)));
         } else if cut[1] - cut[0] > edges[1] - edges[0] {
             self.edge = Some(self.edge.unwrap_or(f64::INFINITY).min(edges[1] - edges[0]));
+            // It is told beside the edge's own length, which it is more than.
+            self.across = self.across.max(cut[1] - cut[0]);
         } else {
             self.beside = Some(self.beside.map_or(deep, |other| other.max(deep)));
         }

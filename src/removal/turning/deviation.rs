@@ -39,6 +39,8 @@ const TOLERANCE: f64 = 1e-5;
 const STEP: f64 = 0.25;
 /// The maximum number of checked places of one line.
 const PLACES: f64 = 2000.0;
+/// Contours no farther from the profile than this, mm, say on which side of it metal is wanted.
+const NEAR: f64 = 0.5;
 /// How many edges or lines one step of work skips; only few are close enough to be checked.
 const PASSED: usize = 16;
 
@@ -140,10 +142,12 @@ fn centre(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) -> Option<
 /// The deviation of a part's contours from a wanted profile, on both sides.
 ///
 /// The distance to the nearest contour is measured at the profile's points, along its lines every quarter of a millimetre, and
-/// where each corner of the contours is nearest to it. If such a place is in metal, metal is left; otherwise it is missing. So
-/// the direction of the profile does not matter, nor whether it is outside or inside.
+/// where each corner of the contours, and the middle of each edge, is nearest to it. If such a place is in metal, metal is left; otherwise it is missing. So
+/// the direction of the profile does not matter, nor whether it is outside or inside. A thin fin is nearer beside its foot than it is
+/// high: where the foot is in metal, the corner or middle itself counts if it is on the side of the profile where no metal is wanted. That is the
+/// right or the left one, as most of the contours run that are near the profile.
 ///
-/// Each place is compared with every edge, and each corner with every line: `most_work` is the maximum number of steps, of 16
+/// Each place is compared with every edge, and each corner and middle with every line: `most_work` is the maximum number of steps, of 16
 /// comparisons each.
 pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result<Deviation, Unmeasured> {
     let points = profile.points().ok_or(Unmeasured::Work)?;
@@ -179,10 +183,15 @@ pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result
                 off = nearer;
             }
         }
-        let slot = if inside(&surface, at) { &mut found.over } else { &mut found.under };
-        if off.is_finite() && off > 1e-9 && slot.is_none_or(|(most, _)| off > most) {
-            *slot = Some((off, at));
+        let metal = inside(&surface, at);
+        let slot = if metal { &mut found.over } else { &mut found.under };
+        if off.is_finite() && off > 1e-9 {
+            if slot.is_none_or(|(most, _)| off > most) {
+                *slot = Some((off, at));
+            }
+            return metal;
         }
+        false
     };
     for pair in points.windows(2) {
         let [from, to] = [pair[0], pair[1]];
@@ -195,25 +204,50 @@ pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result
         }
     }
     let mut close = 0;
-    for &[corner, _] in &edges {
-        spend(points.len())?;
-        if let Some(place) = nearest(&lines, corner, &mut close) {
+    // How much of the contours runs as the profile does, those near it before all, and how far corners are to its left whose place on the
+    // profile is in metal.
+    let (mut alike, mut high) = (0.0, Vec::new());
+    for &[corner, next] in &edges {
+        // A fin's corner may stand straight above the end of its foot.
+        for seen in [corner, along(corner, next, 0.5)] {
+            spend(points.len())?;
+            let Some((place, [from, to])) = nearest(&lines, seen, &mut close) else { continue };
             spend(edges.len())?;
-            look(place);
+            let metal = look(place);
+            let [way, edge, out] =
+                [[from, to], [corner, next], [place, seen]].map(|[from, to]| [to[0] - from[0], to[1] - from[1]]);
+            let (length, off) = (hypot(way[0], way[1]), hypot(out[0], out[1]));
+            if length > 0.0 {
+                alike += (edge[0] * way[0] + edge[1] * way[1]) / length / (1.0 + (off / NEAR) * (off / NEAR));
+                let left = way[0] * out[1] - way[1] * out[0];
+                if metal && points.first() != Some(&place) && points.last() != Some(&place) {
+                    high.push((off.copysign(left), place));
+                }
+            }
+        }
+    }
+    // Metal is to the left of a contour.
+    let bare = if alike > 0.0 { -1.0 } else { 1.0 };
+    for (off, place) in high.into_iter().map(|(off, place)| (off * bare, place)) {
+        if found.over.is_none_or(|(most, _)| off > most) {
+            found.over = Some((off, place));
         }
     }
     Ok(found)
 }
 
+/// A place of a profile's lines, and the line.
+type OnLine = ([f64; 2], [[f64; 2]; 2]);
+
 /// The place of a profile's lines that is nearest to a corner, the first of several. `close` is the run of lines where that
 /// of another corner was, and then where this one is.
-fn nearest(lines: &[Run], corner: [f64; 2], close: &mut usize) -> Option<[f64; 2]> {
-    let mut best: Option<([f64; 2], f64, usize)> = None;
+fn nearest(lines: &[Run], corner: [f64; 2], close: &mut usize) -> Option<OnLine> {
+    let mut best: Option<(OnLine, f64, usize)> = None;
     // The run of the corner before comes first: it is mostly near.
     for number in std::iter::once(*close).chain(0..lines.len()) {
         let Some(run) = lines.get(number) else { continue };
         // Of two places that are as near the first counts.
-        let nearer = |off: f64, best: Option<([f64; 2], f64, usize)>| {
+        let nearer = |off: f64, best: Option<(OnLine, f64, usize)>| {
             best.is_none_or(|(_, least, found)| off < least || off == least && number < found)
         };
         if !nearer(apart(corner, run.low, run.high), best) {
@@ -223,13 +257,13 @@ fn nearest(lines: &[Run], corner: [f64; 2], close: &mut usize) -> Option<[f64; 2
             if nearer(apart(corner, from, to), best) {
                 let place = along(from, to, share(corner, from, to));
                 let off = distance(place, corner);
-                best = if nearer(off, best) { Some((place, off, number)) } else { best };
+                best = if nearer(off, best) { Some(((place, [from, to]), off, number)) } else { best };
             }
         }
     }
-    let (place, _, found) = best?;
+    let (on, _, found) = best?;
     *close = found;
-    Some(place)
+    Some(on)
 }
 
 /// Segments in runs of [`PASSED`].
@@ -309,8 +343,8 @@ mod tests {
             vec![[[-50.0, 0.0], [0.0, 0.0]].into_iter().chain((0..teeth).flat_map(tooth)).collect()]
         };
         let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
-        // 157 places against 101 edges, 101 corners against one line and again against the edges.
-        let [enough, less] = [157 * 7 + 101 * (1 + 7), 157 * 7 + 101 * (1 + 7) - 1];
+        // 157 places against 101 edges, 101 corners and as many middles against one line and again against the edges.
+        let [enough, less] = [157 * 7 + 202 * (1 + 7), 157 * 7 + 202 * (1 + 7) - 1];
         assert!(deviation(&comb(50), &profile, enough).is_ok());
         assert_eq!(deviation(&comb(50), &profile, less), Err(Unmeasured::Work));
         // Half circles of R 2000 are 9,000 chords each.
@@ -328,17 +362,52 @@ mod tests {
             vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 10.0], [-20.0, 10.0], [-20.06, 10.04], [-20.12, 10.0], [-50.0, 10.0]];
         let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
         let (most, place) = deviation(&[ring], &profile, MOST).unwrap().over.unwrap();
-        // The nearest surface to the place below the peak is the flank beside it.
-        assert!((most - 0.04 * 0.06 / hypot(0.06, 0.04)).abs() < 1e-9, "{most}");
+        // The nearest surface to the place below the peak is the flank beside it, but the peak is as high as it is.
+        assert!((most - 0.04).abs() < 1e-9, "{most}");
         assert!((place[0] + 20.06).abs() < 1e-9);
     }
 
+    /// Between grooves a fin of 0.06 mm stays: beside its foot the surface is nearer than 0.03 mm.
     #[test]
-    fn a_pip_on_the_axis_is_as_much_metal_left_as_its_radius() {
+    fn a_thin_fin_is_told_as_high_as_it_is_outside_and_inside() {
+        let comb = |r: f64, high: f64| -> Vec<[f64; 2]> {
+            [-10.0, -20.0]
+                .into_iter()
+                .flat_map(|z| [[z, r], [z, r + high], [z - 0.06, r + high], [z - 0.06, r]])
+                .collect()
+        };
+        let outside: Ring =
+            [[-50.0, 0.0], [0.0, 0.0], [0.0, 10.0]].into_iter().chain(comb(10.0, 8.0)).chain([[-50.0, 10.0]]).collect();
+        // A tube, its bore with fins that stand inwards.
+        let bore = comb(10.0, -6.0);
+        let inside: Ring = [[0.0, 10.0], [0.0, 25.0], [-50.0, 25.0], [-50.0, 10.0]]
+            .into_iter()
+            .chain(bore.into_iter().rev())
+            .collect();
+        for (ring, high) in [(outside, 8.0), (inside, 6.0)] {
+            for ends in [[[-1.0, 10.0], [-40.0, 10.0]], [[-40.0, 10.0], [-1.0, 10.0]]] {
+                let profile = Profile { start: ends[0], spans: vec![Span::Line(ends[1])] };
+                let found = deviation(&[ring.clone()], &profile, MOST).unwrap();
+                assert!((found.over.unwrap().0 - high).abs() < 1e-9 && found.under.is_none(), "{found:?}");
+            }
+        }
+    }
+
+    /// Stock is left all over: the bore beyond the wall is not.
+    #[test]
+    fn the_other_side_of_a_tube_is_no_metal_left() {
+        let ring = vec![[0.0, 4.0], [0.0, 10.05], [-20.0, 10.05], [-50.0, 10.05], [-50.0, 4.0], [-20.0, 4.0]];
+        let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
+        let found = deviation(&[ring], &profile, MOST).unwrap();
+        assert!((found.over.unwrap().0 - 0.05).abs() < 1e-9 && found.under.is_none(), "{found:?}");
+    }
+
+    #[test]
+    fn a_pip_on_the_axis_is_as_much_metal_left_as_it_stands_out() {
         let ring = vec![[-50.0, 0.0], [1.0, 0.0], [1.0, 0.2], [0.0, 0.2], [0.0, 10.0], [-50.0, 10.0]];
         let profile = Profile { start: [0.0, 0.0], spans: vec![Span::Line([0.0, 10.0])] };
         let found = deviation(&[ring], &profile, MOST).unwrap();
-        assert_eq!(found, Deviation { over: Some((0.2, [0.0, 0.0])), under: None });
+        assert_eq!(found, Deviation { over: Some((1.0, [0.0, 0.1])), under: None });
     }
 
     #[test]

@@ -237,8 +237,8 @@ rules! {
             "The carriage always starts at the same angle of the spindle: part of a lead from there another groove begins.";
         example program!("T0404|G97 S500 M3|M8|G0 X54. Z8.|G92 X49.2 Z-15. F2.|X48.6|G0 Z7.|G92 X48.2 Z-15. F2.|G0 X100. Z50.|M30");
     "L0151" NoGreatestSpeed Caution alarm Lathe 151 { asked: Size, most: Size }
-        es "Velocidad de corte constante sin límite de giro: cerca del eje el husillo llega a su máximo"
-        en "Constant surface speed without a speed limit: near the axis the spindle runs up to its maximum"
+        es "Velocidad de corte constante sin límite de giro, o con uno mayor que el giro máximo: cerca del eje el husillo llega a su máximo"
+        en "Constant surface speed without a speed limit, or with one above the maximum: near the axis the spindle runs up to its maximum"
         remedy "Limite el giro con G50 S (G92 S)", "Limit the speed with G50 S (G92 S)";
         why "A la velocidad máxima del husillo las garras pierden fuerza y la pieza puede salir despedida.",
             "At the spindle's maximum speed the jaws lose their grip and may throw the work.";

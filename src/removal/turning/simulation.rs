@@ -533,7 +533,8 @@ impl Simulation {
         let most = lathe.greatest_speed;
         match control.speed {
             Speed::Surface(_) => {
-                let races = control.greatest_speed.is_none() && asked > most;
+                // A limit above the spindle's maximum limits nothing.
+                let races = control.greatest_speed.is_none_or(|limit| limit > most) && asked > most;
                 if watch.begins(Cause::NoGreatestSpeed { asked, most }, races, control.tool) {
                     tally.raise(Cause::NoGreatestSpeed { asked, most }, end, None);
                 }
