@@ -128,10 +128,13 @@ impl Reader<'_, '_> {
                 }
             }
         }
-        let forgets =
-            number == self.state.modal.system && self.block.has(letter::R) && self.state.frame.g92 != Pose::default();
+        // The rotation may have been changed before, by its parameter.
+        let turns = self.block.has(letter::R) || work.rotation != self.state.frame.work.rotation;
+        let forgets = number == self.state.modal.system && turns && self.state.frame.g92 != Pose::default();
         if forgets {
-            self.memory.remarks.row(&RotationWithG92 {}, self.block.spot, Some(self.block.column(letter::R)));
+            let g = self.block.g_column(crate::gcode::code::Group::NonModal);
+            let column = if self.block.has(letter::R) { self.block.column(letter::R) } else { g };
+            self.memory.remarks.row(&RotationWithG92 {}, self.block.spot, Some(column));
         }
         let system = System::from_number(number.into()).unwrap_or_default();
         self.keep_pose(system.first_parameter(), &work.origin);

@@ -149,8 +149,8 @@ rules! {
             "L20 measures from the tool's position, and a rotation makes no sense there.";
         example Example::program("linuxcnc", "G21 G90 F100|G10 L20 P1 X0 R5|M2", "2:1");
     "G0421" RotationWithG92 Caution {}
-        es "G10 L2 R del sistema activo con G92 en vigor: LinuxCNC 2.9 olvida G92 en el movimiento siguiente y llega a otro sitio"
-        en "G10 L2 R of the active system while G92 is in force: LinuxCNC 2.9 forgets G92 in the next motion and goes to another place"
+        es "G10 gira el sistema activo con G92 en vigor: LinuxCNC 2.9 olvida G92 en el movimiento siguiente y llega a otro sitio"
+        en "G10 rotates the active system while G92 is in force: LinuxCNC 2.9 forgets G92 in the next motion and goes to another place"
         remedy "rodete mantiene G92 en vigor; programe G92.1 antes de este bloque y G92 después", "rodete keeps G92 in force; program G92.1 before this block and G92 after it";
         why "El control va a un sitio distinto del que dice el programa.",
             "The control goes to another place than the program says.";
