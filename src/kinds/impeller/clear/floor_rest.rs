@@ -425,6 +425,13 @@ impl FloorLook {
         self.cutters.push(poses);
     }
 
+    /// True where no more than told is left at the places that are looked at between two v, and at those just beside them.
+    #[must_use]
+    pub fn is_cut(&self, [from, to]: [f64; 2], over: f64) -> bool {
+        let seen = self.rows.iter().flat_map(|row| &row.seen);
+        seen.filter(|one| one.v >= from - self.apart && one.v <= to + self.apart).all(|one| one.rest <= over)
+    }
+
     /// The most that is left: about the greatest of the places it is looked for more closely.
     #[must_use]
     pub fn most(&self) -> FloorRest {

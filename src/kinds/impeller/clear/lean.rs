@@ -69,8 +69,8 @@ impl Draft<'_> {
     /// Where more is left on the floor than ridges and tolerance are, runs an outermost lane again, the tool leaning off its
     /// wall, from the hub to a little past that place and back, if that takes it away and the holder stays clear; what is
     /// left then.
-    pub(super) fn lean(&mut self, contacts: &Contacts, look: Option<FloorLook>) -> FloorRest {
-        let Some(mut look) = look else {
+    pub(super) fn lean(&mut self, contacts: &Contacts, look: &mut Option<FloorLook>) -> FloorRest {
+        let Some(look) = look else {
             return FloorRest { beside: self.beside(), most: self.job.part.a_p, v: HUB, psi: 0.0 };
         };
         let wanted = self.cut.scallop + self.cut.tolerance;

@@ -138,10 +138,11 @@ impl Plan {
         let steps = f64::from(floor_lanes);
         let faces = [face_error(&ways[0]), face_error(&ways[1])];
         // The corners are those that stay without the leaning pass: it takes no more than they tell.
-        let Rests { floor, root, unfinished } = draft.rests(floor_lanes, faces);
-        let floor = draft.lean(&finish, floor);
+        let Rests { floor: mut look, root, unfinished } = draft.rests(floor_lanes, faces);
+        let floor = draft.lean(&finish, &mut look);
         // Where nothing but ridges is left of the floor, the lanes beside have cut what one did not come to.
-        let whole = finish_from == 0.0 && floor.most <= cut.scallop + cut.tolerance;
+        let ridges = cut.scallop + cut.tolerance;
+        let is_cut = |v: [f64; 2]| finish_from == 0.0 && look.as_ref().is_some_and(|look| look.is_cut(v, ridges));
         let told = Told {
             gap: gap(part, job.N, cut.finish.d).width,
             rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels),
@@ -157,7 +158,7 @@ impl Plan {
             rough_from,
             finish_from,
             uncut: if finish_from > 0.0 { uncut::share(part, &finish, Some(finish_from)) } else { 0.0 },
-            dropped: lost(draft.dropped, &draft.passes, whole),
+            dropped: lost(draft.dropped, &draft.passes, is_cut),
         };
         Ok(Self { passes: draft.passes, channels: job.N, Z_r: draft.Z_r, told })
     }
@@ -190,13 +191,13 @@ impl Plan {
 ///
 /// What a splitter stands in the way of is cut by the passes round it, what the roughing tool leaves beside it by the passes
 /// over the rest; and what these do not come to, the floor passes of the same tool cut, or tell.
-fn lost(dropped: Vec<Dropped>, passes: &[Pass], whole: bool) -> Vec<Dropped> {
+fn lost(dropped: Vec<Dropped>, passes: &[Pass], is_cut: impl Fn([f64; 2]) -> bool) -> Vec<Dropped> {
     let rest = passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. }));
     let is_lost = |one: &Dropped| match one.by {
         By::Splitter => false,
         By::Blade | By::Ends if rest && one.tool == Which::Rough => false,
         By::Blade => true,
-        By::Ends => !whole && !matches!(one.cutting, Cutting::Rest { .. }),
+        By::Ends => !is_cut(one.v) && !matches!(one.cutting, Cutting::Rest { .. }),
     };
     dropped.into_iter().filter(is_lost).collect()
 }
@@ -384,7 +385,7 @@ mod tests {
             of(Which::Finish, lane, By::Ends),
             of(Which::Finish, lane, By::Splitter),
         ];
-        let by = |whole: bool| lost(all.clone(), &[], whole).iter().map(|one| one.by).collect::<Vec<_>>();
+        let by = |whole: bool| lost(all.clone(), &[], |_| whole).iter().map(|one| one.by).collect::<Vec<_>>();
         assert_eq!((by(false), by(true)), (vec![By::Blade, By::Ends], vec![By::Blade]));
     }
 
