@@ -387,7 +387,7 @@ mod tests {
         for (ring, high) in [(outside, 8.0), (inside, 6.0)] {
             for ends in [[[-1.0, 10.0], [-40.0, 10.0]], [[-40.0, 10.0], [-1.0, 10.0]]] {
                 let profile = Profile { start: ends[0], spans: vec![Span::Line(ends[1])] };
-                let found = deviation(&[ring.clone()], &profile, MOST).unwrap();
+                let found = deviation(std::slice::from_ref(&ring), &profile, MOST).unwrap();
                 assert!((found.over.unwrap().0 - high).abs() < 1e-9 && found.under.is_none(), "{found:?}");
             }
         }
