@@ -108,24 +108,36 @@ impl<'a> TableSheet<'a> {
         } else {
             self.write_rows(sheet, styles, live)?;
         }
-        if live.on() { self.strike_values(sheet, styles, guard) } else { Ok(()) }
+        if live.on() { self.strike_values(sheet, styles, live, guard) } else { Ok(()) }
     }
 
     /// Strikes out the values when an input was changed, and what follows it only in part: among cells that follow, those of before would
     /// pass for new ones.
-    fn strike_values(&self, sheet: &mut Worksheet, styles: &Styles, guard: &Guard) -> Result<(), WriteError> {
+    fn strike_values(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        live: &LiveTables<'_>,
+        guard: &Guard,
+    ) -> Result<(), WriteError> {
         let number = |column: &Column| !matches!(column.values, Cells::Texts(_));
         // Where no points are counted, words before the first number name the rows; words alone are a verdict.
         let first = if self.table.index.counted() { None } else { self.table.columns.iter().position(number) };
         for (at, column) in self.table.columns.iter().enumerate().skip(first.unwrap_or_default()) {
             let to = column_number(at)? + self.offset();
+            // What follows in part is so in the prepared rows, too.
+            if column.in_part {
+                let rows = RowNum::try_from(live.rows(self.table)).map_err(|_| WriteError::TooLarge(self.table.key))?;
+                guard.strike(sheet, [FIRST, FIRST + rows - 1], [to, to], &styles.left)?;
+                continue;
+            }
             let follows = |row: usize| {
                 let formula = column.live.as_ref().and_then(|live| live.get(row));
                 formula.is_some_and(|formula| !formula.is_empty())
             };
             let mut from = None;
             for (row, at) in (FIRST..=self.last_row()? + 1).zip(0..) {
-                let value = column.in_part || at < self.table.rows() && !follows(at);
+                let value = at < self.table.rows() && !follows(at);
                 match from {
                     None if value => from = Some(row),
                     Some(first) if !value => {

@@ -278,7 +278,9 @@ fn values_are_struck_out_and_formulas_are_not_as_soon_as_an_input_differs() {
                     .iter()
                     .any(|[first, last]| (first.0..=last.0).contains(&at.0) && (first.1..=last.1).contains(&at.1));
                 let formula = cell.contains("<f>");
-                assert_eq!(hit, !formula, "{kind} {case}, {name}!{address}");
+                // The m of a splitter is a value.
+                let in_part = *name == "Splitter" && (1..=8).contains(&column);
+                assert_eq!(hit, !formula || in_part, "{kind} {case}, {name}!{address}");
                 count[usize::from(formula)] += 1;
             }
         }
