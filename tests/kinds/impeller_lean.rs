@@ -12,7 +12,7 @@ use crate::impeller_swept::{SHIPPED, judge, simulate};
 /// The cut of the new workbook.
 fn cut() -> Cut {
     let usual = Cut::usual(6.0, 3.0);
-    Cut { s: 0.3, step: 0.7, scallop: 0.025, tolerance: 0.0085, splitters: true, feed: Some(0.1), d_s: 5.0, ..usual }
+    Cut { s: 0.3, step: 0.7, scallop: 0.025, tolerance: 0.0087, splitters: true, feed: Some(0.1), d_s: 5.0, ..usual }
 }
 
 fn leans(plan: &Plan) -> Vec<Face> {
@@ -23,11 +23,10 @@ fn leans(plan: &Plan) -> Vec<Face> {
 #[test]
 fn the_new_workbooks_impeller_with_splitters_keeps_the_rests_of_the_one_without() {
     let (plan, found) = judge(&SHIPPED, &cut(), [24, 6], [48, 120]);
-    assert_eq!(leans(&plan), [Face::Obverse]);
+    assert_eq!(leans(&plan), [Face::Obverse, Face::Reverse]);
     assert!(plan.told.root.height <= 0.40 && plan.told.root.width <= 0.35, "{:?}", plan.told.root);
-    // Just 0.4 mm before the nose itself a little more is left than a few hundredths farther off.
-    assert!(found.floor_rest <= 0.03 && plan.told.floor.most <= 0.034, "{found:?} {:?}", plan.told.floor);
-    // Without that pass a ridge stays.
+    assert!(found.floor_rest <= 0.03 && plan.told.floor.most <= 0.03, "{found:?} {:?}", plan.told.floor);
+    // Without these passes a ridge stays.
     let upright = Plan {
         passes: plan.passes.into_iter().filter(|pass| !matches!(pass.cutting, Cutting::Leaning { .. })).collect(),
         ..plan
@@ -59,10 +58,13 @@ fn a_tool_leans_only_where_its_holder_stays_clear() {
     let highest = blank.highest(passes.iter().map(Vec::as_slice));
     assert!(highest > 15.0, "{highest}");
     // Of any radius, just not above the highest place of the blank over the tip, and just above it.
-    for (from, leans) in [(highest - 0.01, 0), (highest + 0.01, 1)] {
+    for (from, same) in [(highest - 0.01, false), (highest + 0.01, true)] {
         let stage = Stage { radius: f64::INFINITY, from };
-        let passes = leaning(&plan(Some(stage)));
-        assert_eq!(passes.len(), leans, "{from}");
-        assert!(blank.clearance(stage, passes.iter().map(Vec::as_slice)) >= 0.0, "{from}");
+        let held = leaning(&plan(Some(stage)));
+        assert_eq!(held == passes, same, "{from}");
+        assert!(blank.clearance(stage, held.iter().map(Vec::as_slice)) >= 0.0, "{from}");
     }
+    // Below the lowest of them none.
+    let stage = Stage { radius: f64::INFINITY, from: 5.0 };
+    assert_eq!(leaning(&plan(Some(stage))), Vec::<Vec<_>>::new());
 }

@@ -1,6 +1,5 @@
 //! The cases that a new impeller workbook can start from.
 
-use crate::kinds::impeller::clear::asked::TOLERANCE;
 use crate::kinds::impeller::clear::fields::{self as cut, Method};
 use crate::kinds::impeller::parameters::SCHEMA;
 use crate::parameter::{Case, Value};
@@ -119,7 +118,8 @@ fn clear(language: Language) -> Vec<(&'static str, Value)> {
     };
     values.extend([
         ("part", Value::Line(part.to_owned())),
-        ("tol", Value::Real(TOLERANCE)),
+        // With the usual 0.01 the finishing program would be larger than 1 MiB, the memory of a Fagor 8055.
+        ("tol", Value::Real(0.0102)),
         cut::METHOD.is(Method::Clear),
         ("d_f", Value::Real(3.0)),
         ("T_f", Value::Whole(2)),
@@ -128,7 +128,7 @@ fn clear(language: Language) -> Vec<(&'static str, Value)> {
         ("S_f", Value::Whole(12_000)),
         cut::ALLOWANCE.is(0.3),
         cut::STEP.is(0.7),
-        // Finer ridges would take the finishing program beyond 1 MiB, the memory of a Fagor 8055.
+        // So would finer ridges.
         cut::SCALLOP.is(0.025),
         // Some blocks more in the pass round a splitter's nose, whose feed would else change by 63 % within a block.
         cut::FEED_CHANGE.is(0.1),

@@ -43,6 +43,9 @@ const HALVED: u8 = 8;
 /// Aslant as well: so the ridges run, and the edge of a nose.
 const AROUND: [(f64, f64); 8] =
     [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0), (-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)];
+/// Where it looks closer: so many times the stations, and so many times the places across.
+const CLOSER: u8 = 6;
+const ACROSS: u8 = 2;
 /// How far a wall's edge may shift aside from one step to the next, in steps of ψ.
 const WIDER: f64 = 2.0;
 
@@ -216,6 +219,7 @@ struct Sample {
 /// The places of a station that are looked at, from which ψ on, and how far apart they are.
 #[derive(Clone, Debug)]
 struct Row {
+    v: f64,
     low: f64,
     step: f64,
     seen: Vec<Sample>,
@@ -327,7 +331,7 @@ impl<'a> Eye<'a> {
             }
             before = Some((psi, here));
         }
-        Row { low, step, seen }
+        Row { v, low, step, seen }
     }
 
     fn at(&self, v: f64, psi: f64, wall: f64) -> Sample {
@@ -416,13 +420,51 @@ impl FloorLook {
         self.ground.left(poses, &Cell::new(None), place.v, place.psi)
     }
 
-    /// Looks at the same places when some more poses have cut.
-    pub fn cut_by(&mut self, poses: Poses) {
+    /// Looks at the same places when some more poses have cut. Where they have taken away more than told, what stays beside them
+    /// may be narrower than the places are apart: there it looks closer.
+    pub fn cut_by(&mut self, poses: Poses, over: f64) {
         let last = Cell::new(None);
-        for one in self.rows.iter_mut().flat_map(|row| &mut row.seen) {
-            one.rest = one.rest.min(self.ground.left(&poses, &last, one.v, one.psi));
+        let mut cut: Option<[usize; 2]> = None;
+        for (number, row) in self.rows.iter_mut().enumerate() {
+            for one in &mut row.seen {
+                let left = self.ground.left(&poses, &last, one.v, one.psi);
+                if left < one.rest {
+                    if one.rest > over {
+                        cut = Some([cut.map_or(number, |[first, _]| first), number]);
+                    }
+                    one.rest = left;
+                }
+            }
         }
         self.cutters.push(poses);
+        if let Some([first, last]) = cut {
+            self.look_closer([first.saturating_sub(1), last + 1]);
+        }
+    }
+
+    /// Looks at more places between some rows.
+    fn look_closer(&mut self, [first, last]: [usize; 2]) {
+        let gaps = self.rows.windows(2).skip(first).take(last - first);
+        let wide = gaps.filter(|pair| pair[1].v - pair[0].v > self.apart / 2.0);
+        let stations: Vec<(f64, f64)> = wide
+            .flat_map(|pair| {
+                let (from, to) = (pair[0].v, pair[1].v);
+                (1..CLOSER).map(move |k| (from + (to - from) * f64::from(k) / f64::from(CLOSER), pair[0].step))
+            })
+            .collect();
+        let row = |&(v, step): &(f64, f64)| {
+            let [high, low] = [0, 1].map(|side: usize| psi_at(&self.ground.floor.sides[side], v));
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "some times the places of a row"
+            )]
+            let across = (f64::from(ACROSS) * (high - low) / step).ceil().clamp(1.0, 1e4) as u32;
+            Eye::new(&self.ground, &self.cutters).row(v, across)
+        };
+        let closer: Vec<Row> = stations.par_iter().map(row).collect();
+        self.rows.extend(closer);
+        self.rows.sort_by(|one, other| one.v.total_cmp(&other.v));
     }
 
     /// True where no more than told is left at the places that are looked at between two v, and at those just beside them.

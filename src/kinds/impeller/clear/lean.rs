@@ -1,4 +1,4 @@
-//! An outermost lane of the floor run once more with the tool leaning off its wall.
+//! Lanes of the floor with the tool leaning off a wall, where upright ones leave too much.
 //!
 //! # Derivation
 //! The flat end of an upright tool touches the hollow floor with its two points farthest along the tube alone, at the stations
@@ -7,7 +7,8 @@
 //! order, as far as K bends off and the tip stands short of the tube. A tool that leans across the tube by more than that over a
 //! touches with that point, at its own station. The tip is as deep as the disc stays in the ball of the tube's radius about
 //! the point of K nearest to the axis, so that no point of it is below the floor; and a tool that leans off a wall it touches with
-//! the edge of its end stays clear of it.
+//! the edge of its end stays clear of it. An outermost lane is tried first, once more along its wall; then one whose point abreast
+//! runs through the place where most is left: beside the nose, where neither end of an upright tool comes to.
 //!
 //! # Units
 //! Millimetres and radians.
@@ -32,6 +33,12 @@ use crate::kinds::impeller::part::{Face, HUB};
 use crate::machine::rotary::Rotary;
 use crate::number::trig::sin_cos;
 
+/// The most such lanes of a channel.
+const LANES: u8 = 8;
+/// How much of the tolerance upright lanes may leave on top of their ridges.
+const SHARE: f64 = 0.5;
+/// Where on its edge a leaning tool may touch the place, from the point abreast, radians.
+const AROUND: [f64; 5] = [0.0, -0.25, 0.25, -0.5, 0.5];
 /// How much more than it takes the tool leans.
 const MORE: f64 = 1.6;
 /// How far past a place of the floor a leaning tool is run, in parts of the way, and to which station at most: farther on the
@@ -65,15 +72,47 @@ fn stand_at(lane: &OwnNormal, machine: Rotary, face: Face, q: f64, psi: f64) -> 
     stand(machine, &axis, &axis.along, psi - TAU, 0.0)
 }
 
+/// A lane with a leaning tool, from the hub to a station.
+#[derive(Clone, Copy, Debug)]
+struct Leaning {
+    /// The face off which the tool leans.
+    face: Face,
+    /// Which part of the way it is from the obverse to the reverse, as in [`Contacts::psi`].
+    lambda: f64,
+    to: f64,
+}
+
+impl Leaning {
+    /// The outermost lanes, to a little past a place.
+    fn outermost(lane: &OwnNormal, place: &FloorRest) -> [Self; 2] {
+        let to = (place.v - HUB + lane.spread()) / FRAC_PI_2 + PAST;
+        [(Face::Obverse, 0.0), (Face::Reverse, 1.0)].map(|(face, lambda)| Self { face, lambda, to })
+    }
+
+    /// Lanes that end where the low side of the tool comes to a place.
+    fn through(contacts: &Contacts, place: &FloorRest) -> Vec<Self> {
+        let lane = contacts.lane;
+        let rho = lane.torus.R + lane.r_f * sin_cos(place.v).1;
+        let through = |face: Face, around: f64| {
+            let (sin, cos) = sin_cos(around);
+            let to = (place.v - HUB + lane.spread() * sin) / FRAC_PI_2;
+            let [obverse, reverse] = contacts.at(to);
+            let psi = place.psi + face.side() * lane.tool.flat_radius() * cos / rho;
+            Self { face, lambda: (psi - obverse) / (reverse - obverse), to }
+        };
+        let all = Face::ALL.into_iter().flat_map(|face| AROUND.map(|around| through(face, around)));
+        all.filter(|one| (0.0..=1.0).contains(&one.lambda)).collect()
+    }
+}
+
 impl Draft<'_> {
-    /// Where more is left on the floor than ridges and tolerance are, runs an outermost lane again, the tool leaning off its
-    /// wall, from the hub to a little past that place and back, if that takes it away and the holder stays clear; what is
-    /// left then.
+    /// Where more is left on the floor than ridges and tolerance are, runs a lane with the tool leaning off a wall, from the hub
+    /// to a little past that place and back, if that takes it away and the holder stays clear; what is left in the end.
     pub(super) fn lean(&mut self, contacts: &Contacts, look: &mut Option<FloorLook>) -> FloorRest {
         let Some(look) = look else {
             return FloorRest { beside: self.beside(), most: self.job.part.a_p, v: HUB, psi: 0.0 };
         };
-        let wanted = self.cut.scallop + self.cut.tolerance;
+        let wanted = self.cut.scallop + SHARE * self.cut.tolerance;
         let mut floor = look.most();
         let lane = contacts.lane;
         let may = lane.tool.flat_radius() > 0.0 && self.finish_from <= 0.0;
@@ -81,15 +120,22 @@ impl Draft<'_> {
         let holder_clear = |points: &Vec<Stand>| {
             holder.is_none_or(|stage| blank.clearance(stage, std::iter::once(points.as_slice())) >= 0.0)
         };
-        let mut faces = Face::ALL.to_vec();
-        while may && floor.most > wanted && !self.full() {
-            let to = (floor.v - HUB + lane.spread()) / FRAC_PI_2 + PAST;
-            let found = faces.iter().find_map(|&face| {
-                let points = self.leaning(contacts, face, to).filter(holder_clear)?;
+        for _ in 0..LANES {
+            if !may || floor.most <= wanted || self.full() {
+                break;
+            }
+            let left = |leaning: &Leaning| {
+                let points = self.leaning(contacts, leaning).filter(holder_clear)?;
                 let poses = Poses::along(self.job.machine, std::iter::once(points.as_slice()));
-                (look.left_by(&poses, &floor) <= wanted).then_some((face, points, poses))
-            });
-            let Some((face, points, poses)) = found else { break };
+                let left = look.left_by(&poses, &floor);
+                (left <= wanted).then_some((left, leaning.face, points, poses))
+            };
+            // Along a wall a lane takes the whole ridge.
+            let outermost = Leaning::outermost(&lane, &floor);
+            let through = || Leaning::through(contacts, &floor);
+            let found = outermost.iter().find_map(left);
+            let least = || through().iter().filter_map(left).min_by(|one, other| one.0.total_cmp(&other.0));
+            let Some((_, face, points, poses)) = found.or_else(least) else { break };
             let (cutting, direction) = (Cutting::Leaning { face }, Direction::Outwards);
             self.add(Wanted {
                 mode: self.mode(face, direction),
@@ -97,18 +143,16 @@ impl Draft<'_> {
                 ..Wanted::new(cutting, Which::Finish, direction, points)
             });
             self.done();
-            look.cut_by(poses);
+            look.cut_by(poses, wanted);
             floor = look.most();
-            faces.retain(|&one| one != face);
         }
         floor
     }
 
-    /// The points of the outermost lane at a face with a leaning tool, from the hub to a station; `None` where it does not keep
-    /// clear all the way.
-    fn leaning(&self, contacts: &Contacts, face: Face, to: f64) -> Option<Vec<Stand>> {
+    /// The points of such a lane; `None` where it does not keep clear all the way.
+    fn leaning(&self, contacts: &Contacts, leaning: &Leaning) -> Option<Vec<Stand>> {
+        let Leaning { face, lambda, to } = *leaning;
         let (lane, machine, a) = (contacts.lane, self.job.machine, contacts.lane.tool.a());
-        let lambda = if face == Face::Obverse { 0.0 } else { 1.0 };
         let obstacles = Obstacles::new(&self.job.part, self.pitch, a, self.v_s);
         let (m, reach, asked) = (self.cut.run_out(Which::Finish), a + self.job.part.overhang(), a - TOUCHED);
         let keeps = |q: f64| {

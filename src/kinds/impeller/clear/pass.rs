@@ -36,9 +36,9 @@ pub enum Cutting {
         /// Which lane, from 0 at the obverse.
         lane: u32,
     },
-    /// An outermost lane of the floor once more, the tool leaning off its wall.
+    /// A lane of the floor, the tool leaning off a wall.
     Leaning {
-        /// The face at which the lane is.
+        /// The face off which it leans.
         face: Face,
     },
     /// A flank of a blade: the obverse of this channel's blade, or the reverse of the next one.

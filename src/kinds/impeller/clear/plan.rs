@@ -3,8 +3,8 @@
 //! # Order
 //! 1. Rough, level by level: the middle lane first, into the full, at half the feed; then pairs outwards. A level ends with
 //!    the splitter's contour. 2. The floor at full depth, from the middle outwards, the contact lanes last. 3. The flanks of
-//!    both faces. 4. The splitter: its contour, and its flanks. 5. An outermost floor lane with the tool leaning, where that
-//!    takes away what upright ones leave. With a right-hand spindle the tool climbs where the metal is
+//!    both faces. 4. The splitter: its contour, and its flanks. 5. Floor lanes with the tool leaning, where they
+//!    take away what upright ones leave. With a right-hand spindle the tool climbs where the metal is
 //!    to the right of the feed: on the obverse side from the rim to the hub, on the reverse side from the hub to the rim.
 //!
 //! What does not fit is not run, and told. A lane that a splitter cuts in two is run from its open ends, and back out along

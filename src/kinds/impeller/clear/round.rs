@@ -54,6 +54,8 @@ pub struct Round<'a> {
     /// Along its obverse and along its reverse.
     ways: [&'a FlankWay; 2],
     v_s: f64,
+    /// How far from an axis metal is looked for.
+    reach: f64,
     /// δ, by which the axis leans off the nose.
     lean: f64,
     /// D over f.
@@ -69,7 +71,10 @@ impl<'a> Round<'a> {
         let none = || Table::new(&[0.0, 0.0], [1.0], |_| [0.0]);
         let tool = cut.finish;
         let lean = FOOT * cut.scallop / part.a_p * tool.flat_radius() / tool.a();
-        let mut round = Self { part, tool, ways, v_s, lean, distance: none(), off: [(none(), v_s), (none(), v_s)] };
+        // The half round stands higher than the faces beside it.
+        let reach = tool.a() + part.overhang() + part.top(v_s) - part.noses_ends(v_s)[0];
+        let mut round =
+            Self { part, tool, ways, v_s, reach, lean, distance: none(), off: [(none(), v_s), (none(), v_s)] };
         let body = Body::new(part, v_s, 0.0, tool.a());
         round.distance = Table::new(&[-FRAC_PI_2, 0.0, FRAC_PI_2], [TABLE], |f| [round.clear_of(&body, f)]);
         round.off = [0, 1].map(|side| {
@@ -137,8 +142,7 @@ impl<'a> Round<'a> {
 
     /// An axis as high as metal stands beside the tool.
     fn seen(&self, axis: &Axis) -> Axis {
-        let reach = self.tool.a() + self.part.overhang();
-        as_metal(axis, self.part.circle.torus, reach, self.part.circle.u(self.v_s))
+        as_metal(axis, self.part.circle.torus, self.reach, self.part.circle.u(self.v_s))
     }
 
     /// The axis that leans off the nose, D from its ruling.
