@@ -5,7 +5,8 @@ use crate::gcode::code::G;
 use crate::gcode::control::Control;
 use crate::gcode::fields::DIALECT;
 use crate::gcode::rules::codes::{
-    EndMissing, EndsTooSoon, MachineCodeNotKnown, NoMachineCode, NotInRetract, RetractWithoutZ,
+    EndMissing, EndsTooSoon, MachineCodeNotKnown, NoMachineCode, NotInRetract, RetractInProgram, RetractWithoutZ,
+    SpindleCode,
 };
 use crate::gcode::word::{Number, Word};
 use crate::parameter::at;
@@ -33,8 +34,32 @@ pub fn refused_codes(dialect: &Control, key: Key, codes: &[Word], closing: bool)
     findings
 }
 
+/// G53, in tenths.
+const MACHINE_ZERO: usize = 530;
+
+/// The M codes that turn the spindle, stop it or hold it at an angle.
+const SPINDLE: [u32; 4] = [3, 4, 5, 19];
+
+/// The codes of a parameter that change how the spindle turns: with `starts`, all but M3 or M4 alone.
+#[must_use]
+pub fn refused_spindle(key: Key, codes: &[Word], starts: bool) -> Vec<Finding> {
+    let turning: Vec<u32> = codes
+        .iter()
+        .filter_map(|word| match word.number {
+            Number::Whole(number) if word.letter == 'M' && SPINDLE.contains(&number) => Some(number),
+            _ => None,
+        })
+        .collect();
+    if starts && matches!(turning.as_slice(), [] | [3 | 4]) {
+        return Vec::new();
+    }
+    turning.last().map(|&number| SpindleCode { key, number }.at(at([key]))).into_iter().collect()
+}
+
 /// What is wrong with the block of a parameter that takes the tool away: a code that the control does not know or rodete does
-/// not follow, one that changes how the blocks after it are read, one that ends the program, or axes without Z.
+/// not follow, one that changes how the blocks after it are read, one that ends the program, axes without Z, or Z in program
+/// coordinates where the control has G53. A return to a reference point goes over a point in program coordinates (the
+/// LinuxCNC manual, G28).
 #[must_use]
 pub fn refused_retract(dialect: &Control, key: Key, words: &[Word]) -> Vec<Finding> {
     let mut findings = Vec::new();
@@ -44,10 +69,7 @@ pub fn refused_retract(dialect: &Control, key: Key, words: &[Word]) -> Vec<Findi
         let letter = word.letter;
         let tenths = usize::try_from(number).unwrap_or(usize::MAX).saturating_mul(10);
         let known = match letter {
-            'G' => matches!(
-                dialect.codes.get(tenths),
-                Some(G::Rapid | G::MachineCoordinates | G::Reference(_) | G::Absolute)
-            ),
+            'G' => matches!(dialect.codes.get(tenths), Some(G::Rapid | G::MachineCoordinates | G::Absolute)),
             _ => dialect.knows_machine_code(number) && !matches!(number, 2 | 30),
         };
         if !known {
@@ -58,6 +80,11 @@ pub fn refused_retract(dialect: &Control, key: Key, words: &[Word]) -> Vec<Findi
         words.iter().filter(|word| matches!(word.number, Number::Size(_))).map(|word| word.letter).collect();
     if !sizes.is_empty() && !sizes.contains(&'Z') {
         findings.push(RetractWithoutZ {}.at(place()));
+    }
+    let has_machine_zero = matches!(dialect.codes.get(MACHINE_ZERO), Some(G::MachineCoordinates));
+    let by_program = !sizes.is_empty() && !words.contains(&Word::whole('G', 53));
+    if findings.is_empty() && by_program && has_machine_zero {
+        findings.push(RetractInProgram {}.at(place()));
     }
     findings
 }

@@ -26,12 +26,15 @@ pub struct Excess {
     pub limit: f64,
 }
 
+/// By how much a sum of thousandths may be off its place, mm or degrees: a limit that is just reached is kept.
+const SUMMED: f64 = 1e-6;
+
 /// Holds a position against a travel.
 #[must_use]
 pub fn excess(travel: Travel, position: f64) -> Option<Excess> {
     match travel {
-        [Some(limit), _] if position < limit => Some(Excess { position, limit }),
-        [_, Some(limit)] if position > limit => Some(Excess { position, limit }),
+        [Some(limit), _] if position < limit - SUMMED => Some(Excess { position, limit }),
+        [_, Some(limit)] if position > limit + SUMMED => Some(Excess { position, limit }),
         _ => None,
     }
 }

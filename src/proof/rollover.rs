@@ -53,7 +53,7 @@ fn answer(program: &Program, counting: Rotary, motions: usize, differs: Option<A
         );
         return asked.showing(value, limit).seen(motions).passes();
     };
-    let asked = asked.showing(t("solo linear", "linear only"), limit).seen(motions + 1);
+    let asked = asked.showing(t("solo ejes lineales", "linear axes only"), limit).seen(motions + 1);
     match counting {
         Rotary::Linear => asked.informs(),
         Rotary::Rollover => {

@@ -122,8 +122,8 @@ impl<'a> Characters<'a> {
             format!("{lines} lines of up to {longest} characters"),
         );
         let limit = Text::new(
-            format!("{}; ±5.3 cifras; {LONGEST}", program.control.name),
-            format!("{}; ±5.3 digits; {LONGEST}", program.control.name),
+            format!("{}: números ±99999.999, líneas de hasta {LONGEST}", program.control.name),
+            format!("{}: numbers ±99999.999, lines of up to {LONGEST}", program.control.name),
         );
         let asked = Question::new("characters", name, program).showing(value, limit).seen(lines);
         asked.at(self.fault.as_ref().map(|(at, _)| *at)).unless(self.fault.map(|(at, fault)| {

@@ -140,8 +140,8 @@ fn header_notes_and_checks_say_which_rotary_axes_a_program_is_true_for() {
                 "suits rollover and linear axes",
                 "rollover and linear: ",
             ),
-            ("fagor-8070", "ROLLOVER AX", "right only if A", "linear only"),
-            ("linuxcnc", "ROLLOVER AX", "right only if A", "linear only"),
+            ("fagor-8070", "ROLLOVER AX", "right only if A", "linear axes only"),
+            ("linuxcnc", "ROLLOVER AX", "right only if A", "linear axes only"),
         ] {
             let outcome = outcome(kind, dialect, &[]);
             let text = outcome.programs[0].text();

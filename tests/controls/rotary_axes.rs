@@ -132,10 +132,11 @@ fn positions_on_rollover_axes_are_refused_at_their_cells() {
 
 #[test]
 fn positions_are_written_where_the_axes_are_linear_and_it_is_told() {
-    let changes = absolute(&[("start_codes", line("M3 M11 M13")), ("retract", line("G0 Z100"))]);
+    let changes = absolute(&[("start_codes", line("M3 M11 M13")), ("retract", line("G0 G53 Z0"))]);
     let told = cautions(&changes);
     let outcome = outcome("full", &changes);
-    assert_eq!(told.len(), 1, "{told:?}");
+    // The other one is on G53.
+    assert_eq!(told.len(), 2, "{told:?}");
     assert!(told[0].1.starts_with("the programs are right only if B and C count as linear axes"), "{told:?}");
     let blade = milled(&outcome, "blade");
     assert!(blade.text().contains("VALID ONLY IF B AND C ARE NOT ROLLOVER AXES"));
@@ -163,7 +164,7 @@ fn every_program_says_which_rotary_axes_it_is_true_for() {
         assert!(format!("{:?}", table.columns).contains(says), "{case}");
     }
     let linear = outcome("full", &absolute(&[("dialect", Value::Choice("linuxcnc"))]));
-    assert_eq!(rollover::check(milled(&linear, "blade"), Rotary::Linear).value().en, "linear only");
+    assert_eq!(rollover::check(milled(&linear, "blade"), Rotary::Linear).value().en, "linear axes only");
 }
 
 #[test]
@@ -201,13 +202,15 @@ fn a_block_that_takes_the_tool_away_is_refused_where_it_does_something_else() {
         ("fagor-8055", "G0 Z100 M30", "retract holds M30: the dialect fagor-8055 does not allow it there"),
         ("fagor-8055", "G0 G53 X0", "retract moves axes but not Z: the tool does not leave the part"),
         ("fagor-8070", "G0 G53 Z0", "retract holds G53: the dialect fagor-8070 does not allow it there"),
+        ("linuxcnc", "G28 Z0", "retract holds G28: the dialect linuxcnc does not allow it there"),
     ] {
-        let findings = refusals(&[("dialect", Value::Choice(dialect)), ("retract", line(block))]);
+        let start_codes = ("start_codes", line(if dialect == "linuxcnc" { "M3" } else { "M3 M11 M13" }));
+        let findings = refusals(&[("dialect", Value::Choice(dialect)), ("retract", line(block)), start_codes]);
         assert_eq!(findings.len(), 1, "{block}: {findings:?}");
         assert_eq!(parameters(&findings[0].place), ["retract", "dialect"], "{block}");
         assert_eq!(findings[0].what.en, what, "{block}");
     }
-    for (dialect, block) in [("linuxcnc", "G0 G53 Z0"), ("linuxcnc", "G28 Z0"), ("fagor-8070", "G0 Z100")] {
+    for (dialect, block) in [("linuxcnc", "G0 G53 Z0"), ("fagor-8070", "G0 Z100")] {
         let changes = [("dialect", Value::Choice(dialect)), ("retract", line(block)), ("start_codes", line("M3"))];
         let text = program(&outcome("full", &changes), "blade");
         assert!(text.contains(&block.replace("Z0", "Z0.000").replace("Z100", "Z100.000")), "{dialect} {block}");

@@ -156,9 +156,9 @@ fn one_tool_for_both_is_told_of_once_and_sticks_out_alike() {
 
 #[test]
 fn the_largest_tool_for_a_rest_is_told_when_it_is_asked_for() {
-    assert!(told(&outcome(&[]), "left in the corner of blades").is_none());
+    assert!(told(&outcome(&[]), "left in the corner of face and floor").is_none());
     let asked = outcome(&[("h_r", Value::Real(0.6))]);
-    let what = told(&asked, "left in the corner of blades").unwrap();
+    let what = told(&asked, "left in the corner of face and floor").unwrap();
     let d: f64 = what.split("end mill is ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
     assert!((2.0..6.0).contains(&d), "{what}");
     // With that tool the plan leaves no more: the plan has these passes, and others.
@@ -167,7 +167,7 @@ fn the_largest_tool_for_a_rest_is_told_when_it_is_asked_for() {
     assert!(root <= 0.62, "{root} {what}");
     // A tool that leaves less is an answer to less.
     let asked = outcome(&[("h_r", Value::Real(0.4)), ("d_f", Value::Real(2.0))]);
-    let what = told(&asked, "left in the corner of blades").unwrap();
+    let what = told(&asked, "left in the corner of face and floor").unwrap();
     let d: f64 = what.split("end mill is ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
     assert!((2.0..6.0).contains(&d), "{what}");
 }
@@ -277,4 +277,39 @@ fn the_method_of_cutting_is_filled_in_next_to_the_tool() {
         sections.iter().position(|one| one.parameters.iter().any(|parameter| parameter.key == key)).unwrap()
     };
     assert_eq!((holds("method"), holds("d_f")), (holds("d_t") + 1, holds("d_t") + 1));
+}
+
+/// The half round of such a splitter stands farther above its faces than its axis was looked at: the design was rejected.
+#[test]
+fn a_splitter_whose_nose_stands_far_above_its_faces_is_cut_and_proved() {
+    let real = |key, value| (key, Value::Real(value));
+    let made = common::outcome(
+        "clear",
+        &[
+            real("R", 60.0),
+            real("r", 36.0),
+            real("e", 14.0),
+            real("a_p", 6.0),
+            ("N", Value::Whole(2)),
+            real("d_t", 3.0),
+            real("H", 150.0),
+            real("L_b", 160.0),
+            real("X_e", 200.0),
+            real("Z_b", 65.0),
+        ],
+    );
+    assert!(made.quantities.iter().any(|one| one.symbol == "v_s"), "{:?}", made.quantities);
+    assert!(common::program(&made, "finish").contains("G1 "));
+}
+
+/// Sums of increments are off by a hair: a machine whose B begins at 0 was rejected.
+#[test]
+fn a_limit_that_is_just_reached_is_kept_and_one_a_thousandth_inside_is_not() {
+    let refused = |key: &'static str, limit: f64| {
+        let values = common::values("clear", &[(key, Value::Real(limit))]);
+        let refusal = kinds::run(&FORM, values, common::source()).err()?;
+        Some(refusal.findings.iter().filter(|finding| finding.code() == "V0008").count())
+    };
+    assert_eq!(refused("B_min", 0.0), None);
+    assert!(refused("B_min", 0.001).is_some_and(|count| count > 0));
 }

@@ -502,3 +502,12 @@ fn a_torch_not_lit_for_the_cut_or_not_put_out_after_it_is_caught() {
         assert_eq!(torch(&without, codes()).grade(), Some(Grade::Stop), "{code:?}");
     }
 }
+
+/// g0 less the tolerance of the arcs may be nothing: a torch 2 mm inside the pipe passed.
+#[test]
+fn a_large_tolerance_of_arcs_does_not_let_the_torch_come_near() {
+    let made = run(&[("Z_s", Value::Real(1.0)), ("arc_tolerance", Value::Real(5.0))]);
+    let findings = made.map_or_else(|refusal| refusal.findings, |outcome| outcome.findings);
+    let stops = findings.iter().filter(|finding| finding.grade == Grade::Stop);
+    assert_eq!(stops.map(Finding::code).collect::<Vec<_>>(), ["V0302"]);
+}

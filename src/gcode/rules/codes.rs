@@ -49,4 +49,17 @@ rules! {
         why "La herramienta se movería de lado, a la altura a la que esté, y puede atravesar la pieza.",
             "The tool would move sideways at its present height and may go through the part.";
         example book!("impeller", "retract" = "G0 G53 X0");
+    "C1008" RetractInProgram Stop {}
+        es "retract mueve Z en coordenadas de programa, que valen para la punta de la fresa que va a cortar: en el husillo puede haber aún otra"
+        en "retract moves Z in program coordinates, which hold for the tip of the tool that will cut: another one may still be in the spindle"
+        remedy "escriba G53 en el bloque (G0 G53 Z0), o deje la celda vacía y retire la herramienta a mano",
+            "write G53 in the block (G0 G53 Z0), or leave the cell empty and retract the tool by hand";
+        why "La punta de una fresa más larga llega más abajo, quizá hasta la pieza.", "The tip of a longer cutter reaches lower, perhaps into the part.";
+        example book!("impeller", "retract" = "G0 Z100");
+    "C1009" SpindleCode Stop { key: Key, number: u32 }
+        es "{key} lleva M{number}, que cambia el giro del husillo"
+        en "{key} holds M{number}, which changes how the spindle turns"
+        remedy "escriba M3 o M4 en start_codes, uno de los dos y nada más del husillo", "write M3 or M4 in start_codes, one of the two and no other spindle code";
+        why "La fresa cortaría parada o girando al revés.", "The cutter would cut at a standstill or turning backwards.";
+        example book!("impeller", "coolant" = "M5");
 }

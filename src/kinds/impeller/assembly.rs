@@ -159,15 +159,9 @@ impl<'a> Assembly<'a> {
         Ok(assembly)
     }
 
-    /// The retract height: what no part within R of the axis reaches at any B, and d_s more; rounded up.
-    fn retract(&self) -> Result<Milli, OutOfFormat> {
-        let height = self.design.machine.swing(self.design.torus.R) + self.design.d_s;
-        Milli::round((height * 1000.0).ceil() / 1000.0)
-    }
-
     fn approach(&mut self) -> Result<(), OutOfFormat> {
         let design = self.design;
-        let height = self.retract()?;
+        let height = Milli::round(design.retract_height())?;
         self.start = Position::default().with(Axis::Z, height);
         self.at = self.start;
         self.writer.safety();

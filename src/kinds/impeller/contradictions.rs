@@ -2,8 +2,8 @@
 
 use crate::finding::{Bare, Finding, Raise, Size, Typed};
 use crate::gcode::control::Rotary as Counting;
-use crate::gcode::machine_codes::{refused_codes, refused_retract};
-use crate::gcode::word::Distance;
+use crate::gcode::machine_codes::{refused_codes, refused_retract, refused_spindle};
+use crate::gcode::word::{Distance, Number, Word};
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::kinds::impeller::blank::BlankTurning;
@@ -12,12 +12,13 @@ use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::rules::{
     AbsoluteOnRollover, BladeTooThick, CutThroughHub, EndInsideStock, FeedBeyondMachine, NoBladeFits, NoThicknessFits,
-    PivotInside, SafePointsInside, StepBeyondMeridian, StockTooShort, TooManyBlades, TooManyBlocks, ToolBeyondHollow,
-    TorusCloses, TravelReversed,
+    PivotInside, RetractOutside, RetractSideways, RetractTooLow, SafePointsInside, StepBeyondMeridian, StockTooShort,
+    TooManyBlades, TooManyBlocks, ToolBeyondHollow, TorusCloses, TravelReversed,
 };
 use crate::kinds::rules::{AnnexCarriesNoFeed, FullStyleNeeds};
 use crate::limits::PROGRAM_BLOCKS;
-use crate::machine::travel::AxisTravel;
+use crate::machine::axis::Axis;
+use crate::machine::travel::{AxisTravel, excess};
 use crate::number::shown;
 use crate::parameter::at;
 
@@ -146,6 +147,31 @@ impl Design {
         }
     }
 
+    /// The block that takes the tool away, where it does so in program coordinates: no other judge follows it.
+    fn check_retract(&self, findings: &mut Vec<Finding>) {
+        if self.retract.is_empty() || self.retract.contains(&Word::whole('G', 53)) {
+            return;
+        }
+        for word in &self.retract {
+            let Number::Size(size) = word.number else { continue };
+            let place = at([form::RETRACT.key()]);
+            if word.letter != 'Z' {
+                findings.push(RetractSideways { axis: word.letter }.at(place));
+                continue;
+            }
+            let (z, height) = (size.value(), self.retract_height());
+            let beyond = self.travel.iter().find(|travel| travel.axis == Axis::Z);
+            if z < height {
+                let told = RetractTooLow { z: Size::mm(z), height: Size::mm(height) };
+                findings.push(told.at(place).with(mm(z), mm(height)));
+            } else if let Some((travel, beyond)) = beyond.and_then(|of| Some((of, excess(of.ends, z)?))) {
+                let told = RetractOutside { z: Size::mm(z), limit: Size::mm(beyond.limit) };
+                let [low, high] = travel.keys;
+                findings.push(told.at(at([form::RETRACT.key(), low, high])).with(mm(z), mm(beyond.limit)));
+            }
+        }
+    }
+
     fn check_program(&self, findings: &mut Vec<Finding>) {
         if self.style == Style::Full {
             for (symbol, missing) in [(form::F.key(), self.F.is_none()), (form::S.key(), self.S.is_none())] {
@@ -161,7 +187,13 @@ impl Design {
             let place = at([form::DISTANCE.key(), form::ROTARY.key(), form::DIALECT.key()]);
             findings.push(AbsoluteOnRollover {}.at(place));
         }
-        findings.extend(refused_retract(self.control, form::RETRACT.key(), &self.retract));
+        let refused = refused_retract(self.control, form::RETRACT.key(), &self.retract);
+        if refused.is_empty() {
+            self.check_retract(findings);
+        }
+        findings.extend(refused);
+        findings.extend(refused_spindle(form::COOLANT.key(), &self.coolant, false));
+        findings.extend(refused_spindle(form::START_CODES.key(), &self.start_codes, true));
         findings.extend(refused_codes(self.control, form::COOLANT.key(), &self.coolant, false));
         findings.extend(refused_codes(self.control, form::START_CODES.key(), &self.start_codes, false));
         findings.extend(refused_codes(self.control, form::END_CODES.key(), &self.end_codes, true));

@@ -102,6 +102,12 @@ pub struct Design {
 }
 
 impl Design {
+    /// Z_r, the retract height: what no part within R of the axis reaches at any B, and d_s more; rounded up, mm.
+    #[must_use]
+    pub fn retract_height(&self) -> f64 {
+        ((self.machine.swing(self.torus.R) + self.d_s) * 1000.0).ceil() / 1000.0
+    }
+
     /// w = (e + d_t)/2.
     #[must_use]
     pub fn w(&self) -> f64 {

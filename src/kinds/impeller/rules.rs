@@ -343,4 +343,37 @@ rules! {
         why "Con la longitud en la tabla y en el cero, la punta queda baja o alta en toda la longitud de la fresa.",
             "With the length both in the table and in the zero, the tip is too low or too high by the whole length of the tool.";
         example book!("impeller --case full", "dialect" = "fagor-8070", "retract" = "");
+    "P1050" RetractTooLow Stop { z: Size, height: Size }
+        es "retract lleva Z a {z}, por debajo de la altura de retirada Z_r de {height}"
+        en "retract takes Z to {z}, below the retract height Z_r of {height}"
+        remedy "escriba esa altura o una mayor, o deje la celda vacía y retire la herramienta a mano",
+            "write that height or a greater one, or leave the cell empty and retract the tool by hand";
+        why "Por debajo de Z_r la fresa puede entrar en la pieza, según cómo esté B.", "Below Z_r the cutter may go into the part, depending on B.";
+        example book!("impeller", "dialect" = "fagor-8070", "start_codes" = "M3", "retract" = "G0 Z-20");
+    "P1051" RetractSideways Stop { axis: char }
+        es "retract mueve también {axis}, en coordenadas de programa: la fresa puede cruzar la pieza de lado"
+        en "retract moves {axis} as well, in program coordinates: the cutter may cross the part sideways"
+        remedy "deje solo Z en el bloque", "leave only Z in the block";
+        why "Un movimiento rápido en diagonal no sube antes de ir de lado.", "A diagonal rapid move does not go up before it goes sideways.";
+        example book!("impeller", "dialect" = "fagor-8070", "start_codes" = "M3", "retract" = "G0 X0 Z100");
+    "P1052" RetractOutside Stop { z: Size, limit: Size }
+        es "retract lleva Z a {z}, fuera de su recorrido (límite {limit})"
+        en "retract takes Z to {z}, beyond its travel (limit {limit})"
+        remedy "escriba una altura dentro del recorrido", "write a height within the travel";
+        why "El control se para en el final de carrera, con el programa a medio empezar.", "The control stops at the limit switch with the program hardly begun.";
+        example book!("impeller", "dialect" = "fagor-8070", "start_codes" = "M3", "retract" = "G0 Z100", "Z_max" = "50");
+    "P1053" RetractByProgram Caution { z: Size }
+        es "retract lleva Z a {z} en coordenadas de programa: cuenta con el cero y el corrector que estén activos en ese momento, y rodete no los conoce"
+        en "retract takes Z to {z} in program coordinates: it counts with the zero and the tool offset that are in force at that moment, and rodete does not know them"
+        remedy "compruébelo antes de cada arranque con la herramienta que esté en el husillo, o deje la celda vacía y retire la herramienta a mano",
+            "check this before each start with the tool that is in the spindle, or leave the cell empty and retract the tool by hand";
+        why "Con otro corrector la punta llega más abajo.", "With another offset the tip reaches lower.";
+        example book!("impeller", "dialect" = "fagor-8070", "start_codes" = "M3", "retract" = "G0 Z100");
+    "P1054" RetractElsewhere Caution { z: Size }
+        es "retract lleva Z a {z} en coordenadas de máquina: rodete no sabe si la fresa libra ahí la pieza"
+        en "retract takes Z to {z} in machine coordinates: rodete does not know whether the cutter clears the part there"
+        remedy "compruebe esa posición en la máquina, o escriba Z0 si el cero máquina está en lo alto de Z",
+            "check that position on the machine, or write Z0 if machine zero is at the top of Z";
+        why "El bloque va en rápido y con B en cualquier ángulo.", "The block is rapid, with B at whatever angle.";
+        example book!("impeller", "retract" = "G0 G53 Z-300");
 }

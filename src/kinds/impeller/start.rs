@@ -1,14 +1,15 @@
 //! What a person must know before an impeller's program is started: rotary axes, clamps, spindle, coolant, and where the tool stands.
 
-use crate::finding::{Finding, Raise};
+use crate::finding::{Finding, Raise, Size};
 use crate::gcode::control::Rotary;
 use crate::gcode::word::{Distance, Number, Word};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::rules::{
     AnnexByIncrements, ClampsMissing, ClampsOfBuilder, IncrementsFromZero, NoCoolant, NoRetract, OnLinearAxes,
-    OnLinearAxesUnproved, RetractIsAssumed, SpindleNotStarted, TurnsByIncrements,
+    OnLinearAxesUnproved, RetractByProgram, RetractElsewhere, RetractIsAssumed, SpindleNotStarted, TurnsByIncrements,
 };
+use crate::kinds::rules::corners_between_blocks;
 use crate::parameter::at;
 
 /// The codes that the published programs release the clamps of the rotary axes with; the machine's builder defined them.
@@ -35,6 +36,7 @@ pub(super) fn start(design: &Design) -> Vec<Finding> {
     if design.style == Style::Full {
         findings.extend(retract(design));
     }
+    findings.extend(corners_between_blocks(design.control));
     findings
 }
 
@@ -68,15 +70,26 @@ fn clamps(design: &Design) -> Finding {
     }
 }
 
-fn retract(design: &Design) -> Option<Finding> {
+fn retract(design: &Design) -> Vec<Finding> {
+    let place = || at([form::RETRACT.key()]);
     if design.retract.is_empty() {
-        return Some(NoRetract {}.at(at([form::RETRACT.key()])));
+        return vec![NoRetract {}.at(place())];
     }
-    let by_machine_zero = holds(&design.retract, 'G', 53);
-    let heights = design.retract.iter().filter(|word| matches!(word.number, Number::Size(_))).count();
-    let assumed = match design.control.rotary.delivered {
-        Rotary::Rollover => by_machine_zero && heights > 0,
-        Rotary::Linear => false,
+    let height = |word: &Word| match word.number {
+        Number::Size(size) if word.letter == 'Z' => Some(size.value()),
+        _ => None,
     };
-    assumed.then(|| RetractIsAssumed {}.at(at([form::RETRACT.key()])))
+    let Some(z) = design.retract.iter().find_map(height) else { return Vec::new() };
+    if !holds(&design.retract, 'G', 53) {
+        return vec![RetractByProgram { z: Size::mm(z) }.at(place())];
+    }
+    let mut findings = Vec::new();
+    match design.control.rotary.delivered {
+        Rotary::Rollover => findings.push(RetractIsAssumed {}.at(place())),
+        Rotary::Linear => {}
+    }
+    if z != 0.0 {
+        findings.push(RetractElsewhere { z: Size::mm(z) }.at(place()));
+    }
+    findings
 }

@@ -97,7 +97,7 @@ fn rows() -> Vec<LiveRow> {
         body(
             "ΔBX",
             "live_body_X",
-            t("Cuerpo de la torreta en X, en diámetro", "Turret's body in X, as a diameter"),
+            t("Cuerpo de la torreta en X, en radio", "Turret's body in X, on the radius"),
             ["body_BX_min", "body_BX_max"],
         ),
         body(

@@ -44,7 +44,7 @@ pub(super) fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> 
         quantity("V", t("Volumen de la pieza", "Volume of the part"), left, mm3, none()),
         quantity(
             "a_p",
-            t("Profundidad de pasada máxima", "Maximum depth of cut"),
+            t("Profundidad de pasada máxima (en una broca, su radio)", "Maximum depth of cut (of a drill its radius)"),
             most(|all| all.depth),
             Unit::Millimetre,
             none(),

@@ -152,7 +152,10 @@ pub(in crate::kinds::impeller) static HOLDER: Field<f64, Optional> = Field::real
     MM,
     [1.0, 500.0],
     t("Diámetro del portaherramientas", "Diameter of the holder"),
-    t("Con l_t o l_f; vacía: cualquiera", "With l_t or l_f; empty: any"),
+    t(
+        "Solo con l_t o l_f; vacía: un portaherramientas de cualquier diámetro",
+        "Only with l_t or l_f; empty: a holder of any diameter",
+    ),
 );
 
 pub(in crate::kinds::impeller) static CORNER: Field<f64, Usual> = Field::real_or(

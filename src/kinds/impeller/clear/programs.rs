@@ -18,7 +18,7 @@ use crate::kinds::impeller::part::Face;
 use crate::kinds::impeller::programs::{Programs, blank, part_of_turn};
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// The feed that a pass into the full metal may be run at, as a part of F: what its name ends with says which these are.
 pub const SLOT: (&str, f64) = ("-slot", 0.5);
@@ -50,6 +50,15 @@ impl Pass {
     #[must_use]
     pub fn key(&self) -> &'static str {
         self.cutting.key(self.feed < 1.0)
+    }
+}
+
+/// What the program of a tool is called.
+#[must_use]
+pub const fn title(which: Which) -> Text {
+    match which {
+        Which::Rough => t("Desbaste del rodete", "Roughing of the impeller"),
+        Which::Finish => t("Acabado del rodete", "Finishing of the impeller"),
     }
 }
 
@@ -135,11 +144,11 @@ pub fn programs(design: &Design, plan: &Plan, origin: &Origin<'_>) -> Result<Pro
                 pass.run(&mut assembly, turn);
             }
         }
-        let (operation, title) = match which {
-            Which::Rough => (Operation::Rough, t("Desbaste del rodete", "Roughing of the impeller")),
-            Which::Finish => (Operation::Finish, t("Acabado del rodete", "Finishing of the impeller")),
+        let operation = match which {
+            Which::Rough => Operation::Rough,
+            Which::Finish => Operation::Finish,
         };
-        let mut program = assembly.finish(operation, title);
+        let mut program = assembly.finish(operation, title(which));
         let mut parts = header(design, &program, which, None, origin);
         parts.append(&mut program.parts);
         program.parts = parts;

@@ -7,6 +7,7 @@ use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
 use crate::kinds::impeller::clear::holder::Blank;
 use crate::kinds::impeller::clear::plan::Plan;
+use crate::kinds::impeller::clear::programs::title;
 use crate::kinds::impeller::clear::root::largest;
 use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
@@ -22,6 +23,8 @@ use crate::text::{Language, Text, t};
 
 /// The least that must be left of ε beside the rounding, mm.
 const LEFT: f64 = 0.001;
+/// What part of the blade's thickness the tolerance may be: both faces may be entered by it.
+const THINNED: f64 = 4.0;
 /// Below this change of the feed nothing is said.
 const UNSAID: f64 = 0.02;
 
@@ -72,6 +75,11 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
         let least = Size::mm((least * 1000.0).ceil() / 1000.0);
         let tol = Size { decimals: 4, ..Size::mm(asked.tolerance) };
         findings.push(missed(ToleranceBelowResolution { tol, least }.at(at([form::TOL.key()])), tol, least));
+    }
+    if asked.tolerance > design.e / THINNED {
+        let (tol, most) =
+            (Size { decimals: 4, ..Size::mm(asked.tolerance) }, Size { decimals: 4, ..Size::mm(design.e / THINNED) });
+        findings.push(missed(ToleranceThinsBlade { tol, most }.at(at([form::TOL.key(), form::E.key()])), tol, most));
     }
     if asked.cut.s >= design.a_p {
         let (s, a_p) = (Size::mm(asked.cut.s), Size::mm(design.a_p));
@@ -148,7 +156,7 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
         } else {
             stick_outs().into_iter().map(|(_, key)| key).chain([holder]).collect()
         };
-        findings.extend(too_long(tool_name(which), plan.all_blocks(which) as u64));
+        findings.extend(too_long(title(which), plan.all_blocks(which) as u64));
         let Some(stage) = asked.cut.stage(which) else { continue };
         let stock = Stock { torus: design.torus, length: design.blank.L_b };
         let blank = Blank { stock, L: design.machine.L };
@@ -229,7 +237,8 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
             findings.push(StickOutThatIsEnough { tool: tool_name(which), enough }.at(at([key])));
         }
         let change = greatest(which, |tool| tool.feed_error);
-        if change > UNSAID {
+        // What the form admits needs no word.
+        if change > asked.cut.feed.unwrap_or(0.0).max(UNSAID) {
             let change = Size::number((change * 1000.0).ceil() / 10.0, 1);
             findings.push(FeedChangesInBlock { tool: tool_name(which), change }.at(at([fields::FEED_CHANGE.key()])));
         }

@@ -81,8 +81,8 @@ rules! {
         why "Cuenta el bruto, no las mordazas ni el plato.", "The blank is counted, clamps and chuck are not.";
         example book!("impeller", "splitters" = "no", "l_t" = "");
     "P1210" RestAtTheRoot Note { over: Size, height: Size, here: Size, width: Size, there: Size }
-        es "en el rincón de cara y fondo quedan más de {over} hasta {height} de alto, al {here} % del camino del cubo al borde, y {width} de ancho, al {there} %"
-        en "in the corner of face and floor more than {over} is left, up to {height} high, at {here} % of the way from hub to rim, and {width} wide, at {there} %"
+        es "en el rincón de cara y fondo queda material de hasta {height} de alto, al {here} % del camino del cubo al borde, y {width} de ancho, al {there} %; no cuenta lo que no pasa de {over}"
+        en "in the corner of face and floor a rest of up to {height} in height, at {here} % of the way from hub to rim, and {width} in width, at {there} %, stays; what is no thicker than {over} is not counted"
         remedy "una fresa de acabado menor deja menos", "a smaller finishing tool leaves less";
         why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");
@@ -147,9 +147,9 @@ rules! {
         why "Con partly = sí cada fresa corta hasta donde cabe.", "With partly = yes each tool cuts as far as it fits.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8", "d_f" = "3", "T_f" = "2", "D_f" = "2");
     "P1221" LargestForTheRoot Note { height: Size, tool: Text, left: Size }
-        es "para que queden {height} como mucho en el rincón de álabes y fondo: {tool}; la fresa de acabado dada deja hasta {left}"
-        en "for at most {height} left in the corner of blades and floor: {tool}; the finishing tool given leaves up to {left}"
-        remedy "elija d_f según el resto que admita", "choose d_f by the rest that you allow";
+        es "para que queden {height} como mucho en el rincón de cara y fondo: {tool}; la fresa de acabado dada deja hasta {left}"
+        en "for at most {height} left in the corner of face and floor: {tool}; the finishing tool given leaves up to {left}"
+        remedy "escriba en d_f ese diámetro o uno menor, o una h_r mayor", "write that diameter or a smaller one in d_f, or a larger h_r";
         why "Se prueban fresas frontales con sus pasadas junto a las caras de los álabes. Alrededor de la nariz de un álabe intermedio puede quedar más.",
             "Flat end mills are tried with their passes along the blades' faces. Round the nose of a splitter more may be left.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "h_r" = "0.4");
@@ -188,10 +188,16 @@ rules! {
             "A pass comes in at the hub or at the rim; with partly = yes none comes in at the hub, and a splitter shuts the way from the rim.";
         example book!("impeller", "r" = "18", "e" = "1", "d_f" = "", "T_f" = "", "D_f" = "", "c_s" = "0.1", "tol" = "0.02", "partly" = "yes");
     "P1227" HolderThinnerThanTool Caution { holder: Size, tool: Text, d: Size }
-        es "d_h = {holder} es menor que el diámetro de {tool}, {d}: si es el de su mango, el portaherramientas queda sin comprobar"
-        en "d_h = {holder} is less than the diameter of {tool}, {d}: if it is that of its shank, the holder is not checked"
+        es "d_h = {holder} es menor que el diámetro de {tool}, {d}: si d_h es el del mango, el portaherramientas que hay encima queda sin comprobar"
+        en "d_h = {holder} is less than the diameter of {tool}, {d}: if d_h is that of the shank, the holder above it is not checked"
         remedy "escriba en d_h el diámetro del portaherramientas, y el voladizo desde la punta hasta él", "fill in d_h with the diameter of the holder, and the stick-out from the tip to it";
         why "rodete comprueba un solo cilindro, que empieza donde acaba el voladizo; lo que hay más arriba y es más ancho no lo mira.",
             "rodete checks one cylinder, which begins where the stick-out ends; what is wider farther up is not looked at.";
         example book!("impeller", "splitters" = "no", "l_t" = "8", "d_h" = "3");
+    "P1228" ToleranceThinsBlade Stop { tol: Size, most: Size }
+        es "con una tol de {tol} las dos caras del álabe pueden perder la mitad de su espesor; como mucho vale {most}"
+        en "with a tol of {tol} the two faces of the blade may lose half of its thickness; {most} at most will do"
+        remedy "elija una tol menor", "choose a smaller tol";
+        why "Cada cara puede perder hasta tol: el álabe queda más delgado.", "Each face may lose up to tol: the blade comes out thinner.";
+        example book!("impeller", "e" = "0.3", "tol" = "0.2");
 }

@@ -7,7 +7,7 @@
 //! | [`floor`], by [`cutting`] | how much deeper than the floor does the tool's rim cut |
 //! | [`flanks`], by [`cutting`] | does the tool keep clear of the other blades |
 //! | [`clear`] | of a clear cut: does the tool keep out of faces, splitters and floor |
-//! | [`tool_terms`] | of a clear cut: do tool, spindle and speed in force stand in the form |
+//! | [`tool_terms`] | do tool, spindle and speed in force stand in the form |
 //! | [`stock`] | does it keep clear of the stock where it does not cut |
 //! | [`blank`] | does the turning program leave the torus, cut at the speeds and feeds asked for, and nowhere at rapid |
 
@@ -76,11 +76,23 @@ pub fn setting(design: &Design, program: &Program) -> Setting {
 }
 
 /// What is asked of every program that mills.
-const MILLING: &[&str] =
-    &["agreement", "passes", "closure", "travel", "turning", "feed", "safe-points", "clear-moves", "arcs", "rotary"];
+const MILLING: &[&str] = &[
+    "agreement",
+    "tool",
+    "passes",
+    "closure",
+    "travel",
+    "turning",
+    "feed",
+    "safe-points",
+    "clear-moves",
+    "arcs",
+    "rotary",
+];
 /// What is asked of the program that is the first to cut a track, beside that.
 const FIRST: &[&str] = &[
     "agreement",
+    "tool",
     "passes",
     "closure",
     "travel",
@@ -188,6 +200,7 @@ fn published<'a>(
     let (design, Known { tracks, clear_moves, .. }) = (geometry.design, known);
     vec![
         Box::new(Agreement::of_the_tip(design.machine, program)),
+        Box::new(ToolTerms::new(design, design.mill(Which::Rough))),
         Box::new(Passes::new(expected(design, operation))),
         Box::new(Closure::new(turn(design, operation))),
         Box::new(Axes::new(design.travel)),

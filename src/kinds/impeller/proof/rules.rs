@@ -5,7 +5,7 @@ use crate::finding::{Example, Size};
 use crate::text::{Text, t};
 
 /// The cells of a clear cut without splitters.
-const CLEAR: &[(&str, &str)] = &[("splitters", "no"), ("c_s", "0.02"), ("delta", "")];
+const CLEAR: &[(&str, &str)] = &[("splitters", "no"), ("c_s", "0.02"), ("tol", "0.01"), ("delta", "")];
 
 crate::finding::rule::rules! {
     /// The rows of this room.
@@ -153,7 +153,7 @@ crate::finding::rule::rules! {
         en "the tool enters a splitter by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
         remedy "use una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o menos álabes o más delgados", "use a smaller tool in this program (d_t in roughing, d_f in finishing), or fewer or thinner blades";
         why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
-        example Example::Slip { kind: "impeller", cells: &[("c_s", "0.02"), ("delta", "")], program: "finish", from: "N50980 G1 X-3.520", to: "N50980 G1 X-3.820" };
+        example Example::Slip { kind: "impeller", cells: &[("c_s", "0.02"), ("tol", "0.01"), ("delta", "")], program: "finish", from: "N50980 G1 X-3.520", to: "N50980 G1 X-3.820" };
     "V0128" ClearMayCut Stop { limit: Size, line: usize, program: Text }
         es "no está demostrado que la herramienta entre menos de {limit} en las caras: pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the tool enters the faces by less than {limit}: it comes nearest in line {line} of \"{program}\""

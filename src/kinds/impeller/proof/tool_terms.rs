@@ -1,8 +1,8 @@
-//! With which tool, and how the spindle turns, while the tool of a clear cut is anywhere near the part: two tools of two
-//! diameters have two programs, and the right path with the wrong one of them spoils the part.
+//! With which tool, and how the spindle turns, while the tool is anywhere near the part: the two tools of a clear cut have two
+//! programs, and the right path with the wrong one of them spoils the part.
 //!
 //! T is compared with the form at every motion of the plan, rapids included, and no length offset may be in force: the zero
-//! of Z is that of the tip. The spindle and S are compared at every motion at feed. D is not: which offset a mill's D brings
+//! of Z is that of the tip. The published layout calls no tool and gives no S: there the spindle alone is compared. The spindle and S are compared at every motion at feed. D is not: which offset a mill's D brings
 //! is not known without the machine's table.
 
 use crate::finding::Raise;
@@ -11,7 +11,7 @@ use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
 use crate::gcode::word::Word;
 use crate::kinds::impeller::clear::asked::Mill;
-use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::proof::rules::ClearTermsDiffer;
 use crate::number::shown;
 use crate::proof::check::{At, Check, Question};
@@ -21,7 +21,8 @@ use crate::text::{Text, t};
 /// Watches tool and spindle of one program.
 #[derive(Debug)]
 pub struct ToolTerms {
-    mill: Mill,
+    /// Tool and speed; `None` in the published layout.
+    mill: Option<Mill>,
     /// As the codes at the start of the program turn it; `None` where they leave that to the operator.
     spindle: Option<Spindle>,
     seen: usize,
@@ -42,12 +43,16 @@ impl ToolTerms {
     pub fn new(design: &Design, mill: Mill) -> Self {
         let starts = |number: u32| design.start_codes.contains(&Word::whole('M', number));
         let spindle = if starts(3) { Some(Spindle::Clockwise) } else { starts(4).then_some(Spindle::CounterClockwise) };
+        let mill = match design.style {
+            Style::Full => Some(mill),
+            Style::Annex => None,
+        };
         Self { mill, spindle, seen: 0, wrong: None }
     }
 
     /// What is in force other than the form says.
     fn difference(&self, kind: &MotionKind, control: &InForce) -> Option<String> {
-        if control.tool != self.mill.T {
+        if self.mill.is_some_and(|mill| control.tool != mill.T) {
             return Some(format!("T{}", control.tool));
         }
         // The length of the tool is in the zero of Z.
@@ -60,7 +65,7 @@ impl ToolTerms {
         if self.spindle.is_some_and(|spindle| spindle != control.spindle) {
             return Some(turning(control.spindle).to_owned());
         }
-        let wanted = f64::from(self.mill.S?);
+        let wanted = f64::from(self.mill?.S?);
         match control.speed {
             Speed::Revolutions(speed) if (speed - wanted).abs() < 0.5 => None,
             Speed::Revolutions(speed) => Some(format!("S{}", shown(speed, 3))),
@@ -69,9 +74,9 @@ impl ToolTerms {
     }
 
     fn wanted(&self) -> String {
-        let mut words = vec![format!("T{}", self.mill.T)];
+        let mut words: Vec<String> = self.mill.map(|mill| format!("T{}", mill.T)).into_iter().collect();
         words.extend(self.spindle.map(|spindle| turning(spindle).to_owned()));
-        words.extend(self.mill.S.map(|S| format!("S{S}")));
+        words.extend(self.mill.and_then(|mill| mill.S).map(|S| format!("S{S}")));
         words.join(" ")
     }
 }

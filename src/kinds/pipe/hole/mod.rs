@@ -21,7 +21,7 @@ pub mod station;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Raise, Rule, Said, Size};
+use crate::finding::{Finding, Grade, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
@@ -30,6 +30,7 @@ use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Shown, Wants, out_of_format};
+use crate::kinds;
 use crate::kinds::pipe::form::{D_HEADER, DIALECT};
 use crate::kinds::pipe::hole::bounds::too_high;
 use crate::kinds::pipe::hole::cut::{Cut, NoWay, TooHigh, UPRIGHT, cut};
@@ -74,7 +75,8 @@ impl Method for Hole {
 
     const FORM: &'static Form = &FORM;
     const CASES: &'static [Case] = &cases::CASES;
-    const RULES: &'static [&'static [&'static Rule]] = &[pipe::rules::RULES, rules::RULES, proof::rules::RULES];
+    const RULES: &'static [&'static [&'static Rule]] =
+        &[kinds::rules::RULES, pipe::rules::RULES, rules::RULES, proof::rules::RULES];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-hole/labels.typ"),
         method: [
@@ -332,5 +334,7 @@ fn remarks(design: &Design, held: bool) -> Vec<Finding> {
         Distance::Absolute => HoleOnLinearAxes {}.at(at([DIALECT.key()])),
     });
     findings.push(TurnsAboutTip {}.at(at([DIALECT.key()])));
+    // A jet is wider than what a corner is rounded by.
+    findings.extend(kinds::rules::corners_between_blocks(design.control).map(|one| one.graded(Grade::Note)));
     findings
 }

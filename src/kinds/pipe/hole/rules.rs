@@ -71,7 +71,7 @@ rules! {
             "A beam parallel to the wall does not go through it, and one from below crosses the bore and cuts the opposite wall.";
         example book!("pipe-hole", "gamma" = "60", "theta" = "60");
     "P3011" HeightNotHeld Caution {}
-        es "la altura planeada no es siempre d0 y el programa no bloquea el control de altura: la antorcha bajaría y chocaría"
+        es "la altura calculada no es siempre d0 y el programa no bloquea el control de altura: la antorcha bajaría y chocaría"
         en "the planned height is not d0 everywhere, and the program does not hold the height control: the torch would come down and touch"
         remedy "escriba hold_on y hold_off, o desactive el control de altura", "fill in hold_on and hold_off, or switch off the height control";
         why "El control de altura mide la tensión del arco y lleva la antorcha a d0, también donde el plan la necesita más alta.",

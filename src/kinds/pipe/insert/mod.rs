@@ -33,7 +33,7 @@ pub mod rules;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Raise, Rule, Said, Size};
+use crate::finding::{Finding, Grade, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
@@ -429,6 +429,8 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
         findings.push(OutsideForInside { r, D, off }.at(at([EXPERT_BRANCH_R.key(), D_BRANCH.key(), R_DEV.key()])));
     }
     findings.extend(seat(design, rest));
+    // A jet is wider than what a corner is rounded by.
+    findings.extend(kinds::rules::corners_between_blocks(design.control).map(|one| one.graded(Grade::Note)));
     let below = -design.template().extent()[0];
     if below > 1e-9 {
         let told = CurveBehindEdge { below: Size::mm(below), least: Size::mm(design.Z + below) };

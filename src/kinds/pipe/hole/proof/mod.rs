@@ -463,9 +463,9 @@ fn degrees(chord: f64) -> f64 {
     2.0 * asin((chord / 2.0).clamp(0.0, 1.0)).to_degrees()
 }
 
-/// What the torch must keep clear by.
+/// What the torch must keep clear by, mm: g0 less what arcs and rounding take, and half of it however large their tolerance is.
 fn clear_limit(design: &Design) -> f64 {
-    design.g0 - design.arc_tolerance - rounding(design)
+    (design.g0 - design.arc_tolerance - rounding(design)).max(design.g0 / 2.0)
 }
 
 /// The checks that must be answered.

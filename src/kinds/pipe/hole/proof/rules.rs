@@ -13,8 +13,8 @@ crate::finding::rule::rules! {
             "Welding procedures allow a tolerance of only a few degrees on the groove angle.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "B29.910", to: "B35.910" };
     "V0302" TorchTooNear Stop { distance: Size, g0: Size }
-        es "la antorcha se acerca a {distance} del tubo; el mínimo es g0 = {g0}"
-        en "the torch comes within {distance} of the pipe; the minimum is g0 = {g0}"
+        es "la distancia de la antorcha al tubo baja a {distance} (negativa: entra en él); el mínimo es g0 = {g0}"
+        en "the distance of the torch from the pipe falls to {distance} (negative: inside it); the minimum is g0 = {g0}"
         remedy "elija un g0 o una Z_s mayor, o una entrada más corta", "choose a larger g0 or Z_s, or a shorter lead-in";
         why "Si la antorcha toca el tubo, se dobla y pierde el arco.",
             "A torch that touches the pipe bends and loses its arc.";
@@ -29,7 +29,7 @@ crate::finding::rule::rules! {
     "V0304" CutSlows Caution { speed: Size, line: usize }
         es "el corte baja a {speed} en la línea {line}: a la velocidad pedida un eje pasaría de su límite"
         en "the cut slows to {speed} in line {line}: at the full speed an axis would pass its limit"
-        remedy "elija una F_max mayor, si la máquina la permite, u otro bisel", "choose a larger F_max, if the machine allows it, or another groove";
+        remedy "elija una F_max mayor, si está puesta y la máquina la permite, u otro bisel", "choose a larger F_max, if it is filled in and the machine allows it, or another groove";
         why "Si va más despacio, el chorro quema el borde.",
             "If it moves more slowly, the jet burns the edge.";
         example Example::Slip { kind: "pipe-hole", cells: &[("F_max", "1000")], program: "hole", from: "", to: "" };
