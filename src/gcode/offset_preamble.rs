@@ -34,7 +34,7 @@ pub fn decimals(value: f64) -> String {
     if text == "-0.000" { "0.000".to_owned() } else { text.to_owned() }
 }
 
-/// The blocks, one a line: unit and distance mode, G92 as in the file, every system, and the one that is active.
+/// The blocks, one a line: unit and distance mode, every system, the one that is active, and G92 as in the file.
 ///
 /// X, Y, Z and R stand in every block, so that nothing of what the control held is left in them; the other axes where
 /// one system uses them, since a machine may not have them.
@@ -62,23 +62,26 @@ pub fn preamble(file: &VarFile, unit: LengthUnit) -> Result<Vec<String>, Vec<u32
     }];
     // Whatever was in force before is cleared, so that no axis keeps a register that the file does not have.
     blocks.push("G92.1".to_owned());
-    if offsets.g92.0.iter().any(|offset| *offset != 0.0) {
-        blocks.push(format!("G52{}", words(G92_FIRST, &axes(file, &[G92_FIRST]))));
-        if !offsets.g92_on {
-            blocks.push("G92.2".to_owned());
-        }
-    }
     let shown = axes(file, &firsts);
     for (system, first) in System::ALL.into_iter().zip(firsts) {
         let origin = words(first, &shown);
         let rotation = file.get(system.rotation_parameter()).unwrap_or(0.0);
         blocks.push(format!("G10 L2 P{}{origin} R{}", system.number(), decimals(rotation)));
     }
+    let g92 = offsets.g92.0.iter().any(|offset| *offset != 0.0);
+    let registers = g92.then(|| format!("G52{}", words(G92_FIRST, &axes(file, &[G92_FIRST]))));
     for system in System::ALL {
         if file.get(system.rotation_parameter()).unwrap_or(0.0).abs() > greatest(Axis::C, unit) {
             beyond.push(system.rotation_parameter());
         }
     }
     blocks.push(offsets.active.name().to_owned());
+    // Last: while G92 is in force, G10 must not rotate the active system.
+    if let Some(registers) = registers {
+        blocks.push(registers);
+        if !offsets.g92_on {
+            blocks.push("G92.2".to_owned());
+        }
+    }
     if beyond.is_empty() { Ok(blocks) } else { Err(beyond) }
 }

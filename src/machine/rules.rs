@@ -81,7 +81,7 @@ rules! {
     "G1009" ParameterWithComma Stop { text: String }
         es "«{text}» no es un número"
         en "'{text}' is not a number"
-        remedy "use el punto como separador decimal: «1.5»", "use a point as decimal separator: '1.5'";
+        remedy "escriba el decimal con punto, no con coma", "write the decimal with a point, not a comma";
         why "LinuxCNC dejaría de leer en la coma: 12,5 sería 12.", "LinuxCNC would stop reading at the comma: 12,5 would be 12.";
         example file!("5220 1|5221 12,5");
     "G1010" ParameterTwice Stop { parameter: u32, first: usize }
@@ -181,7 +181,7 @@ rules! {
     "G1113" OffsetWithComma Stop { edit: String, text: String, letter: char }
         es "«{edit}»: «{text}» no es un número"
         en "'{edit}': '{text}' is not a number"
-        remedy "use el punto como separador decimal: {letter}1.5", "use a point as decimal separator: {letter}1.5";
+        remedy "escriba el decimal de {letter} con punto, no con coma", "write the decimal of {letter} with a point, not a comma";
         why "La coma podría separar decimales o millares.", "The comma might separate decimals or thousands.";
         example set!("G55 X2,5");
     "G1114" OffsetTooGreat Stop { edit: String, letter: char, text: String, most: f64 }

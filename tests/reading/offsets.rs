@@ -384,7 +384,7 @@ fn every_bad_edit_is_refused_with_its_reason_and_a_hint() {
             "G92 depends on the machine's position, which the file does not contain",
             "write G52 with the offsets, which use the same registers, or G92.1 to clear them",
         ),
-        ("G55 X1,5", "'1,5' is not a number", "use a point as decimal separator: X1.5"),
+        ("G55 X1,5", "'1,5' is not a number", "write the decimal of X with a point, not a comma"),
         ("G55 X1e3", "exponents are not allowed", "write the number in full, like 1000"),
         ("G55 X--5", "'--5' is not a number", "write the number next to the letter, like X-12.5"),
         ("G55 X1.2.3", "'1.2.3' is not a number", "write the number next to the letter, like X-12.5"),
@@ -449,7 +449,7 @@ fn the_blocks_give_linuxcnc_the_offsets_of_the_file() {
                 let mut file = VarFile::default();
                 offsets.write(&mut file, unit).unwrap();
                 let blocks = preamble(&file, unit).unwrap();
-                assert_eq!(blocks.last().map(String::as_str), Some("G58"));
+                assert!(blocks.iter().any(|block| block == "G58"), "{blocks:?}");
                 let (canon, left) = rs274(&format!("{}\nM2\n", blocks.join("\n")), Some(&stale)).unwrap();
                 let (theirs, _) = Offsets::read(&read(&left), LengthUnit::Inch);
                 let near =

@@ -129,4 +129,16 @@ pub struct ArcWords {
     pub across: Across,
     /// A negative R.
     pub negative: NegativeRadius,
+    /// How much the radii at start and end may differ.
+    pub radii: Radii,
+}
+
+/// How much the radii of an arc with a centre may differ at its start and its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Radii {
+    /// As LinuxCNC has it.
+    LinuxCnc,
+    /// As a parameter of the machine says, which rodete does not know: LinuxCNC's limit is kept, and more than a hundredth of a
+    /// millimetre is told (Fagor 8055 M, programming manual, p. 89: general parameter CIRINERR).
+    Parameter,
 }

@@ -6,8 +6,9 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
-    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary,
-    RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing, Written,
+    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
+    Rotary, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
+    Written,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -50,7 +51,6 @@ pub static FAGOR_8055_T: Control = Control {
     order: Order::OffLast,
     axes: AxisWords { x: AcrossWord::Diameter, increments: Increments::ByMode },
     arcs: ArcWords { across: Across::Unknown, ..FAGOR_8055_BASE.arcs },
-    feed: FeedRule { change: FeedChange::KeepsStale, ..FAGOR_8055_BASE.feed },
     spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
     tool: ToolCall::Words,
     radius: RadiusRule::Nose(NoseCorner::StraightTo120),
@@ -115,13 +115,18 @@ const FAGOR_8055_BASE: Control = Control {
     start: Start { motion: G::Cancel, feed: FeedMode::PerMinute, plane: Plane::XY, retract: Retract::Initial },
     order: Order::Rs274,
     axes: AxisWords { x: AcrossWord::Radius, increments: Increments::ByMode },
-    arcs: ArcWords { letters: Letters::of("IJKRP"), across: Across::Pitch, negative: NegativeRadius::LongArc },
+    arcs: ArcWords {
+        letters: Letters::of("IJKRP"),
+        across: Across::Pitch,
+        negative: NegativeRadius::LongArc,
+        radii: Radii::Parameter,
+    },
     rotary: RotaryRule { delivered: Rotary::Rollover, rollover: Rollover::Numbered },
     feed: FeedRule {
         law: FeedLaw::Resultant,
         codes: FeedCodes::G94,
         missing: MissingFeed::Cautioned,
-        change: FeedChange::Keeps,
+        change: FeedChange::KeepsStale,
         path: FeedPath::AllAxes,
     },
     spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Code },

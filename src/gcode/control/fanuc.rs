@@ -13,8 +13,8 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
-    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary,
-    RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
+    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
+    Rotary, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -71,7 +71,12 @@ pub static FANUC_LATHE_A: Control = Control {
     start: Start { motion: G::Rapid, feed: FeedMode::PerRevolution, plane: Plane::ZX, retract: Retract::R },
     order: Order::Fanuc,
     axes: AxisWords { x: AcrossWord::Diameter, increments: Increments::ByLetters },
-    arcs: ArcWords { letters: Letters::of("IKR"), across: Across::Foreign, negative: NegativeRadius::Refused },
+    arcs: ArcWords {
+        letters: Letters::of("IKR"),
+        across: Across::Foreign,
+        negative: NegativeRadius::Refused,
+        radii: Radii::Parameter,
+    },
     rotary: RotaryRule { delivered: Rotary::Linear, rollover: Rollover::Numbered },
     feed: FeedRule {
         law: FeedLaw::Resultant,

@@ -28,8 +28,6 @@ impl MissingFeed {
 pub enum FeedChange {
     /// Nothing.
     Forgets,
-    /// Its number.
-    Keeps,
     /// Its number; moving with it gets a Caution.
     KeepsStale,
 }

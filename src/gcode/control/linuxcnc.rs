@@ -6,8 +6,8 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
-    NegativeRadius, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
-    SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
+    NegativeRadius, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover, Rotary,
+    RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -55,7 +55,12 @@ pub static LINUXCNC: Control = Control {
     start: Start { motion: G::Cancel, feed: FeedMode::PerMinute, plane: Plane::XY, retract: Retract::R },
     order: Order::Rs274,
     axes: AxisWords { x: AcrossWord::Radius, increments: Increments::ByMode },
-    arcs: ArcWords { letters: Letters::of("IJKRP"), across: Across::Foreign, negative: NegativeRadius::LongArc },
+    arcs: ArcWords {
+        letters: Letters::of("IJKRP"),
+        across: Across::Foreign,
+        negative: NegativeRadius::LongArc,
+        radii: Radii::LinuxCnc,
+    },
     rotary: RotaryRule { delivered: Rotary::Linear, rollover: Rollover::Wrapped },
     feed: FeedRule {
         law: FeedLaw::InverseTime,

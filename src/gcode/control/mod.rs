@@ -22,7 +22,7 @@ mod told;
 mod tool;
 mod writing;
 
-pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments, NegativeRadius};
+pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments, NegativeRadius, Radii};
 pub use self::codes::{Codes, code_name};
 pub use self::dwell::DwellWord;
 pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, WRITTEN_8055_T};

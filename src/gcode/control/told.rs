@@ -6,8 +6,8 @@ use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, CommentForm,
     Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange, FeedPath,
     FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius,
-    NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
-    SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
+    NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover, Rotary,
+    RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -60,7 +60,7 @@ impl Control {
             start: Start { motion, feed: feed_at_start, plane, retract },
             order,
             axes: AxisWords { x, increments },
-            arcs: ArcWords { letters: arc_letters, across, negative: negative_radius },
+            arcs: ArcWords { letters: arc_letters, across, negative: negative_radius, radii },
             rotary: RotaryRule { delivered, rollover },
             feed: FeedRule { law, codes: _, missing, change: feed_change, path },
             spindle: SpindleRule { turns, limit },
@@ -136,6 +136,7 @@ impl Control {
             across.told(),
         );
         row(t("R negativo de un arco", "negative R of an arc"), negative_radius.told());
+        row(t("diferencia de los radios de un arco", "difference of the radii of an arc"), radii.told());
         row(t("ejes giratorios como se entrega", "rotary axes as delivered"), turned(delivered.told()));
         row(t("palabra absoluta de un eje rollover", "absolute word of a rollover axis"), turned(rollover.told()));
         row(t("F de ejes lineales y giratorios juntos", "F of linear and rotary axes together"), turned(law.told()));
@@ -327,6 +328,10 @@ told! {
         Self::LongArc => "el arco de más de 180°", "the arc of more than 180°";
         Self::Refused => "se rechaza", "rejected";
     }
+    Radii {
+        Self::LinuxCnc => "0.028 mm o una milésima del radio; 2.8 mm como mucho", "0.028 mm or a thousandth of the radius; 2.8 mm at most";
+        Self::Parameter => "lo dice un parámetro de la máquina; más de 0.01 mm es una precaución", "a machine parameter says it; more than 0.01 mm is a caution";
+    }
     Rotary {
         Self::Linear => "cuentan más allá de una vuelta", "count on beyond a turn";
         Self::Rollover => "rollover: el número es el ángulo y el signo el sentido", "rollover: the number is the angle, the sign the direction";
@@ -346,7 +351,6 @@ told! {
     }
     FeedChange {
         Self::Forgets => "se pierde", "is lost";
-        Self::Keeps => "conserva su número", "keeps its number";
         Self::KeepsStale => "conserva su número; moverse con él es una precaución", "keeps its number; moving with it is a caution";
     }
     FeedPath {

@@ -9,7 +9,7 @@ use std::f64::consts::{SQRT_2, TAU};
 
 use crate::finding::Size;
 use crate::gcode::code::G;
-use crate::gcode::control::Across;
+use crate::gcode::control::{Across, Radii};
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::refused::{Refused, Result};
@@ -17,8 +17,8 @@ use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Arc, MotionKind, Plane};
 use crate::gcode::rules::geometry::{
     AbsoluteCentreHalf, ArcOfNoRadius, ArcTwoForms, ArcWithoutCentre, CentreWordForeign, CentreWordOfOtherPlane,
-    EndOffCircle, HelixPitch, HelixPitchNotPositive, RadiusNegative, RadiusOfFullCircle, RadiusOfHalfCircle,
-    RadiusTooSmall, RadiusWithoutEnd, TurnsNotWhole,
+    EndOffCircle, HelixPitch, HelixPitchNotPositive, RadiiDiffer, RadiusNegative, RadiusOfFullCircle,
+    RadiusOfHalfCircle, RadiusTooSmall, RadiusWithoutEnd, TurnsNotWhole,
 };
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
@@ -30,6 +30,8 @@ const LEAST: f64 = 0.000_05 * 25.4;
 const RELATIVE: f64 = 0.001;
 /// A half chord this near to R makes a half circle.
 const TINY: f64 = 1e-12;
+/// More than this, mm, is told where the control's own limit is not known.
+const TOLD: f64 = 0.01;
 
 impl Plane {
     /// The letters of the centre along the first and second axis, and the one across.
@@ -154,7 +156,7 @@ impl Reader<'_, '_> {
             .ok_or_else(|| Refused::of(&TurnsNotWhole { turns: P }, &[self.block.column(letter::P)]))
     }
 
-    fn centre_by_offsets(&self, start: [f64; 2], end: [f64; 2], letters: [usize; 2]) -> Result<[f64; 2]> {
+    fn centre_by_offsets(&mut self, start: [f64; 2], end: [f64; 2], letters: [usize; 2]) -> Result<[f64; 2]> {
         let unit = self.state.modal.unit;
         let mut centre = [0.0; 2];
         for (along, letter) in letters.into_iter().enumerate() {
@@ -168,7 +170,16 @@ impl Reader<'_, '_> {
             };
         }
         let distance = |point: [f64; 2]| trig::hypot(point[0] - centre[0], point[1] - centre[1]);
-        check_radii(distance(start), distance(end), unit).map(|()| centre)
+        let radii = [distance(start), distance(end)];
+        check_radii(radii[0], radii[1], unit)?;
+        let difference = (radii[0] - radii[1]).abs();
+        match self.memory.control.arcs.radii {
+            Radii::Parameter if difference > TOLD => {
+                self.memory.remarks.row(&RadiiDiffer { difference: size(difference, unit) }, self.block.spot, None);
+            }
+            Radii::Parameter | Radii::LinuxCnc => {}
+        }
+        Ok(centre)
     }
 
     /// The centre of an arc with a radius: to the left of the chord for a counter-clockwise arc up to half a circle.

@@ -99,7 +99,7 @@ impl Reader<'_, '_> {
             FeedChange::Forgets if mode != FeedMode::InverseTime => {
                 (self.state.modal.feed, self.state.modal.feed_word) = (0.0, 0.0);
             }
-            FeedChange::Forgets | FeedChange::Keeps => {}
+            FeedChange::Forgets => {}
             FeedChange::KeepsStale => self.state.modal.feed_stale |= changes && self.state.modal.feed > 0.0,
         }
     }
@@ -109,6 +109,7 @@ impl Reader<'_, '_> {
         if let Some((code @ (M::ToolChange | M::SetTool), _)) = self.block.m(6) {
             self.change_tool(code)?;
         }
+        self.memory.spindle_said |= matches!(self.block.m(7), Some((M::Spindle(_) | M::SpindleOff, _)));
         match self.block.m(7) {
             Some((M::Spindle(true), _)) => self.state.modal.spindle = Spindle::Clockwise,
             Some((M::Spindle(false), _)) => self.state.modal.spindle = Spindle::CounterClockwise,

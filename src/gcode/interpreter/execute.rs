@@ -6,7 +6,7 @@
 use crate::finding::Raise;
 use crate::gcode::code::{G, Group, M, SinglePassCycle};
 use crate::gcode::control::RadiusRule;
-use crate::gcode::in_force::Compensation;
+use crate::gcode::in_force::{Compensation, Spindle};
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
 use crate::gcode::interpreter::refused::{Refused, Result};
@@ -16,7 +16,7 @@ use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::rules::modes::{
     AxesClaimedTwice, AxesWithCancel, AxesWithoutMotion, CycleWithoutAxes, DwellBesideAxes, FeedMissing,
     FeedPerTurnWithoutSpeed, InverseTimeWithoutF, InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutMotion,
-    NoFeed, SetPositionWithoutAxes, SpindleStill, ThreadStartAngle, WordWithoutUse,
+    NoFeed, SetPositionWithoutAxes, SpindleStill, SpindleStops, ThreadStartAngle, WordWithoutUse,
 };
 use crate::gcode::rules::words::DwellBesideArc;
 use crate::machine::axis::{Axis, Pose};
@@ -428,10 +428,21 @@ impl Reader<'_, '_> {
             }
             _ => {}
         }
+        if mode == FeedMode::PerRevolution {
+            self.remark_standing_spindle();
+        }
         if self.state.modal.feed_stale {
             self.remark_stale_feed();
         }
         Ok(Feed { mode, value: self.state.modal.feed })
+    }
+
+    /// A motion that goes by revolutions, with a spindle that the program has stopped. One that it has not spoken of may turn.
+    pub(super) fn remark_standing_spindle(&mut self) {
+        let stands = self.state.modal.spindle == Spindle::Stopped && self.memory.spindle_said;
+        if stands && !self.in_doubt(doubt::SPINDLE) {
+            self.memory.remarks.row(&SpindleStops {}, self.block.spot, None);
+        }
     }
 
     /// Where the axis words of the block lead, in program coordinates.

@@ -152,6 +152,8 @@ struct Memory<'a> {
     /// A comment has ended the program.
     aborted: bool,
     unit_said: bool,
+    /// M3, M4 or M5 has been programmed.
+    spindle_said: bool,
     repeated: u64,
     lines: usize,
     /// An absolute motion has been made, and an incremental one.
@@ -251,6 +253,7 @@ impl<'a> Interpreter<'a> {
             first_blocks: Vec::new(),
             aborted: false,
             unit_said: false,
+            spindle_said: false,
             repeated: 0,
             lines: 0,
             distances: [false; 2],

@@ -205,6 +205,7 @@ impl<'a> Reader<'_, 'a> {
                 self.emit(MotionKind::Arc(arc, feed), to, seconds);
             }
             Way::Thread(thread) => {
+                self.remark_standing_spindle();
                 let seconds = self.thread_seconds(&to, &thread);
                 self.emit(MotionKind::Thread(thread), to, seconds);
             }

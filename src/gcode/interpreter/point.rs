@@ -91,8 +91,8 @@ impl Reader<'_, '_> {
         let spot = self.block.spot;
         let calculator = self.memory.setting.point == Some(DecimalPoint::Calculator);
         let (es, en) = match (calculator, self.inch()) {
-            _ if dwell && calculator => ("leídas como s", "read as s"),
-            _ if dwell => ("leídas como ms", "read as ms"),
+            _ if dwell && calculator => ("leídos como s", "read as s"),
+            _ if dwell => ("leídos como ms", "read as ms"),
             (true, false) => ("leídas como mm", "read as mm"),
             (true, true) => ("leídas como pulgadas", "read as inches"),
             (false, false) => ("leídas como incrementos mínimos (0.001 mm)", "read as least increments (0.001 mm)"),

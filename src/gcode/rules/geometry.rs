@@ -436,4 +436,10 @@ rules! {
         why "El programa siguiente trabaja en otro sitio, y su texto no lo dice.",
             "The next program works in another place, and its text does not say so.";
         example Example::program("fagor-8055", "G71 G90|G0 X10|G92 X0|M30", "4");
+    "G0462" RadiiDiffer Caution { difference: Size }
+        es "los radios al principio y al final del arco difieren {difference}: un parámetro de la máquina dice cuánto admite el control, y rodete no lo conoce"
+        en "the radii at the start and at the end of the arc differ by {difference}: a machine parameter says how much the control admits, and rodete does not know it"
+        remedy "dé el centro con más decimales, o compruebe ese parámetro (CIRINERR en un Fagor 8055)", "give the centre with more decimals, or check that parameter (CIRINERR on a Fagor 8055)";
+        why "Con una diferencia mayor que la admitida, el control se para en el arco.", "With a greater difference than admitted the control stops at the arc.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|G1 X0 Y0|G2 X10 Y0 I5.008 J0|M30", "3");
 }

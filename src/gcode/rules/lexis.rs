@@ -67,7 +67,7 @@ rules! {
     "G0009" Comma Stop {}
         es "carácter «,» no admitido"
         en "character ',' is not allowed"
-        remedy "escriba el decimal con punto: 1.5", "write the decimal with a point: 1.5";
+        remedy "escriba el decimal con punto, no con coma", "write the decimal with a point, not a comma";
         why "Un control lee 1,5 como 1 seguido de algo que no entiende, o se para.",
             "A control reads 1,5 as 1 followed by something unknown, or stops.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1,5|M2", "2:6");

@@ -189,4 +189,10 @@ rules! {
         why "De la velocidad que haya quedado depende el avance en mm/min.",
             "The feed in mm/min hangs on whatever speed is left over.";
         example Example::program("fagor-8055", "G71 G90 G95 F.1|G1 X10|M30", "2");
+    "G0527" SpindleStops Caution {}
+        es "el husillo está parado y el movimiento va por vueltas: el control espera a que gire"
+        en "the spindle is stopped and the motion goes by revolutions: the control waits for it to turn"
+        remedy "programe M3 o M4 antes de este bloque", "program M3 or M4 before this block";
+        why "Con el husillo parado la máquina se queda esperando en ese bloque.", "With the spindle stopped the machine waits in this block for ever.";
+        example Example::program("linuxcnc", "G21 G90 G95 S500 M3|G1 X10 F.1|M5|G1 X20|M2", "4");
 }

@@ -30,9 +30,9 @@ rules! {
             "Some controls use the first, others the last.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1 X2|M2", "2:4");
     "G0104" NumberParted Note {}
-        es "número con blancos en medio"
+        es "número con espacios en medio"
         en "number with blanks inside"
-        remedy "escríbalo sin blancos", "write it without blanks";
+        remedy "escríbalo sin espacios", "write it without blanks";
         why "Una persona ve dos números donde el control lee uno.",
             "A person sees two numbers where the control reads one.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1 2|M2", "2:5");

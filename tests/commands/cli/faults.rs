@@ -19,7 +19,7 @@ fn a_file_where_the_folder_should_be_is_said_before_anything_is_computed() {
     fs::write(folder.path().join("out"), "mine").expect("a file");
     for (output, code) in [("out", "S0122"), ("out/below", "S0106")] {
         let lines = format!(
-            "^error {code}: .* is not a folder\nhint: choose another folder \\(option -o\\)\nrodete explain {code} .*\n$"
+            "^error {code}: .* is not a folder\nhint: choose another folder \\(for build, option -o\\)\nrodete explain {code} .*\n$"
         );
         build(&folder, output).code(5).stdout("").stderr(predicate::str::is_match(lines).expect("a pattern"));
     }

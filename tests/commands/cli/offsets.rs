@@ -112,7 +112,7 @@ fn wrong_words_end_with_2_all_at_once_and_write_nothing() {
         .code(2)
         .stdout("")
         .stderr(
-            "error G1113: 'G55 X1,5': '1,5' is not a number\nhint: use a point as decimal separator: X1.5\n\
+            "error G1113: 'G55 X1,5': '1,5' is not a number\nhint: write the decimal of X with a point, not a comma\n\
              error G1103: 'G92 X1': G92 depends on the machine's position, which the file does not contain\n\
              hint: write G52 with the offsets, which use the same registers, or G92.1 to clear them\n\
              rodete explain G1113 says what it means, with an example\n",
@@ -129,7 +129,7 @@ fn a_bad_file_is_refused_line_by_line() {
     fs::write(folder.path().join("a.var"), "5161\t0\n5221\t1,5\n5220\t1\nx\n").expect("a file");
     rodete(&folder).args(["offsets", "a.var", "--set", "G54 X1"]).assert().code(3).stdout("").stderr(
         predicate::str::contains(
-            "error G1009: '1,5' is not a number\n  --> a.var:2:6\nhint: use a point as decimal separator",
+            "error G1009: '1,5' is not a number\n  --> a.var:2:6\nhint: write the decimal with a point, not a comma",
         )
         .and(predicate::str::contains("error G1005: 'x' is not a parameter number\n  --> a.var:4:1\n"))
         .and(predicate::str::ends_with(

@@ -208,7 +208,7 @@ fn blocks_between_a_cycle_and_its_contour_are_not_executed_and_said() {
     let read = read(
         "S1000 M3 F.2\nG0 X50. Z5.\nG71 U20. R1.\nG71 P10 Q20\nG0 X90.\n(a comment)\nN10 G0 X30.\nG1 Z-10.\nN20 X50.\nG0 X60.",
     );
-    assert!(remarked(&read, "1 blocks between G71 and its contour are not executed"));
+    assert!(remarked(&read, "the control does not run the blocks between G71 and its contour: 1"));
     assert!(!read.motions.iter().map(line).any(|line| line.starts_with("G0 X90")));
 }
 

@@ -96,6 +96,7 @@ impl Reader<'_, '_> {
                 &[self.block.column(letter::K)],
             ));
         }
+        self.remark_standing_spindle();
         let seconds = self.thread_seconds(&to, &thread);
         self.emit(MotionKind::Thread(thread), to, seconds);
         Ok(())

@@ -90,8 +90,8 @@ rules! {
             "It is not known what a tool offset that changes within the contour does to the arcs.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G71 U2. R1.|G71 P10 Q20|N10 G0 X30.|G1 Z1. T0202|N20 X50.|M30", "6:8");
     "G0712" BlocksBeforeContour Caution { blocks: usize, cycle: u8 }
-        es "{blocks} bloques entre G{cycle} y su contorno no se ejecutan"
-        en "{blocks} blocks between G{cycle} and its contour are not executed"
+        es "el control no ejecuta los bloques que hay entre G{cycle} y su contorno: {blocks}"
+        en "the control does not run the blocks between G{cycle} and its contour: {blocks}"
         remedy "ponga el contorno justo después del ciclo", "put the contour right after the cycle";
         why "Después del ciclo el programa sigue después del contorno.", "After the cycle the program continues after the contour.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G71 U2. R1.|G71 P10 Q20|G0 Z6.|N10 G0 X20.|G1 Z-10.|N20 X50.|M30", "4");

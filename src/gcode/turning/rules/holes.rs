@@ -167,7 +167,7 @@ rules! {
             "Elsewhere G90 means absolute dimensions; here the next block with X and Z would make a turning pass.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G90|G0 X60.|M30", "3:1");
     "G0753" PassEndMissing Stop { words: Text, cycle: u8 }
-        es "falta {words} en G{cycle}, que aquí es un ciclo de torneado"
+        es "en G{cycle}, que aquí es un ciclo de torneado, falta: {words}"
         en "{words} missing in G{cycle}, which here is a turning cycle"
         remedy "dé el final de la pasada; las cotas absolutas son X y Z, las incrementales U y W",
             "give the end of the pass; X and Z are absolute, U and W are increments";
