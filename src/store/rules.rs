@@ -28,47 +28,47 @@ rules! {
     "S0101" DiskFull Stop { path: String, after: Text }
         es "no se puede escribir en {path}: no queda espacio en el disco{after}"
         en "cannot write to {path}: no space left on the disk{after}"
-        remedy "libere espacio o elija otra carpeta (opción -o); los archivos anteriores siguen intactos",
-            "free some space or choose another folder (option -o); the earlier files are untouched";
+        remedy "libere espacio o elija otra carpeta (en build, opción -o); los archivos anteriores siguen intactos",
+            "free some space or choose another folder (for build, option -o); the earlier files are untouched";
         why "rodete entrega el juego entero o nada.", "rodete delivers the whole set or nothing.";
         example by_the_system!();
     "S0102" FileOverLimit Stop { path: String, after: Text }
         es "no se puede escribir en {path}: el archivo supera el tamaño permitido{after}"
         en "cannot write to {path}: the file exceeds the allowed size{after}"
-        remedy "elija otra carpeta (opción -o) o pida un límite mayor (ulimit -f)",
-            "choose another folder (option -o) or ask for a higher limit (ulimit -f)";
+        remedy "elija otra carpeta (en build, opción -o) o pida un límite mayor (ulimit -f)",
+            "choose another folder (for build, option -o) or ask for a higher limit (ulimit -f)";
         why "rodete entrega el juego entero o nada.", "rodete delivers the whole set or nothing.";
         example by_the_system!();
     "S0103" NoPermissionToWrite Stop { path: String, after: Text }
         es "no se puede escribir en {path}: permiso denegado{after}"
         en "cannot write to {path}: permission denied{after}"
-        remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
+        remedy "elija otra carpeta (en build, opción -o)", "choose another folder (for build, option -o)";
         why "El sistema no le permite escribir aquí.", "The system does not allow you to write here.";
         example made!("closed-folder", "una carpeta sin permiso de escritura", "a folder without permission to write");
     "S0104" ReadOnly Stop { path: String, after: Text }
         es "no se puede escribir en {path}: el sistema de archivos es de solo lectura{after}"
         en "cannot write to {path}: the file system is read-only{after}"
-        remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
+        remedy "elija otra carpeta (en build, opción -o)", "choose another folder (for build, option -o)";
         why "No se puede escribir en un disco protegido o montado de solo lectura.",
             "A protected disk, or one mounted read-only, cannot be written.";
         example by_the_system!();
     "S0105" NowhereToWrite Stop { path: String, after: Text }
         es "no se puede escribir en {path}: no existe{after}"
         en "cannot write to {path}: it does not exist{after}"
-        remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
+        remedy "elija otra carpeta (en build, opción -o)", "choose another folder (for build, option -o)";
         why "La carpeta desapareció durante la escritura, o el enlace no lleva a ninguna parte.",
             "The folder disappeared during writing, or the link leads nowhere.";
         example by_the_system!();
     "S0106" FileInPlaceOfFolder Stop { path: String, after: Text }
         es "no se puede escribir en {path}: una parte de la ruta no es una carpeta{after}"
         en "cannot write to {path}: a part of the path is not a folder{after}"
-        remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
+        remedy "elija otra carpeta (en build, opción -o)", "choose another folder (for build, option -o)";
         why "Un archivo no puede contener otros archivos.", "A file cannot contain other files.";
         example made!("file-as-folder", "una carpeta de salida out/part, donde out es un archivo", "an output folder out/part where out is a file");
     "S0107" FolderInPlaceOfFile Stop { path: String, after: Text }
         es "no se puede escribir en {path}: hay una carpeta con ese nombre{after}"
         en "cannot write to {path}: there is a folder with that name{after}"
-        remedy "renombre esa carpeta o elija otra (opción -o)", "rename that folder or choose another (option -o)";
+        remedy "renombre esa carpeta o elija otra (en build, opción -o)", "rename that folder or choose another (for build, option -o)";
         why "rodete no sustituye una carpeta por un archivo.", "rodete does not replace a folder with a file.";
         example by_the_system!();
     "S0108" NameNotAllowed Stop { path: String, after: Text }
@@ -87,7 +87,7 @@ rules! {
     "S0110" CannotWrite Stop { path: String, reason: Text, after: Text }
         es "no se puede escribir en {path}: {reason}{after}"
         en "cannot write to {path}: {reason}{after}"
-        remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
+        remedy "elija otra carpeta (en build, opción -o)", "choose another folder (for build, option -o)";
         why "El sistema no puede escribir el archivo, por la razón indicada.", "The system cannot write the file, for the reason given.";
         example made!("link-to-nothing", "una carpeta de salida que es un enlace a una que no existe",
             "an output folder that is a link to one that does not exist");
@@ -107,28 +107,28 @@ rules! {
     "S0122" NotAFolder Stop { path: String }
         es "{path} no es una carpeta"
         en "{path} is not a folder"
-        remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
+        remedy "elija otra carpeta (en build, opción -o)", "choose another folder (for build, option -o)";
         why "rodete escribe los resultados en una carpeta, cada uno en su archivo.", "rodete writes the results into a folder, each in its own file.";
         example made!("no-folder", "una carpeta de salida out, donde out es un archivo", "an output folder out where out is a file");
     "S0131" OutputIsLink Stop { path: String }
         es "{path} es un enlace simbólico, y rodete no escribe a través de enlaces"
         en "{path} is a symbolic link, and rodete does not write through links"
-        remedy "cámbiele el nombre, quítelo o elija otra carpeta (opción -o)",
-            "rename it, remove it or choose another folder (option -o)";
+        remedy "cámbiele el nombre, quítelo o elija otra carpeta (en build, opción -o)",
+            "rename it, remove it or choose another folder (for build, option -o)";
         why "El archivo al que lleva el enlace puede ser de otra persona.", "The file behind the link may be somebody else's.";
         example made!("output-link", "un enlace con el nombre de un resultado", "a link under the name of a result");
     "S0132" OutputIsNoFile Stop { path: String }
         es "{path} no es un archivo ordinario"
         en "{path} is not an ordinary file"
-        remedy "cámbiele el nombre, quítelo o elija otra carpeta (opción -o)",
-            "rename it, remove it or choose another folder (option -o)";
+        remedy "cámbiele el nombre, quítelo o elija otra carpeta (en build, opción -o)",
+            "rename it, remove it or choose another folder (for build, option -o)";
         why "rodete no sustituye una carpeta ni un dispositivo por un resultado.",
             "rodete does not replace a folder or a device with a result.";
         example made!("output-folder", "una carpeta con el nombre de un resultado", "a folder under the name of a result");
     "S0133" OutputIsInput Stop { path: String }
         es "{path} es a la vez entrada y salida: se perdería el libro"
         en "{path} is both input and output: the workbook would be lost"
-        remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
+        remedy "elija otra carpeta (en build, opción -o)", "choose another folder (for build, option -o)";
         why "rodete no sobrescribe su libro con los resultados.", "rodete does not overwrite your workbook with results.";
         example made!("input-as-output", "view part.html -o part.html", "view part.html -o part.html");
     "S0134" OutputIsOpen Stop { path: String, program: &'static str, owner: Text, lock: String }
