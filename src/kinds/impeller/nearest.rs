@@ -355,6 +355,12 @@ pub struct HalfRound {
 }
 
 impl HalfRound {
+    /// The direction of its ruling, down.
+    #[must_use]
+    pub const fn down(&self) -> Vector3<f64> {
+        self.line.down
+    }
+
     /// The distance of an axis from it. Points of it stand up to the radius times the sine of the lean higher over the tool's end, or
     /// lower, than those of the ruling.
     #[must_use]

@@ -58,6 +58,14 @@ impl Body {
         self.least(&turned(axis, -self.turn), Some(asked)) >= asked
     }
 
+    /// True where a point is no less than `asked` from it. The axis that stands for it runs along the nose: one that leans would be seen
+    /// longer than a point is.
+    #[must_use]
+    pub fn keeps_point(&self, point: &Vector3<f64>, asked: f64) -> bool {
+        let here = Axis { foot: turn(-self.turn)(point), along: self.nose.down(), range: [0.0, 0.0] };
+        self.least(&here, Some(asked)) >= asked
+    }
+
     /// How far an axis is from it. Where only an answer is asked for, any distance on the right side of what is asked.
     ///
     /// A point of the mean surface is half the thickness from both faces: an axis that is e from one of them is not inside.

@@ -19,7 +19,6 @@ use rayon::prelude::*;
 use crate::kinds::impeller::clear::body::{Body, turn};
 use crate::kinds::impeller::clear::poses::{Pose, Poses, Seen};
 use crate::kinds::impeller::clear::tool::Tool;
-use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
 use crate::number::trig::{atan2, hypot, sin_cos};
 
@@ -133,9 +132,8 @@ impl Floor {
 
     /// True where a point of the floor is no nearer than asked to what stands on it.
     fn is_free(&self, point: &Vector3<f64>, asked: f64) -> bool {
-        let here = Axis { foot: *point, along: Vector3::z(), range: [0.0, 0.0] };
         self.walls.iter().all(|(feet, apart)| clear_of(feet, *apart, point, asked))
-            && self.splitter.as_ref().is_none_or(|body| body.keeps(&here, asked))
+            && self.splitter.as_ref().is_none_or(|body| body.keeps_point(point, asked))
     }
 }
 
