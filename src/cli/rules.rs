@@ -183,6 +183,13 @@ rules! {
         remedy "compruebe que el programa completo está en el archivo", "check that the whole program is in the file";
         why "Un archivo cortado se lee sin errores hasta donde llega.", "A file that was cut off reads without errors as far as it goes.";
         example line!("verify" "part.ngc"; "part.ngc" = "G21 G90|M2");
+    "U0134" ToolsTurnedOver Note {}
+        es "el programa gira el husillo solo con M4: rodete toma las herramientas del ejemplo montadas para ese giro y no busca la alarma 154"
+        en "the program turns the spindle with M4 alone: rodete takes the example's tools as mounted for it and does not look for alarm 154"
+        remedy "", "";
+        why "Con las herramientas del ejemplo tal como están, ese programa daría la alarma 154 en cada corte.",
+            "With the example's tools as they are, this program would raise alarm 154 at every cut.";
+        example line!("simulate" "part.nc"; "part.nc" = "G50 S2500|T0101|G97 S900 M4|M8|G0 X54. Z2.|G1 X48. F0.2|Z-20.|X54.|G0 X100. Z50.|M30");
     "U0141" NoSuchCode Stop { code: String }
         es "{code} no es un código de rodete"
         en "{code} is not a rodete code"

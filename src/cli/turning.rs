@@ -98,7 +98,11 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Ending, wants: Wants) ->
     let main = text::Lines::of_file(&decoded(wanted.bytes));
     let subprograms = subprograms(&main.text, &mut Beside::of(path))?;
     let program = text::SheetProgram { main, subprograms };
-    let mut values = for_program(values, wanted, dialect, &program);
+    let turned_over = wanted.tools.is_none() && only_left(&program.main.text);
+    if turned_over {
+        verdict.findings.push(ToolsTurnedOver {}.at(Place::File));
+    }
+    let mut values = for_program(values, wanted, dialect, &program, turned_over);
     if let Some(stock) = wanted.stock {
         put_stock(&mut values, stock, wanted.tools.is_some());
     } else if wanted.tools.is_none() {
@@ -149,6 +153,7 @@ fn for_program(
     wanted: &Wanted<'_>,
     dialect: &'static Control,
     program: &text::SheetProgram,
+    turned_over: bool,
 ) -> Values {
     values.put(&form::DIALECT, Some(dialect));
     if wanted.point.is_some() || wanted.tools.is_none() {
@@ -166,7 +171,7 @@ fn for_program(
         values.put(&form::MATERIAL, None);
     }
     values.lists.retain(|rows| matches!(rows.list, TOOLS_KEY | PROFILE_KEY));
-    if wanted.tools.is_none() && only_left(&program.main.text) {
+    if turned_over {
         // Nobody said which face of the example's tools looks up: it is the one that cuts as the program turns. A drill has none.
         let rows = values.lists.iter_mut().filter(|rows| rows.list == TOOLS_KEY).flat_map(|rows| &mut rows.rows);
         let faced =

@@ -75,6 +75,15 @@ fn a_deeper_pass_that_begins_in_another_groove_is_cautioned() {
         ("G0 X34. Z6. M8|G92 X29. Z-25. F2.|G0 Z5.856|G92 X28.5 Z-25. F2.|G0 Z5.711|G92 X28. Z-25. F2.", vec![]),
         ("G0 X34. Z6.28 M8|G92 X29. Z-25. F2.|G0 Z5.86|G92 X28.5 Z-25. F2.|G0 Z6.|G92 X28. Z-25. F2.", vec![]),
         ("G0 X34. Z6.28 M8|G92 X29. Z-25. F2.|G0 Z5.86|G92 X28.5 Z-25. F2.", vec!["148@6"]),
+        // The shallow first pass of a cycle along one flank leaves room for a pass that the last one does not take in.
+        (
+            "G0 X40. Z6. M8|G76 P010060 Q100 R0.05|G76 X27.5 Z-25. P1227 Q400 F2.|G0 X40. Z6.|G92 X27.4 Z-25. F2.",
+            vec!["148@7"],
+        ),
+        (
+            "G0 X40. Z6. M8|G76 P010060 Q100 R0.05|G76 X27.5 Z-25. P1227 Q400 F2.|G0 X40. Z5.263|G92 X27.4 Z-25. F2.",
+            vec![],
+        ),
     ] {
         assert_eq!(raised(blocks), expected, "{blocks}");
     }

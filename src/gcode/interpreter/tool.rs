@@ -33,14 +33,17 @@ impl Reader<'_, '_> {
 
     /// The number of a tool that the table holds, if it is known; 0 is none.
     pub(super) fn tool_number(&mut self, letter: usize, value: f64) -> Result<u32> {
-        let column = self.block.column(letter);
-        let Some(number) = whole(value).and_then(|number| u32::try_from(number).ok()) else {
-            return Err(Refused::of(&NoToolNumber { value }, &[column]));
-        };
+        let number = self.number_of(letter, value)?;
         if !self.has_place(number) {
-            return Err(Refused::of(&ToolNotInTable { tool: number }, &[column]));
+            return Err(Refused::of(&ToolNotInTable { tool: number }, &[self.block.column(letter)]));
         }
         Ok(number)
+    }
+
+    /// The number of a tool or of an offset.
+    pub(super) fn number_of(&self, letter: usize, value: f64) -> Result<u32> {
+        let number = whole(value).and_then(|number| u32::try_from(number).ok());
+        number.ok_or_else(|| Refused::of(&NoToolNumber { value }, &[self.block.column(letter)]))
     }
 
     /// M6 and M61.

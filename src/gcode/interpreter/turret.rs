@@ -22,10 +22,12 @@ impl Reader<'_, '_> {
         let T = self.block.get(letter::T);
         let D = self.block.get(letter::D).filter(|_| !self.has_turning_cycle());
         let place = T.map(|T| self.tool_number(letter::T, T)).transpose()?;
-        let offset = match D {
-            Some(D) => Some(self.tool_number(letter::D, D)?),
-            None => place,
+        // An offset is a number of its own: T3 D1 works with the first offset.
+        let (offset, column) = match D {
+            Some(D) => (Some(self.number_of(letter::D, D)?), self.block.column(letter::D)),
+            None => (place, self.block.column(letter::T)),
         };
+        self.known(column, offset.unwrap_or_default(), true)?;
         if place.is_some() || offset.is_some() {
             self.put_in(place.unwrap_or(self.state.modal.tool), offset.unwrap_or(self.state.modal.offset));
         }

@@ -253,8 +253,8 @@ pub(crate) static TURRET: Field<Side, Required> = Field::choice(
     "turret",
     t("Torreta", "Turret"),
     t(
-        "Delantera: X hacia el operario. Decide el sentido de giro para cortar",
-        "Front: X towards the operator. Decides which way the spindle must turn",
+        "Delantera: X hacia el operario. En una herramienta a izquierdas decide entre M3 y M4",
+        "Front: X towards the operator. For a left-hand tool it decides between M3 and M4",
     ),
 );
 

@@ -262,7 +262,7 @@ rules! {
         remedy "Cambie M3 por M4 o M4 por M3; si la herramienta está montada con la otra cara arriba, escriba su giro de corte en su celda M de la hoja HERRAMIENTAS",
             "Change M3 to M4 or M4 to M3; if the tool is mounted the other face up, write its cutting direction in its cell M on the sheet TOOLS";
         why "La pieza llega por detrás del filo y arranca la placa.", "The work meets the back of the edge and tears the insert off.";
-        example program!("T0101|G97 S900 M4|M8|G0 X54. Z2.|X46.|G1 Z-20. F0.2|X54.|G0 X100. Z50.|M30");
+        example program!("T0101|G97 S900 M3|M8|G0 X54. Z2.|M4|X46.|G1 Z-20. F0.2|X54.|G0 X100. Z50.|M30");
     "L0155" FeedStands Stop alarm Lathe 155 {}
         es "Avance por vuelta con el husillo parado: el carro no se mueve"
         en "Feed per revolution with the spindle stopped: the carriage does not move"

@@ -92,7 +92,11 @@ impl Cut {
             .min_by(|(_, [one, ..]), (_, [other, ..])| one.total_cmp(other));
         let deepest = before.map(|(_, groove)| groove.depth).fold(f64::MIN, f64::max);
         match nearest {
-            Some((at, [beyond, off, most])) if beyond <= OFF_GROOVE || pass.depth > deepest + TOUCH => {
+            Some((at, [beyond, ..])) if beyond <= OFF_GROOVE || pass.depth > deepest + TOUCH => {
+                // The first pass of a groove is shallow and leaves much room: each of them is to lie within this one.
+                let found = self.starts[at].passes.iter().map(|&groove| self.apart(groove, pass));
+                let farthest = found.max_by(|[one, ..], [other, ..]| one.total_cmp(other));
+                let [beyond, off, most] = farthest.unwrap_or_default();
                 let start = &mut self.starts[at];
                 start.passes.push(pass);
                 if beyond > OFF_GROOVE && start.off.is_none() {

@@ -58,6 +58,10 @@ fn the_shipped_cases_leave_the_torus() {
     assert_eq!(found.len(), 10, "{found:?}");
     assert_eq!(found["blank-time"].value().en, "64.1 s");
     assert_eq!(found["blank-depth"].value().en, "1 mm");
+    // Tool and offset have numbers of their own.
+    let (design, program) = blank("full", &[("T_b", Value::Whole(3)), ("D_b", Value::Whole(1))]);
+    assert!(program.text().contains("T3 D1"), "{}", program.text());
+    assert_eq!(raised(&checks(&design, &program, &program.text())), []);
     // What the published layout lacks is said.
     let (design, program) = blank("tfg-2021", &[]);
     let lacks = [("blank-speed-limit", Some(Grade::Caution)), ("reading", Some(Grade::Caution))];

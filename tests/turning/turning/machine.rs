@@ -3,10 +3,11 @@
 use rodete::finding::Grade;
 use rodete::gcode::control::FAGOR_8055_T;
 use rodete::gcode::in_force::{Speed, Spindle};
+use rodete::gcode::interpreter::Setting;
 use rodete::gcode::motion::Motion;
 use rodete::machine::axis::Axis;
 
-use super::lines::{machine, moves, read, read_with, refusal, remarked, setting};
+use super::lines::{machine, moves, read, read_with, refusal, refusal_with, remarked, setting};
 
 #[test]
 fn the_offset_moves_the_machine_under_the_same_program_point() {
@@ -50,6 +51,14 @@ fn a_fagor_lathe_takes_tool_and_offset_by_t_and_d() {
     let control: Vec<_> = read.controls.iter().map(|control| (control.tool, control.offset)).collect();
     assert_eq!(control, [(1, 2), (3, 3), (3, 1)]);
     assert!((read.motions[0].machine.get(Axis::X) - 30.0).abs() < 1e-12, "the offset of D2");
+    // An offset has a number of its own: it is looked for among the offsets, not in the turret.
+    let only = |places: [u32; 1]| Setting { control: &FAGOR_8055_T, places: Some(places.into()), ..setting() };
+    let read = read_with("G71 G90 T7 D2\nG0 X50 Z5\nM30\n", only([7]));
+    assert_eq!((read.controls[0].tool, read.controls[0].offset), (7, 2));
+    for (words, message) in [("T7 D9", "offset 9"), ("T7", "offset 7"), ("T1 D2", "tool 1")] {
+        let refused = refusal_with(&format!("G71 G90 {words}\nM30\n"), only([7]));
+        assert!(refused.contains(&format!("{message} is not in the tool table")), "{words}: {refused}");
+    }
 }
 
 #[test]

@@ -56,6 +56,7 @@ pub fn setting(design: &Design) -> Setting {
     machine.set(Axis::Z, blank.Z_e);
     Setting {
         start: Start { machine, tool: blank.T_b, offset: blank.D_b },
+        places: Some([blank.T_b].into()),
         tools: Some([(blank.D_b, ToolOffset::default())].into()),
         ..Setting::new(&FAGOR_8055_T)
     }
