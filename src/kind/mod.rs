@@ -253,12 +253,14 @@ impl Deref for Proved {
 }
 
 /// A value that the set-up chapter of a kind prints, and nothing else does.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Shown {
     /// Whether something is so.
     Whether(bool),
     /// A length, mm.
     Length(f64),
+    /// Words of a program.
+    Words(String),
 }
 
 /// How the work ended: the one thing that says whether programs are handed over.

@@ -3,6 +3,7 @@
 use crate::finding::{Finding, Grade, Place, Refusal};
 use crate::kind::Proved;
 use crate::limits::SHOWN_MOTIONS;
+use crate::machine::axis::Axis;
 use crate::machine::chain::Chain;
 use crate::scene::kept::{following, too_many};
 use crate::scene::part::Part;
@@ -30,7 +31,15 @@ pub(super) fn scene(part: Option<Part>, programs: &[Proved], findings: &[Finding
         shown.rapids = program.account.rapids;
         shown.tools.extend(part.iter().filter(|_| !turning).flat_map(|part| part.tools.clone()));
         shown.remarks.extend(findings.iter().filter(|finding| belongs(finding, program.key)).map(Remark::from));
-        following(&mut shown, &mut program.read_back())?;
+        let mut setting = program.setting();
+        if !turning && !program.finds_its_start() {
+            // The machine is taken there by hand, as the set-up sheet says.
+            for axis in Axis::ALL {
+                setting.start.machine.set(axis, program.start.get(axis).value());
+            }
+            shown.known = true;
+        }
+        following(&mut shown, &mut program.read_back_with(setting))?;
         shown.remarks.sort_by_key(|remark| std::cmp::Reverse(remark.grade));
         scene.programs.push(shown);
     }

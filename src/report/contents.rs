@@ -114,7 +114,7 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailur
             .collect(),
         figures,
         programs,
-        setup: outcome.setup.iter().map(|&(name, shown)| (name, SetUp::from(shown))).collect(),
+        setup: outcome.setup.iter().map(|(name, shown)| (*name, SetUp::from(shown.clone()))).collect(),
         answers: outcome.checks.iter().map(|check| answer(check, outcome, &mut words)).collect(),
         checks: Vec::new(),
         files,
@@ -145,6 +145,7 @@ impl From<Shown> for SetUp {
         match shown {
             Shown::Whether(so) => Self::Whether(so),
             Shown::Length(length) => Self::Length(number::trimmed(length, 4)),
+            Shown::Words(words) => Self::Words(words),
         }
     }
 }

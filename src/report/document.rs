@@ -71,6 +71,8 @@ pub(super) enum SetUp {
     Whether(bool),
     /// A length in mm, ready to print.
     Length(String),
+    /// Words of a program.
+    Words(String),
 }
 
 /// Parameters under one heading.

@@ -20,9 +20,9 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
     loop {
         let item = text.next();
         for stood in text.stood() {
-            // Where the machine stands before its first motion no program says.
+            // Where the machine stands before its first motion a program alone does not say.
             let motion = item.as_ref().and_then(|item| item.as_ref().ok());
-            let at = if moved { Some(&stood.at) } else { motion.map(|motion| &motion.to) };
+            let at = if moved || program.known { Some(&stood.at) } else { motion.map(|motion| &motion.to) };
             if let Some(at) = at
                 && program.motions() < SHOWN_MOTIONS
             {

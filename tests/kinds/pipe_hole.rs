@@ -222,7 +222,7 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
         ),
         (
             vec![real("gamma", 45.0)],
-            "at α = 0° the torch is at 45° to the pipe and needs a height of 8.828 mm; D_max is 8 mm",
+            "at α = 0° the torch is at 45° to the pipe and needs a height of 8.829 mm; D_max is 8 mm",
             "choose a smaller groove angle γ, a slimmer torch, a smaller g0, or a larger D_max",
         ),
         (
@@ -260,6 +260,9 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
         }
         assert_eq!((finding.what.en.as_ref(), finding.remedy.en.as_ref()), (what, remedy), "{changes:?}");
     }
+    // The height told is taken.
+    assert!(run(&[real("gamma", 45.0), real("D_max", 8.829)]).is_ok());
+    assert!(run(&[real("gamma", 45.0), real("D_max", 8.828)]).is_err());
 }
 
 /// The curve lies on the branch grown by its gap and on the header's bore grown by its land; the beam passes through it.

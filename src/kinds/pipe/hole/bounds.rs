@@ -75,6 +75,9 @@ struct Look {
     D: f64,
 }
 
+/// Within this the greatest height is known, mm.
+const HEIGHT_FINE: f64 = 1e-3;
+
 /// The place where the torch would have to be highest, if that is beyond the greatest height anywhere, between the places
 /// looked at as well. Where the work ends before it is known, the height counts as too great.
 #[must_use]
@@ -94,7 +97,7 @@ pub fn too_high(design: &Design) -> Option<TooHigh> {
         [groove.height_at(first.min(last) - bow(&[sine], other.alpha - one.alpha) - 1e-12)]
     };
     let mut worst = look(0.0);
-    let mut found = Enclosure::new([1e-3], [design.D_max], HEIGHT_LOOKS);
+    let mut found = Enclosure::new([HEIGHT_FINE], [design.D_max], HEIGHT_LOOKS);
     let first: Vec<Look> = (0..=64_u8).map(|at| look(TAU * f64::from(at) / 64.0)).collect();
     let mut keep = |seen: Look| {
         if seen.D > worst.D {

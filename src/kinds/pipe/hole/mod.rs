@@ -25,7 +25,7 @@ use crate::finding::{Finding, Grade, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
-use crate::gcode::word::Distance;
+use crate::gcode::word::{Distance, NumberFormat};
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
@@ -185,7 +185,15 @@ impl Method for Hole {
     }
 
     fn setup(design: &Design, _: &Model) -> Vec<(&'static str, Shown)> {
-        sizes(design.branch, design.header).into_iter().chain([("kerf", Shown::Length(design.kerf))]).collect()
+        let codes = |on| {
+            let mut block = String::new();
+            hold(design, on)?.into_iter().for_each(|word| word.write(NumberFormat::Fixed, &mut block));
+            Some(Shown::Words(block))
+        };
+        let holds = [("hold-on", codes(true)), ("hold-off", codes(false))];
+        let holds = holds.into_iter().filter_map(|(key, codes)| Some((key, codes?)));
+        let kerf = ("kerf", Shown::Length(design.kerf));
+        sizes(design.branch, design.header).into_iter().chain([kerf]).chain(holds).collect()
     }
 
     fn charts(_: &Design, _: &Model) -> Vec<Chart> {
@@ -238,7 +246,9 @@ fn height_refused(design: &Design, place: &TooHigh) -> Finding {
     let keys = at([GAMMA.key(), D_MAX.key(), G0.key()]);
     match place.sigma_o {
         Some(sigma) => {
-            let (height, most) = (Size::mm(place.D), Size::mm(design.D_max));
+            // Rounded up: typed, it is taken.
+            let height = (place.D * 1000.0 - 1e-6).ceil() / 1000.0;
+            let (height, most) = (Size::mm(height), Size::mm(design.D_max));
             let told = TorchTooHigh { alpha, sigma: Size::degrees(sigma.to_degrees(), 2), height, most };
             told.at(keys).with(height.said(Language::En), most.said(Language::En))
         }

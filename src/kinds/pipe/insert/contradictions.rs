@@ -37,7 +37,7 @@ impl Design {
     pub(super) fn contradictions(&self) -> Vec<Finding> {
         let mut findings = solid(self.branch, self.header);
         let (r, e, over) = (Size::mm(self.r), Size::mm(self.e), self.pair().overhang());
-        if self.contact == Contact::Envelope && self.typed_r {
+        if self.contact == Contact::Envelope && self.is_typed(EXPERT_BRANCH_R.key()) {
             findings.push(RadiusOfEnvelope { r }.at(at([EXPERT_BRANCH_R.key(), CONTACT.key()])));
         } else if self.r > self.R {
             let place = at([EXPERT_BRANCH_R.key(), R.key(), D_BRANCH.key(), D_HEADER.key()]);

@@ -1,7 +1,7 @@
 //! The design of a branch pipe: validated parameters with units settled.
 
 use crate::figure::Paper;
-use crate::finding::Finding;
+use crate::finding::{Finding, Key};
 use crate::gcode::control::{Control, Written};
 use crate::gcode::fields::rapids;
 use crate::gcode::program::Style;
@@ -19,6 +19,17 @@ use crate::kinds::pipe::insert::parameters::{
 pub use crate::kinds::pipe::insert::parameters::{Contact, Mode};
 use crate::machine::rapids::Rapids;
 use crate::parameter::field::Fields;
+
+/// A radius that was typed in place of the one that the pipe gives, both in mm.
+#[derive(Clone, Copy, Debug)]
+pub struct Typed {
+    /// The field.
+    pub key: Key,
+    /// What was typed.
+    pub typed: f64,
+    /// What the pipe gives.
+    pub derived: f64,
+}
 
 /// A design that may be computed. Lengths in mm, θ in degrees.
 #[derive(Clone, Debug)]
@@ -43,8 +54,8 @@ pub struct Design {
     pub R: f64,
     /// The radius of the development.
     pub r_dev: f64,
-    /// True where r was typed, not computed.
-    pub typed_r: bool,
+    /// The radii that were typed in place of those that the pipes give.
+    pub typed: Vec<Typed>,
     /// Flat or rotary.
     pub mode: Mode,
     /// The kerf.
@@ -103,6 +114,12 @@ impl Design {
         if findings.is_empty() { Ok(design) } else { Err(findings) }
     }
 
+    /// True where the radius of this field was typed.
+    #[must_use]
+    pub fn is_typed(&self, key: Key) -> bool {
+        self.typed.iter().any(|one| one.key == key)
+    }
+
     fn of(fields: &Fields, branch: Pipe, header: Pipe) -> Self {
         let contact = fields.get(&CONTACT);
         let outside = branch.D / 2.0;
@@ -116,7 +133,11 @@ impl Design {
             Surface::Mean => outside - branch.t / 2.0,
             Surface::Inside => bore,
         };
-        let typed_r = fields.get(&EXPERT_BRANCH_R);
+        let R_header = header.D / 2.0;
+        let typed = [(&EXPERT_BRANCH_R, r), (&R, R_header), (&R_DEV, r_dev)];
+        let typed = typed
+            .into_iter()
+            .filter_map(|(field, derived)| fields.get(field).map(|typed| Typed { key: field.key(), typed, derived }));
         Self {
             branch,
             header,
@@ -125,10 +146,10 @@ impl Design {
             e: fields.get(&E),
             Z: fields.get(&Z),
             N: fields.get(&N),
-            r: typed_r.unwrap_or(r),
-            R: fields.get(&R).unwrap_or(header.D / 2.0),
+            r: fields.get(&EXPERT_BRANCH_R).unwrap_or(r),
+            R: fields.get(&R).unwrap_or(R_header),
             r_dev: fields.get(&R_DEV).unwrap_or(r_dev),
-            typed_r: typed_r.is_some(),
+            typed: typed.collect(),
             mode: fields.get(&MODE),
             kerf: fields.get(&KERF),
             F: fields.get(&F),

@@ -47,14 +47,14 @@ use crate::kinds;
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, THETA, TORCH_ON};
 use crate::kinds::pipe::insert::bounds::{Rest, Worst};
 use crate::kinds::pipe::insert::cut::{Cut, cut};
-use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
+use crate::kinds::pipe::insert::design::{Contact, Design, Mode, Typed};
 use crate::kinds::pipe::insert::figures::{figures, template};
 use crate::kinds::pipe::insert::parameters::{CONTACT, EXPERT_BRANCH_R, F, FORM, KERF, LEAD_IN, MODE, R_DEV, STYLE, Z};
 use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, published};
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
 use crate::kinds::pipe::insert::rules::{
     AnnexAsPublished, AnnexWithoutKerf, CurveBehindEdge, GapsOfEnvelope, KerfOnOutside, KerfZero, OutsideForInside,
-    PipeByIncrements, PipeOnLinearAxis, WallInsideHeader,
+    PipeByIncrements, PipeOnLinearAxis, RadiusTyped, WallInsideHeader,
 };
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
 use crate::kinds::pipe::rules::NoLeadIn;
@@ -424,10 +424,20 @@ fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
 fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
     let mut findings = Vec::new();
     let outside = design.branch.D / 2.0;
-    if design.typed_r && design.contact == Contact::Inside && (design.r - outside).abs() < 1e-9 {
+    let for_inside = design.is_typed(EXPERT_BRANCH_R.key())
+        && design.contact == Contact::Inside
+        && (design.r - outside).abs() < 1e-9;
+    if for_inside {
         let (r, D, off) = (Size::mm(design.r), Size::mm(design.branch.D), Size::mm(design.r_dev - outside));
         findings.push(OutsideForInside { r, D, off }.at(at([EXPERT_BRANCH_R.key(), D_BRANCH.key(), R_DEV.key()])));
     }
+    // With the outside radius typed for the inside one, the development is told there.
+    let covered = |one: &Typed| for_inside && (one.key == EXPERT_BRANCH_R.key() || one.key == R_DEV.key());
+    let others = design.typed.iter().filter(|one| (one.typed - one.derived).abs() > 1e-9 && !covered(one));
+    findings.extend(others.map(|one| {
+        let (typed, derived) = (Size::mm(one.typed), Size::mm(one.derived));
+        RadiusTyped { key: one.key, typed, derived }.at(at([one.key]))
+    }));
     findings.extend(seat(design, rest));
     // A jet is wider than what a corner is rounded by.
     findings.extend(kinds::rules::corners_between_blocks(design.control).map(|one| one.graded(Grade::Note)));

@@ -1,7 +1,7 @@
 //! Contradictions of a branch pipe.
 
-use crate::finding::Size;
 use crate::finding::rule::{book, rules};
+use crate::finding::{Key, Size};
 use crate::text::Text;
 
 rules! {
@@ -136,4 +136,11 @@ rules! {
         remedy "elija una salida más corta", "choose a shorter overcut";
         why "La salida repasa el principio del corte.", "The overcut goes over the beginning of the cut again.";
         example book!("pipe-insert", "branch_size" = "1/2 in", "overcut" = "200");
+    "P2120" RadiusTyped Caution { key: Key, typed: Size, derived: Size }
+        es "{key} = {typed} se ha escrito en lugar de {derived}, que es lo que dan los tubos"
+        en "{key} = {typed} was typed in place of {derived}, which the pipes give"
+        remedy "mida el tubo y corrija su tamaño, o deje vacía la celda", "measure the pipe and correct its size, or leave the cell empty";
+        why "La curva se corta para el radio escrito: en un tubo que no lo tiene, no ajusta.",
+            "The curve is cut for the radius that was typed: on a pipe that does not have it, it does not fit.";
+        example book!("pipe-insert", "R" = "50");
 }
