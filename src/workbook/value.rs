@@ -80,7 +80,9 @@ pub fn expected(parameter: &Parameter) -> Text {
             Text::new(format!("un texto de hasta {max} caracteres"), format!("a text of up to {max} characters"))
         }
         FieldKind::Date => t("una fecha, como 2026-11-23", "a date, such as 2026-11-23"),
-        FieldKind::Codes => t("códigos de máquina, como M3 M11 M13", "machine codes, such as M3 M11 M13"),
+        FieldKind::Codes => {
+            t("códigos M con número entero, separados por espacios", "M codes with whole numbers, separated by blanks")
+        }
         FieldKind::Block => t(
             "un bloque que retira la herramienta, como G0 G53 Z0",
             "a block that takes the tool away, such as G0 G53 Z0",

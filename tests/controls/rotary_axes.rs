@@ -210,6 +210,23 @@ fn a_block_that_takes_the_tool_away_is_refused_where_it_does_something_else() {
         assert_eq!(parameters(&findings[0].place), ["retract", "dialect"], "{block}");
         assert_eq!(findings[0].what.en, what, "{block}");
     }
+    // Up alone, and high enough: what the block does is judged as well.
+    for (dialect, block, what) in [
+        ("fagor-8055", "G0 G53 X0 Z0", "retract moves X as well: the cutter may cross the part sideways"),
+        ("linuxcnc", "G0 G53 Y0 Z0", "retract moves Y as well: the cutter may cross the part sideways"),
+        ("fagor-8070", "G0 X0 Z100", "retract moves X as well: the cutter may cross the part sideways"),
+        ("fagor-8070", "G0 Z-20", "retract takes Z to -20 mm, below the retract height Z_r of "),
+        (
+            "linuxcnc",
+            "G0 Z100",
+            "retract moves Z in program coordinates, which hold for the tip of the tool that will cut: ",
+        ),
+    ] {
+        let start_codes = ("start_codes", line(if dialect == "linuxcnc" { "M3" } else { "M3 M11 M13" }));
+        let findings = refusals(&[("dialect", Value::Choice(dialect)), ("retract", line(block)), start_codes]);
+        assert_eq!(findings.len(), 1, "{block}: {findings:?}");
+        assert!(findings[0].what.en.starts_with(what), "{block}: {}", findings[0].what.en);
+    }
     for (dialect, block) in [("linuxcnc", "G0 G53 Z0"), ("fagor-8070", "G0 Z100")] {
         let changes = [("dialect", Value::Choice(dialect)), ("retract", line(block)), ("start_codes", line("M3"))];
         let text = program(&outcome("full", &changes), "blade");

@@ -45,7 +45,7 @@ rules! {
     "C1007" RetractWithoutZ Stop {}
         es "retract mueve ejes pero no Z: la herramienta no se retira de la pieza"
         en "retract moves axes but not Z: the tool does not leave the part"
-        remedy "añada Z al bloque", "add Z to the block";
+        remedy "escriba solo Z en el bloque (G0 G53 Z0)", "write Z alone in the block (G0 G53 Z0)";
         why "La herramienta se movería de lado, a la altura a la que esté, y puede atravesar la pieza.",
             "The tool would move sideways at its present height and may go through the part.";
         example book!("impeller", "retract" = "G0 G53 X0");
@@ -59,7 +59,7 @@ rules! {
     "C1009" SpindleCode Stop { key: Key, number: u32 }
         es "{key} lleva M{number}, que cambia el giro del husillo"
         en "{key} holds M{number}, which changes how the spindle turns"
-        remedy "escriba M3 o M4 en start_codes, uno de los dos y nada más del husillo", "write M3 or M4 in start_codes, one of the two and no other spindle code";
+        remedy "deje M3 o M4 en start_codes, uno de los dos, y ningún otro código del husillo en ninguna celda", "leave M3 or M4 in start_codes, one of the two, and no other spindle code in any cell";
         why "La fresa cortaría parada o girando al revés.", "The cutter would cut at a standstill or turning backwards.";
         example book!("impeller", "coolant" = "M5");
 }

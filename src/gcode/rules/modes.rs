@@ -164,14 +164,14 @@ rules! {
     "G0523" RestoreRounds Caution { letter: char, was: f64, back: f64 }
         es "{letter}{was} vuelve como {letter}{back}: LinuxCNC lo redondea al recuperar el estado"
         en "{letter}{was} comes back as {letter}{back}: LinuxCNC rounds it when it restores the state"
-        remedy "prográmelo de nuevo después de M72", "program it again after M72";
+        remedy "prográmelo de nuevo después de M72; la precaución queda", "program it again after M72; the caution stays";
         why "Después de M72 el avance o el giro no es el guardado.",
             "After M72 the feed or the speed differs from the saved value.";
         example Example::program("linuxcnc", "G20 G90|F1.23|M70|M72|G1 X1|M2", "4");
     "G0524" RestoreOfLength Caution {}
         es "M72 no recupera el corrector de longitud guardado: LinuxCNC recupera G43, pero no el número de la herramienta"
         en "M72 does not restore the saved tool length offset: LinuxCNC restores G43 but not the tool number"
-        remedy "prográmelo de nuevo después de M72", "program it again after M72";
+        remedy "prográmelo de nuevo después de M72; la precaución queda", "program it again after M72; the caution stays";
         why "La herramienta se movería a otra altura.",
             "The tool would move at another height.";
         example Example::Program { control: "linuxcnc", program: "G21 G90 F100|T1 M6|G43|M70|G43 H2|M72|G0 Z5|M2", at: "6", given: &[("--tools", "T1 P1 Z50 D10|T2 P2 Z80 D10")] };

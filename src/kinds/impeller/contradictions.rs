@@ -147,9 +147,11 @@ impl Design {
         }
     }
 
-    /// The block that takes the tool away, where it does so in program coordinates: no other judge follows it.
+    /// The block that takes the tool away: that it goes straight up and, in program coordinates, how far. No other judge
+    /// follows it. How high machine zero is nobody knows here.
     fn check_retract(&self, findings: &mut Vec<Finding>) {
-        if self.retract.is_empty() || self.retract.contains(&Word::whole('G', 53)) {
+        let by_machine = self.retract.contains(&Word::whole('G', 53));
+        if !self.retract.iter().any(|word| word.letter == 'Z') {
             return;
         }
         for word in &self.retract {
@@ -157,6 +159,9 @@ impl Design {
             let place = at([form::RETRACT.key()]);
             if word.letter != 'Z' {
                 findings.push(RetractSideways { axis: word.letter }.at(place));
+                continue;
+            }
+            if by_machine {
                 continue;
             }
             let (z, height) = (size.value(), self.retract_height());

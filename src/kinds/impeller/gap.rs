@@ -79,8 +79,8 @@ pub struct Limits {
     pub gap: Gap,
     /// What it must be: 4/3·d_t.
     pub least: f64,
-    /// It is, at the depth of the design's tool.
-    pub kept: bool,
+    /// The gap at the depth of the design's own tool, which is what the rule is asked of, mm.
+    pub beside: f64,
     /// The greatest number of blades of this thickness; `None` where not even one has its gap.
     pub N_max: Option<u32>,
     /// The greatest thickness of this many blades; `None` where even blades without thickness leave too little.
@@ -126,7 +126,7 @@ impl Limits {
             || passing(own, beside, near.clone()),
             || rayon::join(|| greatest(most, fits), || thickest(e_max(torus, a_p, count, d_t), spare)),
         );
-        Self { gap, least, kept: beside.width >= least, N_max, e_max }
+        Self { gap, least, beside: beside.width, N_max, e_max }
     }
 }
 

@@ -263,8 +263,8 @@ rules! {
     "P1039" ClampsMissing Caution { missing: String }
         es "start_codes no lleva {missing}: los programas publicados empiezan con M11 M13, códigos de fabricante para los frenos de los ejes giratorios"
         en "start_codes lacks {missing}: the published programs begin with M11 M13, builder's codes for the rotary axis clamps"
-        remedy "escriba los códigos con los que su máquina suelta B y C, si los tiene",
-            "add the codes that release B and C on your machine, if it has any";
+        remedy "escriba los códigos con los que su máquina suelta B y C, si los tiene; la precaución queda, pues rodete no los conoce",
+            "add the codes that release B and C on your machine, if it has any; the caution stays, as rodete does not know them";
         why "Un eje que gira con el freno puesto lo gasta, o el control se para.", "An axis that turns against its clamp wears it out, or the control stops.";
         example book!("impeller --case full", "start_codes" = "M3");
     "P1040" NoRetract Caution {}
@@ -351,8 +351,8 @@ rules! {
         why "Por debajo de Z_r la fresa puede entrar en la pieza, según cómo esté B.", "Below Z_r the cutter may go into the part, depending on B.";
         example book!("impeller", "dialect" = "fagor-8070", "start_codes" = "M3", "retract" = "G0 Z-20");
     "P1051" RetractSideways Stop { axis: char }
-        es "retract mueve también {axis}, en coordenadas de programa: la fresa puede cruzar la pieza de lado"
-        en "retract moves {axis} as well, in program coordinates: the cutter may cross the part sideways"
+        es "retract mueve también {axis}: la fresa puede cruzar la pieza de lado"
+        en "retract moves {axis} as well: the cutter may cross the part sideways"
         remedy "deje solo Z en el bloque", "leave only Z in the block";
         why "Un movimiento rápido en diagonal no sube antes de ir de lado.", "A diagonal rapid move does not go up before it goes sideways.";
         example book!("impeller", "dialect" = "fagor-8070", "start_codes" = "M3", "retract" = "G0 X0 Z100");

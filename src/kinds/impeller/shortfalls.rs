@@ -88,10 +88,13 @@ fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding>
 
 /// The caution, or with a clear cut the note, for blades that are nearer to each other than the published limits say.
 pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
-    if limits.kept {
+    // The greatest thickness is told to a thousandth: typed, it is taken.
+    if limits.beside >= limits.least - 5e-4 {
         return None;
     }
-    let (gap, least, tool) = (Size::mm(limits.gap.width), Size::mm(limits.least), Size::mm(design.d_t));
+    // The largest tool that passes goes to another depth than the design's own, which the rule is asked of.
+    let width = if limits.gap.width < limits.least { limits.gap.width } else { limits.beside };
+    let (gap, least, tool) = (Size::mm(width), Size::mm(limits.least), Size::mm(design.d_t));
     let station = Size::percent(limits.gap.station * 100.0, 1);
     let largest = Largest((gap.value >= 0.001).then_some(gap));
     let blades = match limits.N_max {

@@ -115,8 +115,8 @@ rules! {
             "rodete suggests what you probably mean, but never takes it for the value.";
         example book!("impeller", "dialect" = "Fagor 8055");
     "W0416" WrongCode Stop { name: Text, wrong: String, cell: String, expected: Text }
-        es "{name} lleva \"{wrong}\", que no es un código de máquina (G o M y un número entero)"
-        en "{name} has \"{wrong}\", which is not a machine code (G or M and a whole number)"
+        es "{name} lleva \"{wrong}\", que no es un código de máquina (M y un número entero)"
+        en "{name} has \"{wrong}\", which is not a machine code (M and a whole number)"
         remedy "escriba en {cell} {expected}", "in {cell} write {expected}";
         why "rodete copia estos códigos tal cual en los programas.", "rodete copies these codes into the programs unchanged.";
         example book!("impeller", "start_codes" = "M3 X100");

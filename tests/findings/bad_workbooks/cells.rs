@@ -338,21 +338,21 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "start_codes",
             &sound().string("start_codes", "M3 X100"),
             "has \"X100\", which is not a machine code",
-            "write machine codes, such as M3 M11 M13",
+            "write M codes with whole numbers, separated by blanks",
         ),
         value(
             "codes with a bracket",
             "end_codes",
             &sound().string("end_codes", "M30)G0"),
             "has \"M30)G0\", which is not a machine code",
-            "write machine codes",
+            "write M codes with whole numbers",
         ),
         value(
             "codes with a fraction",
             "end_codes",
             &sound().string("end_codes", "G54.1"),
             "has \"G54.1\"",
-            "write machine codes",
+            "write M codes with whole numbers",
         ),
     ]);
 }

@@ -159,4 +159,18 @@ mod tests {
         }
         assert!(answers.iter().all(|count| *count > 100), "{answers:?}");
     }
+
+    #[test]
+    fn a_point_before_a_nose_is_as_far_from_it_as_it_is() {
+        let part = Part::with(Torus { R: 25.0, r: 15.0 }, 6.0, 2.0);
+        for v_s in [3.6, 4.0, 4.4] {
+            let body = Body::new(&part, v_s, -0.4, 1.8);
+            let (P, frame) = part.frame(v_s);
+            let before = |far: f64| turn(-0.4)(&(P + body.nose.down() - frame.t * (part.e / 2.0 + far)));
+            for far in [0.3, 1.0, 2.9] {
+                assert!(body.keeps_point(&before(far), far - 1e-6), "{v_s} {far}");
+                assert!(!body.keeps_point(&before(far), far + 1e-6), "{v_s} {far}");
+            }
+        }
+    }
 }
