@@ -34,6 +34,8 @@ const STEPS: u8 = 8;
 const HALVINGS: u8 = 12;
 /// Halvings for the place at a distance from a wall.
 const EDGES: u8 = 8;
+/// So many places across a channel, of which those before a nose are looked at.
+const BEFORE_NOSE: u16 = 160;
 /// So many of the places at which more is left than beside them are looked at more closely, in so many steps at most, which are halved so
 /// often.
 const TOPS: usize = 16;
@@ -470,6 +472,40 @@ impl FloorLook {
     pub fn is_cut(&self, [from, to]: [f64; 2], over: f64) -> bool {
         let seen = self.rows.iter().flat_map(|row| &row.seen);
         seen.filter(|one| one.v >= from - self.apart && one.v <= to + self.apart).all(|one| one.rest <= over)
+    }
+
+    /// What is left of the floor, or just as far before a nose as asked if that is more. There rests fall off steeply along the
+    /// floor, and the places of the rows lie across.
+    #[must_use]
+    pub fn with_nose(&self, floor: FloorRest) -> FloorRest {
+        let Some(v_s) = self.ground.floor.splitter.as_ref().map(|body| body.v_s) else { return floor };
+        let [high, low] = [0, 1].map(|side: usize| psi_at(&self.ground.floor.sides[side], v_s));
+        let before = |at: u16| {
+            let psi = low + (high - low) * f64::from(at) / f64::from(BEFORE_NOSE);
+            let mut shut = v_s;
+            if self.ground.is_free(shut, psi) {
+                return None;
+            }
+            let mut open = shut;
+            while !self.ground.is_free(open, psi) {
+                (open, shut) = (open - self.apart, open);
+                if open < self.from {
+                    return None;
+                }
+            }
+            for _ in 0..2 * EDGES {
+                let middle = f64::midpoint(open, shut);
+                if self.ground.is_free(middle, psi) { open = middle } else { shut = middle }
+            }
+            Some(Eye::new(&self.ground, &self.cutters).at(open, psi, 0.0))
+        };
+        let found: Vec<Sample> = (0..=BEFORE_NOSE).into_par_iter().filter_map(before).collect();
+        found.into_iter().fold(
+            floor,
+            |most, Sample { rest, v, psi, .. }| {
+                if rest > most.most { FloorRest { most: rest, v, psi, ..most } } else { most }
+            },
+        )
     }
 
     /// The most that is left: about the greatest of the places it is looked for more closely.

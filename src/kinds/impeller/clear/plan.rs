@@ -140,6 +140,7 @@ impl Plan {
         // The corners are those that stay without the leaning pass: it takes no more than they tell.
         let Rests { floor: mut look, root, unfinished } = draft.rests(floor_lanes, faces);
         let floor = draft.lean(&finish, &mut look);
+        let floor = look.as_ref().map_or(floor, |look| look.with_nose(floor));
         // Where nothing but ridges is left of the floor, the lanes beside have cut what one did not come to.
         let ridges = cut.scallop + cut.tolerance;
         let is_cut = |v: [f64; 2]| finish_from == 0.0 && look.as_ref().is_some_and(|look| look.is_cut(v, ridges));
