@@ -37,9 +37,10 @@ pub fn range(parameter: &Parameter) -> Text {
         }
         FieldKind::Line { max } => Text::new(format!("hasta {max} caracteres"), format!("up to {max} characters")),
         FieldKind::Date => t("una fecha, como 2026-11-23", "a date, such as 2026-11-23"),
-        FieldKind::Codes => {
-            t("códigos M con número entero, separados por espacios", "M codes with a whole number, separated by blanks")
-        }
+        FieldKind::Codes => t(
+            "códigos M con número entero, separados por espacios",
+            "codes: M with a whole number, separated by blanks",
+        ),
         FieldKind::Block => t(
             "un bloque: códigos G, luego X, Y, Z con su número, luego códigos M",
             "one block: G codes, then X, Y, Z with their numbers, then M codes",
