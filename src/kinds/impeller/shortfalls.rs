@@ -88,8 +88,7 @@ fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding>
 
 /// The caution, or with a clear cut the note, for blades that are nearer to each other than the published limits say.
 pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
-    // The greatest thickness is told to a thousandth: typed, it is taken.
-    if limits.beside >= limits.least - 5e-4 {
+    if limits.beside >= limits.least {
         return None;
     }
     // The largest tool that passes goes to another depth than the design's own, which the rule is asked of.
