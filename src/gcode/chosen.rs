@@ -2,17 +2,13 @@
 
 use crate::gcode::control::{Control, Rotary, Written};
 use crate::gcode::program::Style;
-use crate::gcode::word::{Distance, Word, block, codes};
+use crate::gcode::word::{Distance, Retract, Word, block, codes};
 use crate::parameter::Value;
 use crate::parameter::field::{Stated, Typed, choices};
 
 /// Machine codes, as `M3 M11 M13`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Codes(pub Vec<Word>);
-
-/// A block that takes the tool away, as `G0 G53 Z0`.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Retract(pub Vec<Word>);
 
 impl Typed for Codes {
     fn typed(value: &Value) -> Option<Self> {

@@ -6,7 +6,7 @@ use crate::gcode::control::CommentForm;
 use crate::gcode::digits::push_whole;
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::{Feed, Part, Path, Program};
-use crate::gcode::word::{Distance, Word};
+use crate::gcode::word::{Distance, Retract, Word};
 use crate::machine::axis::{Axis, Position};
 
 /// The lines of a program. Lends each line from one buffer, so that a program of any length needs no memory for its
@@ -115,7 +115,7 @@ impl<'a> Lines<'a> {
                     }
                     return Some((None, &self.line));
                 }
-                Part::Block(words) | Part::Away(words) => {
+                Part::Block(words) | Part::Away(Retract(words)) => {
                     self.part += 1;
                     for word in words {
                         word.write(program.format, &mut self.line);
@@ -141,7 +141,7 @@ impl<'a> Lines<'a> {
     }
 
     /// Puts the next line, with its number and its end, into `line`; false where there is none.
-    pub(super) fn next_whole(&mut self, line: &mut String) -> bool {
+    pub fn next_whole(&mut self, line: &mut String) -> bool {
         line.clear();
         let end_of_line = self.program.control.text.end_of_line;
         let Some((number, text)) = self.next() else { return false };

@@ -8,7 +8,7 @@ use crate::gcode::rules::codes::{
     EndMissing, EndsTooSoon, MachineCodeNotKnown, NoMachineCode, NotInRetract, RetractInProgram, RetractWithoutZ,
     SpindleCode,
 };
-use crate::gcode::word::{Number, Word};
+use crate::gcode::word::{Number, Retract, Word};
 use crate::parameter::at;
 
 /// What is wrong with the codes of a parameter: one that is no M code, that the control does not know, or that ends the
@@ -61,10 +61,10 @@ pub fn refused_spindle(key: Key, codes: &[Word], starts: bool) -> Vec<Finding> {
 /// coordinates where the control has G53. A return to a reference point goes over a point in program coordinates (the
 /// LinuxCNC manual, G28).
 #[must_use]
-pub fn refused_retract(dialect: &Control, key: Key, words: &[Word]) -> Vec<Finding> {
+pub fn refused_retract(dialect: &Control, key: Key, retract: &Retract) -> Vec<Finding> {
     let mut findings = Vec::new();
     let place = || at([key, DIALECT.key()]);
-    for word in words {
+    for word in &retract.0 {
         let Number::Whole(number) = word.number else { continue };
         let letter = word.letter;
         let tenths = usize::try_from(number).unwrap_or(usize::MAX).saturating_mul(10);
@@ -76,14 +76,12 @@ pub fn refused_retract(dialect: &Control, key: Key, words: &[Word]) -> Vec<Findi
             findings.push(NotInRetract { letter, number, control: dialect.name }.at(place()));
         }
     }
-    let sizes: Vec<char> =
-        words.iter().filter(|word| matches!(word.number, Number::Size(_))).map(|word| word.letter).collect();
-    if !sizes.is_empty() && !sizes.contains(&'Z') {
+    let moves = retract.sizes().next().is_some();
+    if moves && retract.z().is_none() {
         findings.push(RetractWithoutZ {}.at(place()));
     }
     let has_machine_zero = matches!(dialect.codes.get(MACHINE_ZERO), Some(G::MachineCoordinates));
-    let by_program = !sizes.is_empty() && !words.contains(&Word::whole('G', 53));
-    if findings.is_empty() && by_program && has_machine_zero {
+    if findings.is_empty() && moves && !retract.by_machine() && has_machine_zero {
         findings.push(RetractInProgram {}.at(place()));
     }
     findings

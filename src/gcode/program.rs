@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::gcode::control::Control;
 use crate::gcode::feed_word::FeedWord;
-use crate::gcode::word::{Distance, Number, NumberFormat, Word};
+use crate::gcode::word::{Distance, Number, NumberFormat, Retract, Word};
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::Milli;
 use crate::text::Text;
@@ -93,9 +93,8 @@ pub enum Part {
     Comment(String),
     /// A block of words without moves, or of a turning program.
     Block(Vec<Word>),
-    /// The block that takes the tool away first of all. Where it leads in program coordinates is not known: it may be in
-    /// those of the machine.
-    Away(Vec<Word>),
+    /// The block that takes the tool away first of all.
+    Away(Retract),
     /// Moves.
     Path(Path),
 }

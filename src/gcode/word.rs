@@ -79,6 +79,32 @@ impl Word {
     }
 }
 
+/// A block that takes the tool away, as `G0 G53 Z0`; no words where there is none.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Retract(pub Vec<Word>);
+
+impl Retract {
+    /// The axes that it moves, each with the position that is programmed, mm.
+    pub fn sizes(&self) -> impl Iterator<Item = (char, f64)> {
+        self.0.iter().filter_map(|word| match word.number {
+            Number::Size(size) => Some((word.letter, size.value())),
+            _ => None,
+        })
+    }
+
+    /// Z as it is programmed, mm; `None` where it does not move.
+    #[must_use]
+    pub fn z(&self) -> Option<f64> {
+        self.sizes().find(|&(axis, _)| axis == 'Z').map(|(_, z)| z)
+    }
+
+    /// True where its positions count from machine zero, with G53: where they are in program coordinates nobody knows.
+    #[must_use]
+    pub fn by_machine(&self) -> bool {
+        self.0.contains(&Word::whole('G', 53))
+    }
+}
+
 /// Reads codes as `M3 M11 M13`, that is letters G or M with whole numbers separated by blanks.
 ///
 /// `None` where anything else stands there.

@@ -165,7 +165,7 @@ impl<'a> Assembly<'a> {
         self.start = Position::default().with(Axis::Z, height);
         self.at = self.start;
         self.writer.safety();
-        if !design.retract.is_empty() {
+        if !design.retract.0.is_empty() {
             self.writer.part(Part::Away(design.retract.clone()));
         }
         self.writer.tool(self.mill.T, self.mill.D);
@@ -179,7 +179,7 @@ impl<'a> Assembly<'a> {
         let by_increments = design.turns_by_increments();
         let over_zero = zeros(if by_increments { &[Axis::X, Axis::Y] } else { &[Axis::X, Axis::Y, Axis::B, Axis::C] });
         // Taken away, the tool is above everything, and comes down over the work zero; otherwise it goes up first.
-        let blocks = if design.retract.is_empty() { [down, over_zero] } else { [over_zero, down] };
+        let blocks = if design.retract.0.is_empty() { [down, over_zero] } else { [over_zero, down] };
         for words in blocks {
             self.writer.rapid(words);
         }

@@ -3,7 +3,7 @@
 use crate::finding::{Bare, Finding, Raise, Size, Typed};
 use crate::gcode::control::Rotary as Counting;
 use crate::gcode::machine_codes::{refused_codes, refused_retract, refused_spindle};
-use crate::gcode::word::{Distance, Number, Word};
+use crate::gcode::word::Distance;
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::kinds::impeller::blank::BlankTurning;
@@ -150,30 +150,22 @@ impl Design {
     /// The block that takes the tool away: that it goes straight up and, in program coordinates, how far. No other judge
     /// follows it. How high machine zero is nobody knows here.
     fn check_retract(&self, findings: &mut Vec<Finding>) {
-        let by_machine = self.retract.contains(&Word::whole('G', 53));
-        if !self.retract.iter().any(|word| word.letter == 'Z') {
+        let Some(z) = self.retract.z() else { return };
+        let place = || at([form::RETRACT.key()]);
+        let sideways = self.retract.sizes().map(|(axis, _)| axis).filter(|&axis| axis != 'Z');
+        findings.extend(sideways.map(|axis| RetractSideways { axis }.at(place())));
+        if self.retract.by_machine() {
             return;
         }
-        for word in &self.retract {
-            let Number::Size(size) = word.number else { continue };
-            let place = at([form::RETRACT.key()]);
-            if word.letter != 'Z' {
-                findings.push(RetractSideways { axis: word.letter }.at(place));
-                continue;
-            }
-            if by_machine {
-                continue;
-            }
-            let (z, height) = (size.value(), self.retract_height());
-            let beyond = self.travel.iter().find(|travel| travel.axis == Axis::Z);
-            if z < height {
-                let told = RetractTooLow { z: Size::mm(z), height: Size::mm(height) };
-                findings.push(told.at(place).with(mm(z), mm(height)));
-            } else if let Some((travel, beyond)) = beyond.and_then(|of| Some((of, excess(of.ends, z)?))) {
-                let told = RetractOutside { z: Size::mm(z), limit: Size::mm(beyond.limit) };
-                let [low, high] = travel.keys;
-                findings.push(told.at(at([form::RETRACT.key(), low, high])).with(mm(z), mm(beyond.limit)));
-            }
+        let height = self.retract_height();
+        let beyond = self.travel.iter().find(|travel| travel.axis == Axis::Z);
+        if z < height {
+            let told = RetractTooLow { z: Size::mm(z), height: Size::mm(height) };
+            findings.push(told.at(place()).with(mm(z), mm(height)));
+        } else if let Some((travel, beyond)) = beyond.and_then(|of| Some((of, excess(of.ends, z)?))) {
+            let told = RetractOutside { z: Size::mm(z), limit: Size::mm(beyond.limit) };
+            let [low, high] = travel.keys;
+            findings.push(told.at(at([form::RETRACT.key(), low, high])).with(mm(z), mm(beyond.limit)));
         }
     }
 

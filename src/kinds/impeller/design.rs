@@ -4,7 +4,7 @@ use crate::finding::Finding;
 use crate::gcode::control::{Control, Rotary as Counting, Written};
 use crate::gcode::fields::{TOOL_CHANGE, rapids};
 pub use crate::gcode::program::Style;
-use crate::gcode::word::{Distance, Word};
+use crate::gcode::word::{Distance, Retract, Word};
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::blank::BlankTurning;
 use crate::kinds::impeller::clear::asked::{Asked, Mill};
@@ -86,7 +86,7 @@ pub struct Design {
     /// M codes for coolant.
     pub coolant: Vec<Word>,
     /// The block that takes the tool away before anything turns; empty where there is none.
-    pub retract: Vec<Word>,
+    pub retract: Retract,
     /// M codes at the end.
     pub end_codes: Vec<Word>,
     /// Step of the block numbers.
@@ -205,7 +205,7 @@ impl Design {
             distance: fields.get(&form::DISTANCE),
             start_codes: fields.get(&form::START_CODES).0,
             coolant: fields.get(&form::COOLANT).unwrap_or_default().0,
-            retract: fields.get(&form::RETRACT).unwrap_or_default().0,
+            retract: fields.get(&form::RETRACT).unwrap_or_default(),
             end_codes: fields.get(&form::END_CODES).0,
             block_step: fields.get(&form::BLOCK_STEP),
             blank: BlankTurning::of(fields),

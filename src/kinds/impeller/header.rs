@@ -102,7 +102,7 @@ pub fn header(
     if design.style == Style::Full && design.distance == Distance::Absolute {
         comments.line("SOLO VALE SI B Y C NO SON EJES ROLLOVER", "VALID ONLY IF B AND C ARE NOT ROLLOVER AXES");
     }
-    if design.retract.is_empty() {
+    if design.retract.0.is_empty() {
         comments.line(
             "SIN BLOQUE DE RETIRADA - RETIRE LA HERRAMIENTA A MANO",
             "NO BLOCK TAKES THE TOOL AWAY - DO SO BY HAND",

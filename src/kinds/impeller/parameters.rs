@@ -5,12 +5,12 @@
 //! is added here. Limits are those of the machines the method is meant for; they catch metres typed for millimetres.
 
 use crate::finding::Raise;
-use crate::gcode::chosen::{Codes, Retract};
+use crate::gcode::chosen::Codes;
 use crate::gcode::control::Rotary;
 use crate::gcode::fields;
 pub(super) use crate::gcode::fields::{DIALECT, MATERIAL, PART};
 use crate::gcode::program::Style;
-use crate::gcode::word::Distance;
+use crate::gcode::word::{Distance, Retract};
 use crate::kinds::impeller::clear::fields as cut;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::operation::Operation;

@@ -2,7 +2,7 @@
 
 use crate::finding::{Finding, Raise, Size};
 use crate::gcode::control::Rotary;
-use crate::gcode::word::{Distance, Number, Word};
+use crate::gcode::word::{Distance, Word};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::rules::{
@@ -72,15 +72,11 @@ fn clamps(design: &Design) -> Finding {
 
 fn retract(design: &Design) -> Vec<Finding> {
     let place = || at([form::RETRACT.key()]);
-    if design.retract.is_empty() {
+    if design.retract.0.is_empty() {
         return vec![NoRetract {}.at(place())];
     }
-    let height = |word: &Word| match word.number {
-        Number::Size(size) if word.letter == 'Z' => Some(size.value()),
-        _ => None,
-    };
-    let Some(z) = design.retract.iter().find_map(height) else { return Vec::new() };
-    if !holds(&design.retract, 'G', 53) {
+    let Some(z) = design.retract.z() else { return Vec::new() };
+    if !design.retract.by_machine() {
         return vec![RetractByProgram { z: Size::mm(z) }.at(place())];
     }
     let mut findings = Vec::new();
