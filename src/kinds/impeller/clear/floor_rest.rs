@@ -11,24 +11,19 @@
 //! Millimetres and radians.
 
 use std::cell::Cell;
-use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use crate::kinds::impeller::clear::body::{Body, turn};
+use crate::kinds::impeller::clear::floor_feet::{ARITHMETIC, Floor, psi_at};
 use crate::kinds::impeller::clear::poses::{Pose, Poses, Seen};
 use crate::kinds::impeller::clear::tool::Tool;
-use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
-use crate::number::trig::{atan2, hypot, sin_cos};
+use crate::kinds::impeller::part::{Part, RIM};
+use crate::number::trig::sin_cos;
 
 /// How many stations of the floor are looked at between its ends: so many for each radius of the tool, and within these limits.
 const ALONG_A_RADIUS: f64 = 2.0;
 const ALONG: [f64; 2] = [48.0, 480.0];
-/// Rulings by which a wall's foot is known.
-const FEET: u16 = 200;
-/// What the arithmetic may lose, mm.
-const ARITHMETIC: f64 = 1e-9;
 /// Steps and halvings for the end of a tool that is not flat.
 const STEPS: u8 = 8;
 const HALVINGS: u8 = 12;
@@ -61,114 +56,6 @@ pub struct FloorRest {
     pub v: f64,
     /// ψ where it is.
     pub psi: f64,
-}
-
-/// The floor of a channel, and the feet of what stands on it.
-struct Floor {
-    /// The feet of the two walls as points, and how far two of them that follow each other are apart at most.
-    walls: [(Vec<Vector3<f64>>, f64); 2],
-    /// v and ψ of the two blades' feet.
-    sides: [Vec<[f64; 2]>; 2],
-    splitter: Option<Body>,
-}
-
-/// The foot of a face turned about the axis of the part: its points on the floor.
-fn foot(part: &Part, face: Face, by: f64) -> Vec<Vector3<f64>> {
-    let turn = turn(by);
-    let beyond = (part.e + part.a_p) / part.circle.torus.r;
-    (0..=FEET)
-        .map(|foot| HUB - beyond + (RIM - HUB + 2.0 * beyond) * f64::from(foot) / f64::from(FEET))
-        .map(|v| {
-            let ruling = part.ruling(face, v);
-            turn(&ruling.at(part.floor(&ruling, part.top(v))))
-        })
-        .collect()
-}
-
-/// v and ψ of points, ψ near that of the channel.
-fn chart(part: &Part, points: &[Vector3<f64>], turn: f64) -> Vec<[f64; 2]> {
-    let R = part.circle.torus.R;
-    let positive = |angle: f64| if angle < 0.0 { angle + TAU } else { angle };
-    let angles = |point: &Vector3<f64>| {
-        let v = positive(atan2(point.z, hypot(point.x, point.y) - R));
-        let u = part.circle.u(v.clamp(HUB, RIM)) + turn;
-        let psi = atan2(point.y, point.x);
-        [v, psi - ((psi - u) / TAU).round() * TAU]
-    };
-    points.iter().map(angles).collect()
-}
-
-/// The points about the middle of a foot whose v goes on from each to the next: far out on the straight ends of a thick blade it
-/// turns back.
-fn onwards(foot: &[[f64; 2]]) -> std::ops::Range<usize> {
-    let middle = foot.len() / 2;
-    let on = |at: usize| foot[at + 1][0] > foot[at][0];
-    let first = (0..middle).rev().find(|&at| !on(at)).map_or(0, |at| at + 1);
-    let last = (middle..foot.len().saturating_sub(1)).find(|&at| !on(at)).unwrap_or(foot.len().saturating_sub(1));
-    first..(last + 1).min(foot.len())
-}
-
-/// ψ of a foot at v.
-fn psi_at(foot: &[[f64; 2]], v: f64) -> f64 {
-    let after = foot.partition_point(|point| point[0] < v).clamp(1, foot.len().max(2) - 1);
-    match (foot.get(after - 1), foot.get(after)) {
-        (Some([v_0, psi_0]), Some([v_1, psi_1])) => psi_0 + (psi_1 - psi_0) * ((v - v_0) / (v_1 - v_0)),
-        _ => 0.0,
-    }
-}
-
-impl Floor {
-    fn new(part: &Part, pitch: f64, a: f64, v_s: Option<f64>) -> Self {
-        let turns = [0.0, -pitch];
-        let walls = [0, 1].map(|side: usize| foot(part, Face::ALL[side], turns[side]));
-        let sides = [0, 1].map(|side: usize| chart(part, &walls[side], turns[side]));
-        let stretches = sides.each_ref().map(|side| onwards(side));
-        let walls = [0, 1].map(|side: usize| walls[side][stretches[side].clone()].to_vec());
-        let sides = [0, 1].map(|side: usize| sides[side][stretches[side].clone()].to_vec());
-        let walls = walls.map(|feet| {
-            let apart = feet.windows(2).map(|pair| (pair[1] - pair[0]).norm()).fold(ARITHMETIC, f64::max) + ARITHMETIC;
-            (feet, apart)
-        });
-        Self { walls, sides, splitter: v_s.map(|v_s| Body::new(part, v_s, -pitch / 2.0, a)) }
-    }
-
-    /// True where a point of the floor is no nearer than asked to what stands on it.
-    fn is_free(&self, point: &Vector3<f64>, asked: f64) -> bool {
-        self.walls.iter().all(|(feet, apart)| clear_of(feet, *apart, point, asked))
-            && self.splitter.as_ref().is_none_or(|body| body.keeps_point(point, asked))
-    }
-}
-
-/// True where a point is no nearer than asked to a line of straight pieces, given by their ends, none of which is longer than told:
-/// what is far from one end is far from the next ones as well.
-fn clear_of(row: &[Vector3<f64>], apart: f64, point: &Vector3<f64>, asked: f64) -> bool {
-    let mut next = 0;
-    while let Some(one) = row.get(next) {
-        let spare = (point - one).norm() - asked;
-        if spare < 0.0 {
-            return false;
-        }
-        // The pieces on both sides of an end that is nearer than their length may come nearer than it does.
-        if spare < apart {
-            let ends = [next.checked_sub(1), Some(next + 1)];
-            let beside = ends.into_iter().flatten().filter_map(|other| row.get(other));
-            if beside.map(|other| from_piece(point, [one, other])).any(|off| off < asked) {
-                return false;
-            }
-        }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count, not negative")]
-        let over = (spare / apart).min(1e6) as usize;
-        next += over.max(1);
-    }
-    true
-}
-
-/// How far a point is from a straight piece.
-fn from_piece(point: &Vector3<f64>, [one, other]: [&Vector3<f64>; 2]) -> f64 {
-    let (along, from) = (other - one, point - one);
-    let square = along.norm_squared();
-    let part = if square > 0.0 { (from.dot(&along) / square).clamp(0.0, 1.0) } else { 0.0 };
-    (from - along * part).norm()
 }
 
 /// The lowest place along the line from c, between r and r_f, that a tool holds; r where it holds none.
@@ -291,6 +178,15 @@ impl Ground {
     }
 }
 
+/// The last open place on the way from one to a shut one, by halvings.
+fn halved([mut open, mut shut]: [f64; 2], halvings: u8, is_open: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..halvings {
+        let middle = f64::midpoint(shut, open);
+        if is_open(middle) { open = middle } else { shut = middle }
+    }
+    open
+}
+
 /// Looks at places one after the other.
 struct Eye<'a> {
     ground: &'a Ground,
@@ -339,13 +235,9 @@ impl<'a> Eye<'a> {
     }
 
     /// The place at v that is just as far from a wall as asked, between one that is free and one that is not.
-    fn edge(&self, v: f64, [mut open, mut shut]: [f64; 2]) -> Sample {
+    fn edge(&self, v: f64, [open, shut]: [f64; 2]) -> Sample {
         let wall = (shut - open).signum();
-        for _ in 0..EDGES {
-            let middle = f64::midpoint(shut, open);
-            if self.ground.is_free(v, middle) { open = middle } else { shut = middle }
-        }
-        self.at(v, open, wall)
+        self.at(v, halved([open, shut], EDGES, |psi| self.ground.is_free(v, psi)), wall)
     }
 
     /// The greatest rest about a sample, by steps in v and ψ that become smaller. What is just as far from a wall as asked stays so.
@@ -493,10 +385,7 @@ impl FloorLook {
                     return None;
                 }
             }
-            for _ in 0..2 * EDGES {
-                let middle = f64::midpoint(open, shut);
-                if self.ground.is_free(middle, psi) { open = middle } else { shut = middle }
-            }
+            let open = halved([open, shut], 2 * EDGES, |v| self.ground.is_free(v, psi));
             Some(Eye::new(&self.ground, &self.cutters).at(open, psi, 0.0))
         };
         let found: Vec<Sample> = (0..=BEFORE_NOSE).into_par_iter().filter_map(before).collect();
@@ -535,13 +424,14 @@ impl FloorLook {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::PI;
+    use std::f64::consts::{PI, TAU};
 
     use super::*;
     use crate::geometry::torus::Torus;
     use crate::kinds::impeller::clear::cut::{Cut, Job, Which};
     use crate::kinds::impeller::clear::lane::v_at;
     use crate::kinds::impeller::clear::plan::Plan;
+    use crate::kinds::impeller::part::HUB;
     use crate::machine::rotary::Rotary;
 
     #[test]
@@ -557,22 +447,6 @@ mod tests {
         let side = reach(Tool::flat(3.1), &pose, &c, &slant, [15.0, 17.0]);
         assert!((side - 15.5).abs() < 1e-9, "{side}");
         assert_eq!(reach(Tool::flat(2.0), &pose, &c, &slant, [15.0, 17.0]), 15.0);
-    }
-
-    #[test]
-    fn a_line_is_as_far_as_its_nearest_point_however_far_apart_its_ends_are() {
-        for (count, apart) in [(100_u8, 0.1), (5, 2.5)] {
-            let row: Vec<Vector3<f64>> = (0..count).map(|k| Vector3::new(f64::from(k) * apart, 0.0, 0.0)).collect();
-            let length = f64::from(count - 1) * apart;
-            for k in 0..50_u8 {
-                let point = Vector3::new(f64::from(k) * 0.31 - 2.0, 0.4, 0.1);
-                let beyond = (point.x - point.x.clamp(0.0, length)).abs();
-                let nearest = Vector3::new(beyond, point.y, point.z).norm();
-                for asked in [0.3, 0.45, 1.0, 3.0] {
-                    assert_eq!(clear_of(&row, apart + ARITHMETIC, &point, asked), nearest >= asked, "{k} {asked}");
-                }
-            }
-        }
     }
 
     /// Steps across a large part are wider than the strip beside a wall that is left out: what lies beyond it is the blade.

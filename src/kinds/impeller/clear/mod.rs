@@ -19,6 +19,7 @@ mod entered;
 pub mod fields;
 pub mod fit;
 pub mod flank;
+mod floor_feet;
 pub mod floor_rest;
 pub mod holder;
 pub mod lane;
