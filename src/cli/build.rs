@@ -127,14 +127,20 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
         Err(refusal) => return refused(&refusal, language, terminal),
     };
     let interrupted = interrupt::listen();
+    let mut sink = Sink::new(BUILD, outputs.lang, arguments.json);
     let folder = match outputs.output.as_deref().map(Folder::open).transpose() {
         Ok(folder) => folder,
+        Err(refusal) if arguments.json => {
+            for item in &items {
+                sink.take(reading::verdict(&item.workbook, |_| Err(refusal.clone())), terminal);
+            }
+            return sink.end(terminal);
+        }
         Err(refusal) => return refused(&refusal, language, terminal),
     };
     let tables = if arguments.values { Tables::Values } else { Tables::Live };
     let asked = Asked { tables, into: arguments.into, ..Asked::from(outputs) };
     let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);
-    let mut sink = Sink::new(BUILD, outputs.lang, arguments.json);
     let work = |item: &Item| made(item, &settings, &|| false).ending;
     let mut to_open = Vec::new();
     side_by_side::run(&items, work, terminal, |verdict, terminal| {

@@ -29,7 +29,7 @@ use crate::machine::axis::{Axis, Pose};
 use crate::report::comparison::{self, Named};
 use crate::store::{Existing, Folder, Set};
 use crate::text::{Language, Text, t};
-use crate::workbook::comparison_book;
+use crate::workbook::{self, comparison_book};
 
 /// Columns wider than this stand on lines of their own.
 const WIDE: usize = 34;
@@ -51,7 +51,12 @@ pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Termi
     }
     let pair = match compared(&sides) {
         Ok(pair) => pair,
-        Err(refusal) => return refused(&refusal, language, terminal),
+        Err(refusal) => {
+            if arguments.json {
+                terminal.out(&json::laid_out(&document(&sides, None, gravest(exit, refusal.exit))));
+            }
+            return refused(&refusal, language, terminal);
+        }
     };
     let Some(comparison) = pair else {
         if arguments.json {
@@ -126,6 +131,11 @@ fn write(
     let folder = Folder::open(plan::beside(file))?;
     let inputs: Vec<&Path> = sides.iter().map(|side| side.ending.workbook.as_path()).collect();
     let mut set = Set::new(&folder, &inputs, Existing::Replace);
+    set.check(name)?;
+    // It may be a design, also one that cannot be read.
+    if !pdf && workbook::open(file).is_ok_and(|there| !comparison_book::is_comparison(&there)) {
+        return Err(BookInTheWay { path: printable_path(file) }.refused(Exit::Unwritable, Place::File));
+    }
     let names = sides.each_ref().map(|side| printable_path(&side.ending.workbook));
     if pdf {
         let named = [0, 1].map(|at| Named {
@@ -291,9 +301,12 @@ fn program(one: &ProgramPair) -> Value {
     json!({
         "program": one.key,
         "title": one.title,
-        "same": one.equal(),
+        "same": one.moves_alike(),
         "motions": one.motions,
         "first": one.first.map(|first| json!({ "motion": first.motion, "lines": first.lines })),
+        "words": one.words.as_ref().map(|blocks| blocks.each_ref().map(|block| {
+            block.as_ref().map(|block| json!({ "line": block.line, "text": block.text }))
+        })),
         "apart": one.apart.iter().map(|apart| json!({
             "axis": apart.axis.letter().to_string(),
             "by": apart.by,

@@ -89,6 +89,13 @@ rules! {
         remedy "compare dos libros del mismo tipo", "compare two workbooks of one kind";
         why "Los libros de dos tipos no tienen las mismas entradas.", "Workbooks of two kinds do not have the same inputs.";
         example made!("two-kinds", "compare impeller.xlsx lathe.xlsx", "compare impeller.xlsx lathe.xlsx");
+    "U0118" BookInTheWay Stop { path: String }
+        es "{path} es otro libro: la comparación lo sustituiría"
+        en "{path} is another workbook: the comparison would replace it"
+        remedy "dé otro nombre con -o", "give another name with -o";
+        why "Puede ser un diseño; rodete solo sustituye una comparación anterior.",
+            "It may be a design; rodete replaces nothing but an earlier comparison.";
+        example made!("compare-over-book", "compare a.xlsx b.xlsx -o c.xlsx, y c.xlsx es de rodete new", "compare a.xlsx b.xlsx -o c.xlsx where c.xlsx is of rodete new");
     "U0121" StockWithoutTurning Stop {}
         es "--stock vale para un programa de torno, no para esta entrada"
         en "--stock is for a turning program, not for this input"

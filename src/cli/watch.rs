@@ -38,6 +38,8 @@ const QUIET: Duration = Duration::from_millis(25);
 const LONGEST: Duration = Duration::from_millis(400);
 /// What cannot be read is read again after this: a save may be half done.
 const HALF_DONE: Duration = Duration::from_millis(250);
+/// A workbook that is not there for so long is missed.
+const MISSED: Duration = Duration::from_secs(1);
 /// A build that was overtaken so often in a row is brought to its end.
 const OVERTAKEN: u32 = 20;
 /// Most inputs and codes that a line names.
@@ -67,6 +69,8 @@ struct Watched {
     exit: Exit,
     /// How often its builds were overtaken in a row.
     overtaken: u32,
+    /// Since when it has not been there, and whether that was said.
+    gone: Option<(Instant, bool)>,
     /// What was last read of it.
     read: Option<Made>,
     /// What was last written of it, where that is another one.
@@ -101,6 +105,7 @@ pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Termina
         sum: None,
         exit: Exit::Done,
         overtaken: 0,
+        gone: None,
         read: None,
         written: None,
     };
@@ -128,6 +133,7 @@ pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Termina
     loop {
         wait(&events, tick);
         for one in &mut all {
+            one.miss(language, terminal);
             while one.due(tick) {
                 one.work(&settings, outputs.lang, terminal);
             }
@@ -189,6 +195,23 @@ impl Watched {
         let now = stamp(&self.item.workbook);
         // Between two renames of a save there is no file.
         now.is_some() && (now != self.seen || (self.again && self.tried.elapsed() >= tick))
+    }
+
+    /// Says once that it is not there any more. Between two renames of a save it is not for a moment.
+    fn miss(&mut self, language: Language, terminal: &mut Terminal) {
+        let workbook = printable_path(&self.item.workbook);
+        let mut say = |text: Text| terminal.out(&format!("{workbook}: {}\n", text.get(language)));
+        if stamp(&self.item.workbook).is_some() {
+            if self.gone.take().is_some_and(|(_, said)| said) {
+                say(t("vuelve a estar ahí", "it is back"));
+            }
+            return;
+        }
+        let (since, said) = self.gone.get_or_insert_with(|| (Instant::now(), false));
+        if !*said && since.elapsed() >= MISSED {
+            *said = true;
+            say(t("ya no está ahí; rodete lo espera", "no longer there; rodete waits for it"));
+        }
     }
 
     /// Waits until the file stays as it is.

@@ -1,7 +1,7 @@
 //! What the text of a program amounts to: blocks, bytes, and the positions that it names.
 
 use crate::gcode::program::{Part, Program};
-use crate::gcode::word::Number;
+use crate::gcode::word::{Number, Retract, Word};
 use crate::number::grid::Milli;
 
 /// What the text of a program amounts to.
@@ -23,11 +23,11 @@ impl Program {
             None => extents.push((letter, value, value)),
         };
         for part in &self.parts {
-            let words = match part {
-                Part::Block(words) => words,
-                Part::Away(retract) if !retract.by_machine() => &retract.0,
-                _ => continue,
-            };
+            // G53 counts from machine zero.
+            let (Part::Block(words) | Part::Away(Retract(words))) = part else { continue };
+            if words.contains(&Word::whole('G', 53)) {
+                continue;
+            }
             for word in words.iter().filter(|word| matches!(word.letter, 'X' | 'Y' | 'Z' | 'B')) {
                 if let Number::Size(size) = word.number {
                     reach(word.letter, size);

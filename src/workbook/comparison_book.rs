@@ -6,12 +6,14 @@ use rust_xlsxwriter::{ColNum, RowNum, Workbook};
 
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
+use super::listing::sheets;
+use super::package::Package;
 use super::page::{Page, properties};
 use super::save::{Additions, save};
 use super::style::{Styles, grade_fill};
 use crate::finding::Grade;
 use crate::kind::comparison::Comparison;
-use crate::kind::comparison::sheets::{Held, Sheet};
+use crate::kind::comparison::sheets::{Held, NAMES, Sheet};
 use crate::text::{Language, Text, t};
 
 /// The row of the headings, from 0.
@@ -38,6 +40,15 @@ pub fn write<W: Write + Seek + Send>(
         write_sheet(&mut workbook, &sheet, &files, language, &styles)?;
     }
     save(&mut workbook, Additions::default(), out)
+}
+
+/// True of a workbook that holds a comparison: its sheets bear these names, in one of the languages.
+#[must_use]
+pub fn is_comparison(bytes: &[u8]) -> bool {
+    let listed = Package::open(bytes).and_then(|mut package| sheets(&mut package));
+    let held: Vec<String> =
+        listed.map(|found| found.sheets.into_iter().map(|sheet| sheet.name).collect()).unwrap_or_default();
+    [Language::Es, Language::En].into_iter().any(|language| NAMES.iter().map(|name| name.get(language)).eq(&held))
 }
 
 fn write_sheet(

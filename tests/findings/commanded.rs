@@ -190,6 +190,12 @@ fn made(key: &str, folder: &Path) -> Option<Line> {
             run(folder, &["new", "impeller", "--case", "full"].map(str::to_owned), Language::En);
             "compare impeller.xlsx lathe.xlsx".to_owned()
         }
+        "compare-over-book" => {
+            for file in ["a.xlsx", "b.xlsx", "c.xlsx"] {
+                run(folder, &["new", "impeller", "--case", "full", file].map(str::to_owned), Language::En);
+            }
+            "compare a.xlsx b.xlsx -o c.xlsx".to_owned()
+        }
         "workbook-as-program" | "lathe-tools" => {
             run(folder, &["new", "lathe"].map(str::to_owned), Language::En);
             match key {

@@ -346,6 +346,30 @@ pub(super) fn comments(line: &[u8], form: Comments) -> Result<Vec<(usize, &[u8])
     }
 }
 
+/// The words of a line as the control sees them, in lower case: without comments, blanks and block number. Empty for a line of comments
+/// alone, and for one with the program's name, behind `%` or O.
+#[must_use]
+pub fn bare(line: &str, form: Comments) -> String {
+    let mut cursor = Cursor::new(line.as_bytes(), form);
+    let mut words = Vec::new();
+    while let letter @ 1.. = cursor.peek() {
+        words.push(letter);
+        cursor.pass();
+    }
+    let words = String::from_utf8_lossy(&words).into_owned();
+    let digits = |text: &str| text.bytes().take_while(|byte| byte.is_ascii_digit() || *byte == b'.').count();
+    if words.starts_with('%') || words.strip_prefix('o').is_some_and(|name| digits(name) == name.len()) {
+        return String::new();
+    }
+    // A block that may be passed over has its number behind the slash.
+    let slash = if words.starts_with('/') { 1 + digits(&words[1..]) } else { 0 };
+    let (before, behind) = words.split_at(slash);
+    match behind.strip_prefix('n').map(|number| (number, digits(number))) {
+        Some((number, digits)) if digits > 0 => format!("{before}{}", &number[digits..]),
+        _ => words,
+    }
+}
+
 /// True where a text reads as a block: words all through, up to a comment, one of them more than its number.
 fn reads_as_words(text: &[u8]) -> bool {
     let end = memchr::memchr2(b'(', b';', text).unwrap_or(text.len());
@@ -407,4 +431,22 @@ fn two_points(column: usize) -> Box<Refused> {
 /// An exponent, which no control's numbers have.
 pub(super) fn exponent(column: usize) -> Box<Refused> {
     Refused::of(&Exponent {}, &[column])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_the_same_whatever_number_comment_and_name_stand_beside() {
+        let words = |line| bare(line, Comments::Parentheses);
+        for line in ["G1 X5 M8", "N10 G1X5M8", "n0020 g1 x5 (a) M8", " N5.1 G1 X 5 M8 (b)"] {
+            assert_eq!(words(line), "g1x5m8", "{line}");
+        }
+        assert_eq!([words("/N115 G0 X1"), words("/N116 G0 X1"), words("/2 N7 G0 X1")], ["/g0x1", "/g0x1", "/2g0x1"]);
+        for line in ["(a)", "%", "%0001-ROUGH,MX--,", "O0001", "O0007 (SHAFT)", ""] {
+            assert_eq!(words(line), "", "{line}");
+        }
+        assert_eq!([words("o1 while [#1 LT 3]"), words("N"), words("M98 P5")], ["o1while[#1lt3]", "n", "m98p5"]);
+    }
 }

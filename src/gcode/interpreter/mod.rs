@@ -80,6 +80,7 @@ use self::block::Block;
 use self::compensation::Compensator;
 use self::corner::Corner;
 use self::cursor::Cursor;
+pub use self::cursor::bare;
 use self::doubt::Doubts;
 use self::flow::Flow;
 use self::library::{Library, Spot};

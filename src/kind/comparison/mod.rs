@@ -1,6 +1,6 @@
 //! Two workbooks of one kind side by side: inputs, derived values, findings and programs.
 //!
-//! Programs are compared as the control would run them, motion by motion, not as texts: a header that names another
+//! Programs are compared as the control would run them, motion by motion, then word by word: a header that names another
 //! workbook makes no other program.
 
 mod motions;
@@ -13,7 +13,7 @@ use crate::parameter::{FieldKind, Form, Parameter, Value, Values};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
 
-pub use self::motions::{Apart, Difference, ProgramPair};
+pub use self::motions::{Apart, Block, Difference, ProgramPair};
 
 /// The last decimal that is shown of a derived value.
 const LAST_DECIMAL: f64 = 1e-6;
@@ -244,11 +244,27 @@ fn quantities(sides: [&[Quantity]; 2]) -> Vec<Derived> {
     all
 }
 
-/// The place of a finding whatever row its inputs stand in: cells of the form as its parameters.
-fn place(finding: &Finding, values: &Values) -> Place {
-    let Place::Cells(cells) = &finding.place else { return finding.place.clone() };
-    let key = |cell: &CellPlace| values.cells.iter().find(|(_, own)| *own == cell).map(|(key, _)| *key);
-    cells.iter().map(key).collect::<Option<Vec<_>>>().map_or_else(|| finding.place.clone(), Place::Parameters)
+/// An input, wherever its cell stands: of the form its key; of a list also which of its sheets it is on, and in which row.
+type Spot = (&'static str, Option<[usize; 2]>);
+
+/// The inputs that a finding is about, whatever cells and sheets they stand in; its place where it is none of inputs alone.
+fn place(finding: &Finding, values: &Values) -> Result<Vec<Spot>, Place> {
+    let cells = match &finding.place {
+        Place::Cells(cells) => cells,
+        Place::Parameters(keys) => return Ok(keys.iter().map(|key| (key.name(), None)).collect()),
+        other => return Err(other.clone()),
+    };
+    let of_form =
+        |cell: &CellPlace| values.cells.iter().find(|(_, own)| *own == cell).map(|(key, _)| (key.name(), None));
+    let of_list = |cell: &CellPlace| {
+        values.lists.iter().enumerate().find_map(|(sheet, rows)| {
+            rows.rows.iter().enumerate().find_map(|(row, one)| {
+                one.cells.iter().find(|(_, own)| *own == cell).map(|(key, _)| (*key, Some([sheet, row])))
+            })
+        })
+    };
+    let spots = cells.iter().map(|cell| of_form(cell).or_else(|| of_list(cell))).collect::<Option<Vec<Spot>>>();
+    spots.ok_or_else(|| finding.place.clone())
 }
 
 fn findings<'a>(both: [Side<'a>; 2]) -> Vec<Found<'a>> {

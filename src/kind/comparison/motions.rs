@@ -1,6 +1,7 @@
 //! Programs side by side, motion by motion.
 
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::control::Comments;
+use crate::gcode::interpreter::{Interpreter, Refused, Setting, bare};
 use crate::gcode::motion::{Feed, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::kind::{Outcome, Proved};
@@ -37,6 +38,15 @@ pub struct Apart {
     pub motion: u64,
 }
 
+/// A block of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Block {
+    /// Its line, counted from 1.
+    pub line: usize,
+    /// As it is written.
+    pub text: String,
+}
+
 /// A program of each side.
 #[derive(Clone, Debug)]
 pub struct ProgramPair {
@@ -44,11 +54,17 @@ pub struct ProgramPair {
     pub key: &'static str,
     /// What it does.
     pub title: Text,
+    /// It is a lathe's: X is a diameter.
+    pub turning: bool,
     /// How many motions each has; `None` where the side has no such program.
     pub motions: [Option<u64>; 2],
     /// The first motion that differs; `None` where all are the same, or one side has no such program.
     pub first: Option<Difference>,
-    /// The greatest distance of linear axes, and of rotary ones, over the motions that both have; none where there is none.
+    /// The first block of each whose words are others: another tool or offset, S, an M code, or the same motion written in another
+    /// way. `None` where all words are the same; comments, block numbers and the program's name do not count.
+    pub words: Option<[Option<Block>; 2]>,
+    /// The greatest distance of linear axes, and of rotary ones, over the motions that both have; none where there is none. X of a
+    /// lathe is a diameter, here and below.
     pub apart: Vec<Apart>,
     /// Where each ends, in program coordinates.
     pub end: [Option<Pose>; 2],
@@ -61,8 +77,14 @@ pub struct ProgramPair {
 impl ProgramPair {
     /// True where both sides have it, and all motions are the same.
     #[must_use]
-    pub const fn equal(&self) -> bool {
+    pub const fn moves_alike(&self) -> bool {
         self.first.is_none() && matches!(self.motions, [Some(_), Some(_)])
+    }
+
+    /// True where all words are the same as well: the machine does the same.
+    #[must_use]
+    pub const fn equal(&self) -> bool {
+        self.moves_alike() && self.words.is_none()
     }
 }
 
@@ -82,20 +104,42 @@ pub(super) fn programs(outcomes: [Option<&Outcome>; 2]) -> Vec<ProgramPair> {
 
 fn pair(sides: [Option<&Proved>; 2], outcomes: [Option<&Outcome>; 2]) -> Option<ProgramPair> {
     let named = sides.into_iter().flatten().next()?;
-    let (mut first, mut apart) = (None, Vec::new());
+    let turning = named.control.turns();
+    let (mut first, mut apart, mut words) = (None, Vec::new(), None);
     if let ([Some(one), Some(other)], [Some(of), Some(from)]) = (sides, outcomes) {
-        (first, apart) = compared(reader(of, one), reader(from, other));
+        let texts = [text(one), text(other)];
+        let forms = [one, other].map(|program| program.control.lexis.comments);
+        let settings = [setting(of, one), setting(from, other)];
+        let [read, against] = texts.each_ref();
+        let [setting, another] = settings;
+        let readers =
+            [(read, setting), (against, another)].map(|(text, setting)| Interpreter::over(text.as_bytes(), setting));
+        let texts = Texts::new(texts.each_ref().map(String::as_str), forms);
+        (first, apart) = compared(readers, &texts, turning);
+        words = texts.first_other();
     }
+    let as_written = |pose: Pose| if turning { diameter(pose) } else { pose };
     Some(ProgramPair {
         key: named.key,
         title: named.title.clone(),
+        turning,
         motions: sides.map(|side| side.map(|side| side.account.motions)),
         first,
+        words,
         apart,
-        end: sides.map(|side| side.map(|side| side.account.end[0])),
-        extents: sides.map(|side| side.and_then(|side| side.account.program)),
+        end: sides.map(|side| side.map(|side| as_written(side.account.end[0]))),
+        extents: sides.map(|side| {
+            side.and_then(|side| side.account.program)
+                .map(|Extents { least, greatest }| Extents { least: as_written(least), greatest: as_written(greatest) })
+        }),
         seconds: sides.map(|side| side.and_then(seconds)),
     })
+}
+
+/// X as a lathe's program has it.
+fn diameter(mut pose: Pose) -> Pose {
+    pose.set(Axis::X, 2.0 * pose.get(Axis::X));
+    pose
 }
 
 fn seconds(program: &Proved) -> Option<f64> {
@@ -103,40 +147,97 @@ fn seconds(program: &Proved) -> Option<f64> {
     program.duration.filter(|duration| duration.timeless == 0).map(|duration| duration.seconds).or(feed)
 }
 
-/// The program as its kind reads it.
-fn reader<'a>(outcome: &Outcome, program: &'a Program) -> Interpreter<'a> {
-    let setting = outcome.kind.setting(&outcome.fields, program);
-    program.read_back_with(setting.unwrap_or_else(|| program.setting()))
+/// The text of a program, which can be read at any place: turning cycles look for their contours behind them.
+fn text(program: &Program) -> String {
+    let (mut text, mut lines) = (String::new(), program.lines());
+    let mut line = String::new();
+    while lines.next_whole(&mut line) {
+        text.push_str(&line);
+    }
+    text
 }
 
-/// The first motion that differs, and the greatest distances. A block that cannot be read counts as a motion at its line that
-/// is the same where both cannot be read.
-fn compared(mut one: Interpreter<'_>, mut other: Interpreter<'_>) -> (Option<Difference>, Vec<Apart>) {
+/// The setting in which its kind reads the program.
+fn setting(outcome: &Outcome, program: &Program) -> Setting {
+    outcome.kind.setting(&outcome.fields, program).unwrap_or_else(|| program.setting())
+}
+
+/// The texts of both sides.
+struct Texts<'a> {
+    lines: [Vec<&'a str>; 2],
+    forms: [Comments; 2],
+}
+
+impl<'a> Texts<'a> {
+    fn new(texts: [&'a str; 2], forms: [Comments; 2]) -> Self {
+        Self { lines: texts.map(|text| text.lines().collect()), forms }
+    }
+
+    /// The words of a line, counted from 1, of a side.
+    fn words(&self, side: usize, line: usize) -> String {
+        let line = line.checked_sub(1).and_then(|at| self.lines[side].get(at));
+        line.map_or_else(String::new, |line| bare(line, self.forms[side]))
+    }
+
+    /// The first blocks whose words are not the same; lines without words are passed over.
+    fn first_other(&self) -> Option<[Option<Block>; 2]> {
+        let mut blocks = [0, 1].map(|side: usize| {
+            let words = (1..=self.lines[side].len()).map(move |line| (line, self.words(side, line)));
+            words.filter(|(_, words)| !words.is_empty())
+        });
+        loop {
+            let pair = blocks.each_mut().map(Iterator::next);
+            if pair.iter().all(Option::is_none) {
+                return None;
+            }
+            let [one, other] = pair.each_ref().map(|block| block.as_ref().map(|(_, words)| words));
+            if one != other {
+                let block = |side: usize| {
+                    pair[side].as_ref().map(|&(line, _)| {
+                        let text = self.lines[side].get(line - 1).map_or("", |text| text.trim());
+                        Block { line, text: text.to_owned() }
+                    })
+                };
+                return Some([block(0), block(1)]);
+            }
+        }
+    }
+}
+
+/// The first motion that differs, and the greatest distances. A block that cannot be read counts as a motion at its line, which is the
+/// same where neither can be read and the words of both are the same.
+fn compared(
+    [mut one, mut other]: [Interpreter<'_>; 2],
+    texts: &Texts<'_>,
+    turning: bool,
+) -> (Option<Difference>, Vec<Apart>) {
     let (mut first, mut greatest): (Option<Difference>, [Option<Apart>; 2]) = (None, [None; 2]);
     for motion in 1.. {
         let pair = [one.next(), other.next()];
-        let read = pair.each_ref().map(|one| one.as_ref().map(|motion| motion.as_ref().ok()));
-        if let [None, None] = read {
+        if let [None, None] = pair {
             break;
         }
-        let same = match read {
-            [Some(Some(one)), Some(Some(other))] => is(one, other),
-            [Some(None), Some(None)] => true,
+        let same = match &pair {
+            [Some(Ok(one)), Some(Ok(other))] => is(one, other),
+            [Some(Err(one)), Some(Err(other))] => texts.words(0, one.line) == texts.words(1, other.line),
             _ => false,
         };
         if !same && first.is_none() {
-            let line = |one: Option<Option<&Motion>>| one.flatten().map(|motion| motion.line);
-            first = Some(Difference { motion, lines: read.map(line) });
+            let line = |one: &Option<Result<Motion, Box<Refused>>>| {
+                one.as_ref().map(|read| read.as_ref().map_or_else(|refused| refused.line, |motion| motion.line))
+            };
+            first = Some(Difference { motion, lines: pair.each_ref().map(line) });
         }
-        if let [Some(Some(one)), Some(Some(other))] = read {
+        if let [Some(Ok(one)), Some(Ok(other))] = &pair {
             for axis in Axis::ALL {
-                let by = (one.to.get(axis) - other.to.get(axis)).abs();
+                let diameters = if turning && axis == Axis::X { 2.0 } else { 1.0 };
+                let by = (one.to.get(axis) - other.to.get(axis)).abs() * diameters;
                 let worst = &mut greatest[usize::from(axis.rotary())];
                 if by > worst.map_or(SAME, |worst| worst.by) {
                     *worst = Some(Apart { axis, by, motion });
                 }
             }
-        } else if read.iter().any(Option::is_none) {
+        } else if pair.iter().any(Option::is_none) {
             // One has ended: there is nothing more to be told.
             break;
         }
@@ -172,8 +273,8 @@ mod tests {
     use crate::gcode::interpreter::Setting;
 
     fn difference(one: &str, other: &str) -> (Option<Difference>, Vec<Apart>) {
-        let read = |text: &'static str| Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
-        compared(read(String::leak(one.to_owned())), read(String::leak(other.to_owned())))
+        let texts = Texts::new([one, other], [LINUXCNC.lexis.comments; 2]);
+        compared([one, other].map(|text| Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC))), &texts, false)
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! A comparison as four tables: inputs, derived values, findings, programs. The terminal and the workbook show the same.
 
-use super::{Comparison, Derived, Found, Input, ProgramPair, Shown};
-use crate::escape::printable;
+use super::{Block, Comparison, Derived, Found, Input, ProgramPair, Shown};
+use crate::escape::{excerpt, printable};
 use crate::finding::{CellPlace, Grade};
 use crate::kind::checks;
 use crate::machine::axis::Axis;
@@ -28,8 +28,13 @@ pub struct Line {
     pub differs: bool,
 }
 
+/// The names of the tables.
+pub static NAMES: [Text; 4] =
+    [t("Entradas", "Inputs"), t("Derivados", "Derived"), t("Avisos", "Findings"), t("Programas", "Programs")];
 /// Decimals of the figures shown.
 const DECIMALS: usize = 6;
+/// Most characters of a block that are shown.
+const BLOCK: usize = 40;
 
 impl Line {
     /// The cells as texts. Figures that differ do not look the same.
@@ -158,6 +163,9 @@ fn program(one: &ProgramPair) -> Vec<Line> {
     let nothing = || [Held::Nothing, Held::Nothing];
     let verdict = match one.motions {
         [Some(_), Some(_)] if one.equal() => t("los mismos movimientos", "the same motions"),
+        [Some(_), Some(_)] if one.moves_alike() => {
+            t("los mismos movimientos, otras palabras", "the same motions, other words")
+        }
         [Some(_), Some(_)] => t("otros movimientos", "other motions"),
         [Some(_), None] => t("solo en A", "only in A"),
         _ => t("solo en B", "only in B"),
@@ -170,18 +178,34 @@ fn program(one: &ProgramPair) -> Vec<Line> {
         let what = Text::new(format!("primero distinto, el {n}: línea"), format!("first other motion, {n}: line"));
         line(what, first.lines.map(|line| count(line.map(|line| line as u64))), Held::Nothing, true);
     }
+    if let (Some(blocks), true) = (&one.words, one.moves_alike()) {
+        let said = |block: &Option<Block>| {
+            block
+                .as_ref()
+                .map_or(Held::Nothing, |block| text(format!("{}: {}", block.line, excerpt(&block.text, BLOCK))))
+        };
+        line(t("primer bloque distinto", "first other block"), blocks.each_ref().map(said), Held::Nothing, true);
+    }
+    let named = |axis: Axis| {
+        let letter = axis.letter();
+        if one.turning && axis == Axis::X {
+            Text::new(format!("{letter} (diámetro)"), format!("{letter} (diameter)"))
+        } else {
+            Text::same(letter)
+        }
+    };
     for apart in &one.apart {
         let unit = if apart.axis.rotary() { "°" } else { "mm" };
-        let (axis, n) = (apart.axis.letter(), apart.motion);
+        let (axis, n) = (named(apart.axis), apart.motion);
         let what = Text::new(
-            format!("mayor diferencia, {unit}: {axis}, el {n}"),
-            format!("greatest apart, {unit}: {axis}, motion {n}"),
+            format!("mayor diferencia, {unit}: {}, el {n}", axis.es),
+            format!("greatest apart, {unit}: {}, motion {n}", axis.en),
         );
         line(what, nothing(), Held::Number(apart.by), true);
     }
     for axis in Axis::ALL {
         let end = one.end.map(|end| end.map(|end| settled(end.get(axis))));
-        let what = Text::new(format!("final {}", axis.letter()), format!("end {}", axis.letter()));
+        let what = Text::new(format!("final {}", named(axis).es), format!("end {}", named(axis).en));
         if end.iter().flatten().any(|at| *at != 0.0) {
             line(what, end.map(number), number(apart(end)), end[0] != end[1]);
         }
@@ -191,7 +215,7 @@ fn program(one: &ProgramPair) -> Vec<Line> {
         let said = |reach: Option<[f64; 2]>| {
             reach.map_or(Held::Nothing, |[low, high]| text(format!("{} … {}", shown(low, 3), shown(high, 3))))
         };
-        let what = Text::new(format!("recorrido {}", axis.letter()), format!("extent {}", axis.letter()));
+        let what = Text::new(format!("recorrido {}", named(axis).es), format!("extent {}", named(axis).en));
         if reach.iter().flatten().any(|reach| *reach != [0.0, 0.0]) {
             line(what, reach.map(said), Held::Nothing, reach[0] != reach[1]);
         }
@@ -231,25 +255,25 @@ impl Comparison<'_> {
         all.sort_by_key(|one| (!one.differs(), rank(one.finding().grade)));
         [
             Sheet {
-                name: t("Entradas", "Inputs"),
+                name: NAMES[0].clone(),
                 title: t("Entradas que difieren", "Inputs that differ"),
                 headings: inputs,
                 lines: self.inputs.iter().map(input).collect(),
             },
             Sheet {
-                name: t("Derivados", "Derived"),
+                name: NAMES[1].clone(),
                 title: t("Valores derivados", "Derived values"),
                 headings: quantities,
                 lines: self.quantities.iter().map(derived).collect(),
             },
             Sheet {
-                name: t("Avisos", "Findings"),
+                name: NAMES[2].clone(),
                 title: t("Avisos y comprobaciones", "Findings and checks"),
                 headings: findings,
                 lines: all.into_iter().map(found).collect(),
             },
             Sheet {
-                name: t("Programas", "Programs"),
+                name: NAMES[3].clone(),
                 title: t("Programas, movimiento a movimiento", "Programs, motion by motion"),
                 headings: programs,
                 lines: self.programs.iter().flat_map(program).collect(),

@@ -1,9 +1,12 @@
 //! The command `compare`: what differs between two workbooks of one kind.
 
-use std::fs;
+use std::fs::{self, File};
 
 use predicates::prelude::*;
+use rodete::kinds::KINDS;
 use rodete::parameter::Value;
+use rodete::text::{Language, Text};
+use rodete::workbook::template;
 use serde_json::{Value as Json, json};
 use tempfile::TempDir;
 
@@ -75,6 +78,79 @@ fn a_small_change_is_found_at_its_first_motion_with_its_greatest_distance() {
     assert!((0.0005..0.1).contains(&apart), "{program}");
 }
 
+/// A workbook of the lathe's shaft in a language, with a block in place of another.
+fn shaft(folder: &TempDir, name: &str, language: Language, [from, to]: [&str; 2]) {
+    let kind = KINDS.iter().find(|kind| kind.form().kind == "lathe").expect("the lathe");
+    let case = &kind.cases()[0];
+    let mut lists = (case.listed)(language);
+    let blocks = lists.iter_mut().flat_map(|rows| &mut rows.rows).flat_map(|row| row.values.values_mut());
+    let block = Value::Line(from.to_owned());
+    let mut found: Vec<_> = blocks.filter(|value| **value == block).collect();
+    **found.first_mut().expect("the block") = Value::Line(to.to_owned());
+    let file = File::create(folder.path().join(name)).expect("a workbook to write");
+    template::write(*kind, &case.values(language), &lists, &Text::same(""), language, file).expect("a workbook");
+}
+
+/// They had been the same, whatever their blocks said: cycles look for their contours in a text that was read once.
+#[test]
+fn turning_programs_are_compared_by_their_motions_and_x_is_a_diameter() {
+    let folder = super::common::folder();
+    let last = "N230 G0 X100. M5";
+    shaft(&folder, "one.xlsx", Language::En, [last, last]);
+    shaft(&folder, "other.xlsx", Language::En, [last, "N230 G0 X104. Z53. M5"]);
+    let read = document(&folder, "one.xlsx", "other.xlsx");
+    let program = &read["programs"][0];
+    assert_eq!((&program["same"], &program["end"][0]["X"]), (&json!(false), &json!(100.0)), "{program}");
+    assert_eq!((&program["apart"][0]["axis"], &program["apart"][0]["by"]), (&json!("X"), &json!(4.0)), "{program}");
+    assert_eq!(program["words"][1]["text"], json!("N230 G0 X104. Z53. M5"));
+    rodete(&folder).args(["compare", "one.xlsx", "other.xlsx"]).assert().stdout(
+        predicate::str::contains("end X (diameter)").and(predicate::str::contains("greatest apart, mm: X (diameter)")),
+    );
+}
+
+#[test]
+fn findings_are_matched_whatever_the_language_of_their_sheets() {
+    let folder = super::common::folder();
+    let facing = "N30 G1 X-1.6 F0.15";
+    shaft(&folder, "one.xlsx", Language::Es, [facing, facing]);
+    shaft(&folder, "other.xlsx", Language::En, [facing, facing]);
+    let read = document(&folder, "one.xlsx", "other.xlsx");
+    let codes = |side: &str| -> Vec<String> {
+        let found = read[side]["findings"].as_array().expect("findings");
+        found.iter().map(|one| one["code"].to_string()).collect()
+    };
+    assert!(!codes("both").is_empty() && codes("only_a").is_empty() && codes("only_b").is_empty(), "{read}");
+}
+
+#[test]
+fn another_tool_speed_or_code_is_other_words_and_no_other_motion() {
+    for (key, value, block) in [
+        ("T", Value::Whole(7), "N30 T7 D1"),
+        ("S", Value::Whole(7000), "S7000"),
+        ("start_codes", Value::Line("M4 M11 M13".to_owned()), "M4"),
+        ("end_codes", Value::Line("M2".to_owned()), "M2"),
+    ] {
+        let folder = two(&[(key, value)]);
+        let read = document(&folder, "impeller.xlsx", "other.xlsx");
+        // The blank is turned with a tool and a speed of its own.
+        let programs = read["programs"].as_array().expect("programs").iter();
+        for program in programs.filter(|program| program["program"] != json!("blank")) {
+            assert_eq!(program["same"], json!(true), "{program}");
+            assert!(program["words"][1]["text"].as_str().is_some_and(|text| text.contains(block)), "{program}");
+        }
+        rodete(&folder)
+            .args(["compare", "impeller.xlsx", "other.xlsx"])
+            .assert()
+            .stdout(predicate::str::contains("the same motions, other words").and(predicate::str::contains(block)));
+    }
+    // The number of a block and the header are no words.
+    let folder = two(&[("block_step", Value::Whole(5)), ("part", Value::Line("Another".to_owned()))]);
+    let read = document(&folder, "impeller.xlsx", "other.xlsx");
+    for program in read["programs"].as_array().expect("programs") {
+        assert_eq!((&program["same"], &program["words"]), (&json!(true), &Json::Null), "{program}");
+    }
+}
+
 #[test]
 fn results_are_compared_as_the_inputs_that_they_are() {
     let folder = two(&[("N", Value::Whole(3))]);
@@ -103,6 +179,9 @@ fn two_kinds_are_refused_and_what_cannot_be_read_says_why() {
         .assert()
         .code(3)
         .stderr(predicate::str::contains("U0117: impeller.xlsx is a workbook of impeller, lathe.xlsx of lathe"));
+    let output = rodete(&folder).args(["compare", "impeller.xlsx", "lathe.xlsx", "--json"]).output().expect("it runs");
+    let read: Json = serde_json::from_slice(&output.stdout).expect("a document");
+    assert_eq!((&read["exit"], &read["programs"]), (&json!(3), &Json::Null));
     rodete(&folder).args(["compare", "impeller.xlsx", "no.xlsx"]).assert().code(4);
     fs::write(folder.path().join("bad.xlsx"), "x").expect("a file");
     rodete(&folder).args(["compare", "bad.xlsx", "impeller.xlsx", "--json"]).assert().code(4);

@@ -144,6 +144,20 @@ fn a_save_of_excel_or_libreoffice_is_built_once_and_says_what_changed() {
 }
 
 #[test]
+fn a_workbook_that_is_renamed_is_missed_once_and_built_when_it_is_back() {
+    let watching = Watching::begin(&["--poll", "0.2"]);
+    let path = watching.path("impeller.xlsx");
+    fs::rename(&path, watching.path("other.xlsx")).expect("renamed");
+    let line = watching.line();
+    assert_eq!(line, "impeller.xlsx: no longer there; rodete waits for it");
+    fs::write(&path, watching.made(&[("N", Value::Whole(3))])).expect("it is back");
+    assert_eq!(watching.line(), "impeller.xlsx: it is back");
+    let line = watching.line();
+    assert!(line.starts_with("impeller.xlsx: N 4 → 3; programs changed: "), "{line}");
+    watching.end();
+}
+
+#[test]
 fn of_two_hundred_saves_in_a_row_the_last_is_built_and_nothing_is_left() {
     let watching = Watching::begin(&[]);
     let path = watching.path("impeller.xlsx");
