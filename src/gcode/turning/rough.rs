@@ -22,7 +22,8 @@ use crate::gcode::turning::Move;
 use crate::gcode::turning::profile::Profile;
 use crate::gcode::turning::rules::{
     AllowanceIntoMetal, ContourBackAlongX, ContourBackAlongZ, ContourBeginsWithArc, ContourBeyondStart,
-    ContourDoesNotAdvance, ContourNotFound, CycleNotFinite, NoDepthOfCut, RetractionNegative, TooManyRoughingPasses,
+    ContourDoesNotAdvance, ContourEntersAside, ContourNotFound, CycleNotFinite, NoDepthOfCut, RetractionNegative,
+    TooManyRoughingPasses,
 };
 use crate::gcode::turning::scan::{EPS, PassFrame, Path, Span, moved};
 use crate::gcode::turning::tool::CycleMoves;
@@ -70,6 +71,27 @@ pub fn radial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Box<Trouble
 /// The alarm for a contour that goes back along X (0) or Z (1).
 fn goes_back(axis: usize) -> Box<Trouble> {
     if axis == 0 { Trouble::of(&ContourBackAlongX {}) } else { Trouble::of(&ContourBackAlongZ {}) }
+}
+
+/// The alarm for a contour whose first block goes along the passes alone.
+fn aside([along, _]: [usize; 2]) -> Box<Trouble> {
+    let (cycle, axis, other) = if along == 1 { (71, 'X', 72) } else { (72, 'Z', 71) };
+    Trouble::of(&ContourEntersAside { cycle, axis, other })
+}
+
+/// True where the first block goes along the passes alone, and no signs of the allowances put that right.
+fn enters_aside(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> bool {
+    let Some(first) = profile.elements.first() else { return false };
+    let [along, across] = axes.map(|axis| (first.to[axis] - profile.start[axis]).abs() > EPS);
+    let fits = |signs: [f64; 2]| {
+        let by = [signs[0] * rough.U, signs[1] * rough.W];
+        let Ok(frame) = frame(profile, &Rough { U: by[0], W: by[1], ..*rough }, axes) else { return false };
+        let shift = frame.inward(by);
+        let [[_, right], _] = Path::of(profile, frame, shift).reach();
+        shift.iter().all(|&allowance| allowance >= -EPS)
+            && right <= frame.inward(profile.start)[0] + shift[0] + TOLERANCE
+    };
+    along && !across && ![[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].into_iter().any(fits)
 }
 
 /// The drawing of a cycle: the axis of the passes and the axis of the depth as given, the signs from where the contour lies.
@@ -155,10 +177,11 @@ fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move
     if first.arc.is_some() {
         return Err(Trouble::of(&ContourBeginsWithArc {}).at(first.line));
     }
+    let aside = |trouble| if enters_aside(profile, rough, axes) { aside(axes).at(first.line) } else { trouble };
     let frame = frame(profile, rough, axes)?;
     let shift = frame.inward([rough.U, rough.W]);
     if shift.iter().any(|&allowance| allowance < -EPS) {
-        return Err(Trouble::of(&AllowanceIntoMetal {}));
+        return Err(aside(Trouble::of(&AllowanceIntoMetal {})));
     }
     let start = frame.inward(profile.start);
     let top = [start[0] + shift[0], start[1] + shift[1]];
@@ -166,7 +189,7 @@ fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move
     let line = |element: usize| profile.elements.get(element).map_or(first.line, |element| element.line);
     let [[_, right], _] = path.reach();
     if right > top[0] + TOLERANCE {
-        return Err(Trouble::of(&ContourBeyondStart {}).at(first.line));
+        return Err(aside(Trouble::of(&ContourBeyondStart {}).at(first.line)));
     }
     if let Some(element) = path.goes_back(0, TOLERANCE) {
         return Err(goes_back(axes[0]).at(line(element)));

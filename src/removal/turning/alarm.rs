@@ -5,7 +5,7 @@ use crate::finding::{AlarmFamily, Finding, Grade, Place, Raise, Said, Size};
 use crate::gcode::in_force::Compensation;
 use crate::machine::axis::Axis;
 use crate::number::shown;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Up to this depth a contact is not a collision, mm.
 pub const TOUCH: f64 = 0.001;
@@ -247,7 +247,15 @@ impl Cause {
             Self::Collision(Moving::Turret, Fixture::Chuck) => Box::new(row::TurretHitsChuck {}),
             Self::Collision(Moving::Turret, Fixture::Jaws) => Box::new(row::TurretHitsJaws {}),
             Self::Collision(Moving::Turret, Fixture::Tailstock) => Box::new(row::TurretHitsTailstock {}),
-            Self::Travel(axis) => Box::new(row::AxisLeavesTravel { axis: axis.letter() }),
+            Self::Travel(axis) => {
+                // Its limits are diameters, every depth is one of a radius.
+                let on = if axis == Axis::X {
+                    t("; el exceso va en radio", "; the excess is given on the radius")
+                } else {
+                    t("", "")
+                };
+                Box::new(row::AxisLeavesTravel { axis: axis.letter(), on })
+            }
             Self::DepthOfCut { depth, edge } => {
                 Box::new(row::DepthOfCut { depth: Size::mm(depth), edge: Size::mm(edge) })
             }

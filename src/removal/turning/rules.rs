@@ -157,9 +157,9 @@ rules! {
         why "La caña del contrapunto queda por debajo de la torreta cuando una herramienta corta trabaja cerca del eje.",
             "The quill is below the turret when a short tool works near the axis.";
         example program!("T0101|G0 X64. Z2.|G0 X100. Z50.|M30", [("tailstock", "yes"), ("BX_min", "-63"), ("BX_max", "100"), ("BZ_min", "10"), ("BZ_max", "60")]);
-    "L0121" AxisLeavesTravel Stop alarm Lathe 121 { axis: char }
-        es "El eje {axis} sale de su recorrido"
-        en "Axis {axis} leaves its travel"
+    "L0121" AxisLeavesTravel Stop alarm Lathe 121 { axis: char, on: Text }
+        es "El eje {axis} sale de su recorrido{on}"
+        en "Axis {axis} leaves its travel{on}"
         remedy "Revise los ceros y los correctores, o acerque la pieza", "Check the zeros and the tool offsets, or bring the work nearer";
         why "El control se para ahí, con la herramienta quizá en la pieza.",
             "The control stops there, perhaps with the tool in the work.";

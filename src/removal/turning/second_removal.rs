@@ -14,10 +14,12 @@ use i_overlay::core::overlay::{Overlay, ShapeType};
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::i_float::int::point::IntPoint;
 use i_overlay::i_shape::flat::buffer::FlatContoursBuffer;
+use rustc_hash::FxHashSet;
 
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::{Point, UNITS};
 use crate::geometry::exact::region::{Ring, twice_area};
+use crate::geometry::revolution::volume;
 use crate::limits::{TILE_CORNERS, WAITING_CUTS};
 use crate::number::trig::hypot;
 
@@ -35,6 +37,8 @@ type Corner = IntPoint<i64>;
 pub struct Repeat {
     cuts: SyncSender<Convex>,
     left: JoinHandle<Tiles>,
+    /// What has fallen off, mm³.
+    fallen: f64,
 }
 
 impl Repeat {
@@ -53,7 +57,7 @@ impl Repeat {
             waiting.iter().for_each(|polygon| tiles.cut(&polygon));
             tiles
         });
-        Self { cuts, left }
+        Self { cuts, left, fallen: 0.0 }
     }
 
     /// Takes a polygon away.
@@ -62,9 +66,15 @@ impl Repeat {
         let _ = self.cuts.send(polygon.clone());
     }
 
+    /// Notes that pieces of a volume, mm³, have fallen off: the library keeps them.
+    pub fn fell(&mut self, volume: f64) {
+        self.fallen += volume;
+    }
+
     /// How far what the library leaves is from the contours that are left, mm: the area of what is in one of them alone, by the
     /// length of the contours. Of what it leaves in pieces, the one that reaches farthest to the left counts, as pieces that are
-    /// held no longer fall off.
+    /// held no longer fall off. Pieces that touch it in a corner may have stayed as well: what hangs in a point may be said to be held or not.
+    /// Where nothing is left, all that the library keeps must have fallen off.
     #[must_use]
     pub fn apart(self, left: &[Ring]) -> f64 {
         drop(self.cuts);
@@ -73,17 +83,40 @@ impl Repeat {
         for tile in &tiles.tiles {
             all.add_source(&tile.contours, ShapeType::Subject);
         }
-        let pieces = all.overlay(OverlayRule::Subject, FillRule::NonZero);
+        let mut pieces: Vec<Vec<Vec<Corner>>> = all.overlay(OverlayRule::Subject, FillRule::NonZero);
         let begins = |piece: &Vec<Vec<Corner>>| piece.iter().flatten().map(|corner| corner.x).min();
-        let first = pieces.into_iter().min_by_key(begins).unwrap_or_default();
-        let mut other = Overlay::from_subj(&first);
-        other.add_source(&contours(left), ShapeType::Clip);
-        let apart = other.overlay(OverlayRule::Xor, FillRule::NonZero);
-        let area = apart.iter().flatten().map(|ring| twice_area(&millimetres(ring))).sum::<f64>() / 2.0;
+        pieces.sort_by_key(begins);
+        let mut pieces = pieces.into_iter();
+        let mut held = pieces.next().unwrap_or_default();
+        let mut others: Vec<_> = pieces.collect();
+        if left.is_empty() {
+            let kept: f64 = others.iter().chain([&held]).flatten().map(|ring| volume(&millimetres(ring))).sum();
+            if kept <= self.fallen * (1.0 + AGREE) + AGREE {
+                return 0.0;
+            }
+        }
+        let alone = differing(&held, left);
+        while let Some(at) = others.iter().position(|other| touch(&held, other)) {
+            held.append(&mut others.swap_remove(at));
+        }
         let edges = left.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
         let length: f64 = edges.map(|(from, to)| hypot(to[0] - from[0], to[1] - from[1])).sum();
-        area / length.max(1.0)
+        alone.min(differing(&held, left)) / length.max(1.0)
     }
+}
+
+/// True where two pieces have a corner in common.
+fn touch(one: &[Vec<Corner>], other: &[Vec<Corner>]) -> bool {
+    let corners: FxHashSet<(i64, i64)> = one.iter().flatten().map(|at| (at.x, at.y)).collect();
+    other.iter().flatten().any(|at| corners.contains(&(at.x, at.y)))
+}
+
+/// The area of what is in contours of the library or in those that are left alone, mm².
+fn differing(library: &[Vec<Corner>], left: &[Ring]) -> f64 {
+    let mut both = Overlay::from_subj(library);
+    both.add_source(&contours(left), ShapeType::Clip);
+    let apart = both.overlay(OverlayRule::Xor, FillRule::NonZero);
+    apart.iter().flatten().map(|ring| twice_area(&millimetres(ring))).sum::<f64>() / 2.0
 }
 
 /// A share of the part, with its extent on our grid, rounded outwards.

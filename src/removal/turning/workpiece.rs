@@ -208,6 +208,9 @@ impl Workpiece {
         if std::mem::take(&mut self.apart) && self.spend(self.region.len()) {
             let mut fallen = self.region.keep_first();
             let all: f64 = fallen.iter().map(|(ring, _)| volume(ring)).sum();
+            if let Some(repeat) = &mut self.repeat {
+                repeat.fell(all);
+            }
             // Holes run clockwise; they stay with the piece that they are in.
             fallen.retain(|(ring, _)| volume(ring) < 0.0 || judged(ring) != Loose::Nib);
             let pieces: f64 = fallen.iter().map(|(ring, _)| volume(ring)).sum();

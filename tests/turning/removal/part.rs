@@ -53,6 +53,20 @@ fn a_nib_of_a_face_is_chips_and_the_part_is_what_stays() {
     }
 }
 
+/// Rings of up to half a kilogram had counted as chips, without a word.
+#[test]
+fn a_ring_or_cone_that_is_too_large_for_a_chip_falls_out_and_is_told() {
+    let cutter = Cutter::Insert { shape: Shape::V, circle: 9.525, main: 107.0, auxiliary: 38.0, nose: 0.8 };
+    for (bore, to, least) in [(40.0, 39.0, 2_000.0), (0.0, -1.6, 100.0)] {
+        let mut setup = Setup::new(Lathe::default(), Stock { diameter: 50.0, bore, ..bar() }, turret());
+        setup.turret.tools.insert(1, TurningTool { cutter, ..tools::copier() });
+        let run = Run::on(setup).rapid(54.0, -8.0).cut(to, -8.0);
+        let all = &run.simulation.totals().all;
+        assert!(all.parted > least && run.alarms().contains(&191), "{}: {:?}", all.parted, run.alarms());
+        assert_eq!(run.simulation.product(), run.simulation.contours(), "the part stays in the chuck");
+    }
+}
+
 #[test]
 fn what_is_cut_loose_beside_the_cut_is_the_part_and_a_core_inside_a_face_groove_is_not() {
     let tube = Stock { bore: 30.0, ..bar() };

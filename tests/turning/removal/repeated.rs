@@ -1,11 +1,14 @@
 //! The removal repeated with a library of polygons: it agrees over thousands of cuts, and tells what does not.
 
+use std::f64::consts::PI;
+
 use rodete::geometry::exact::convex::Convex;
 use rodete::geometry::exact::grid::Point;
 use rodete::geometry::exact::meeting::Meeting;
 use rodete::geometry::exact::region::{Region, Ring};
 use rodete::number::trig::sin;
 use rodete::removal::turning::second_removal::{AGREE, Repeat};
+use rodete::removal::turning::stock::Stock;
 
 use super::lathe::{Run, bar};
 
@@ -96,6 +99,34 @@ fn of_a_part_that_is_gone_nothing_is_left() {
     repeat.cut(&rectangle([-101.0, -1.0], [1.0, 21.0]));
     let left: [Ring; 0] = [];
     assert!(repeat.apart(&left) < 1e-12);
+}
+
+#[test]
+fn of_a_part_that_is_gone_to_its_held_end_what_fell_off_before_does_not_count() {
+    let left: [Ring; 0] = [];
+    let cut = |to: f64, fallen: f64| {
+        let mut repeat = Repeat::new(&[BAR.to_vec()]);
+        repeat.cut(&rectangle([-60.0, -1.0], [-50.0, 30.0]));
+        repeat.fell(fallen);
+        repeat.cut(&rectangle([-101.0, -1.0], [to, 21.0]));
+        repeat.apart(&left)
+    };
+    let piece = PI * 400.0 * 50.0;
+    assert!(cut(-59.0, piece) < 1e-12);
+    // What is there still is told, be it held or not.
+    assert!(cut(-59.0, 0.0) > 1.0 && cut(-99.0, piece) > 1.0);
+}
+
+/// A nose that just touches a bore leaves a ring that hangs in a line without thickness: it may be said to be held or not.
+#[test]
+fn a_nose_that_touches_a_bore_is_no_fault() {
+    for x in [40.001, 40.0, 39.999] {
+        let mut run = Run::new(Stock { bore: 40.0, ..bar() }).tool(2);
+        run.simulation.repeat();
+        let mut run = run.rapid(64.0, -5.0).cut(x, -5.0).rapid(64.0, -5.0);
+        let apart = run.simulation.repeated().expect("it repeats");
+        assert!(apart <= AGREE, "X{x}: {apart}");
+    }
 }
 
 /// A nose that faces down to X0 touches the axis with one corner. What lies before it hangs by no thickness: it is gone, for both

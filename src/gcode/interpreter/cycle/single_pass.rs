@@ -20,8 +20,8 @@ use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Feed, MotionKind, Thread};
 use crate::gcode::turning::pace::revolutions;
 use crate::gcode::turning::rules::{
-    BareG90, LeadChangeMissing, LeadMissing, LeadRunsOut, LeadZero, PassBeginsBeyondStart, PassEndMissing, StartAngle,
-    StartAngleForgotten,
+    BareG90, LeadChangeMissing, LeadMissing, LeadRunsOut, LeadZero, PassBeginsBeyondStart, PassEndMissing,
+    SpeedLimitWithPass, StartAngle, StartAngleForgotten,
 };
 use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::Axis;
@@ -129,6 +129,10 @@ impl Reader<'_, '_> {
             (Some(_), [false, false]) if !self.block.has(letter::R) => Some("X, Z o R|X, Z or R"),
             _ => None,
         };
+        let limit = pass == SinglePassCycle::Thread && self.block.has(letter::S) && !self.block.has(letter::F);
+        if limit && named == [false, false] {
+            return Err(Refused::of(&SpeedLimitWithPass {}, &[self.block.g_column(Group::Motion)]));
+        }
         if let Some((es, en)) = missing.and_then(|missing| missing.split_once('|')) {
             return Err(Refused::of(
                 &PassEndMissing { words: t(es, en), cycle: number },

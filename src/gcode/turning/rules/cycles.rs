@@ -201,6 +201,13 @@ rules! {
         remedy "dé menos pasadas con R", "give fewer passes with R";
         why "R de G73 es un número de pasadas, no una distancia.", "R of G73 is a number of passes, not a distance.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G73 U2. W2. R99999|G73 P10 Q20|N10 G0 X20.|G1 Z-10.|N20 X50.|M30", "4:1");
+    "G0643" ContourEntersAside Stop alarm Fanuc 65 { cycle: u8, axis: char, other: u8 }
+        es "el primer bloque del contorno tiene que mover {axis}: G{cycle} entra en {axis}"
+        en "the first block of the contour must move {axis}: G{cycle} goes in along {axis}"
+        remedy "mueva {axis} en ese bloque, o use G{other}", "move {axis} in that block, or use G{other}";
+        why "G71 desbasta a lo largo de Z y entra en X; G72 desbasta a lo largo de X y entra en Z.",
+            "G71 roughs along Z and goes in along X; G72 roughs along X and goes in along Z.";
+        example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G72 W2. R1.|G72 P10 Q20 U.4 W.1|N10 G0 X20.|G1 Z-10.|N20 X50.|M30", "5");
     "G0650" RepeatPassesNotWhole Stop { value: f64 }
         es "R{value} del primer bloque de G73 no es un número de pasadas"
         en "R{value} in the first block of G73 is not a number of passes"

@@ -181,4 +181,11 @@ rules! {
         why "La herramienta pasaría en rápido del punto de partida y entraría en la pieza.",
             "The tool would go in rapid past its start point, into the work.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G90 X40. Z-20. R9.|M30", "3:16");
+    "G0755" SpeedLimitWithPass Stop {}
+        es "G92 con S no limita aquí el giro: en este sistema de códigos G, G92 es un ciclo de roscado"
+        en "G92 with S does not limit the speed here: in this system of G codes, G92 is a threading cycle"
+        remedy "limite el giro con G50 S", "limit the speed with G50 S";
+        why "Sin límite, con G96 el husillo se embala cerca del eje.",
+            "Without a limit, G96 lets the spindle run up near the axis.";
+        example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G92 S2500|M30", "2:1");
 }

@@ -22,12 +22,12 @@ pub use self::corner::{
 };
 pub use self::cycles::{
     AllowanceIntoMetal, AllowanceIntoWall, ContourBackAlongX, ContourBackAlongZ, ContourBeginsWithArc,
-    ContourBeyondStart, ContourDoesNotAdvance, ContourNotFound, CycleNotFinite, FirstBlockMissing, FirstBlockUnused,
-    FirstBlockWordMissing, GrooveReliefNegative, GrooveStepNegative, GrooveStepZero, GrooveWithoutDepth, NoDepthOfCut,
-    RepeatIntoMetal, RepeatPassesNotWhole, RepeatWithoutPasses, RetractionNegative, ThreadAllowance, ThreadAngle,
-    ThreadDigits, ThreadFirstBlockDigits, ThreadLeadNotPositive, ThreadLeastCut, ThreadStartsInside, ThreadTooShort,
-    ThreadWithoutHeight, ThreadWordMissing, TooManyGrooveSteps, TooManyRepeats, TooManyRoughingPasses,
-    TooManyThreadPasses,
+    ContourBeyondStart, ContourDoesNotAdvance, ContourEntersAside, ContourNotFound, CycleNotFinite, FirstBlockMissing,
+    FirstBlockUnused, FirstBlockWordMissing, GrooveReliefNegative, GrooveStepNegative, GrooveStepZero,
+    GrooveWithoutDepth, NoDepthOfCut, RepeatIntoMetal, RepeatPassesNotWhole, RepeatWithoutPasses, RetractionNegative,
+    ThreadAllowance, ThreadAngle, ThreadDigits, ThreadFirstBlockDigits, ThreadLeadNotPositive, ThreadLeastCut,
+    ThreadStartsInside, ThreadTooShort, ThreadWithoutHeight, ThreadWordMissing, TooManyGrooveSteps, TooManyRepeats,
+    TooManyRoughingPasses, TooManyThreadPasses,
 };
 pub use self::fagor::{
     FagorArcHalf, FagorArcRadii, FagorArcTurnsBack, FagorDrillFactor, FagorDrillNegative, FagorGrooveNegative,
@@ -40,8 +40,8 @@ pub use self::holes::{
     BareG90, CycleMovesOtherAxis, CycleRepeats, CycleSpindle, CycleUnderInverseTime, CycleWordMissing,
     HoleDwellNegative, HolePlaneBelowBottom, HolePlaneNotSaid, LeadChangeMissing, LeadMissing, LeadRunsOut, LeadZero,
     MillHolePlaneBelowBottom, MillPeckNotPositive, PassBeginsBeyondStart, PassEndMissing, PeckNotPositive,
-    PeckWithoutDepth, ReturnHeightNotSaid, StartAngle, StartAngleForgotten, TakenOutByHand, TappingOutsideG17,
-    TooManyLathePecks, TooManyPecks,
+    PeckWithoutDepth, ReturnHeightNotSaid, SpeedLimitWithPass, StartAngle, StartAngleForgotten, TakenOutByHand,
+    TappingOutsideG17, TooManyLathePecks, TooManyPecks,
 };
 pub use self::lathe::{
     AddedLength, BeyondAxis, ChangeWithoutTool, EndlessLoop, G91InSystemA, LengthWithoutAxes, MachineMoveByIncrements,
