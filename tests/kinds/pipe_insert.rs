@@ -15,10 +15,11 @@ use rodete::kinds::pipe::insert::cases::CASES;
 use rodete::kinds::pipe::insert::design::Design;
 use rodete::kinds::pipe::insert::parameters::FORM;
 use rodete::kinds::pipe::insert::program::{published, template_points};
-use rodete::kinds::pipe::insert::rules::WallInsideHeader;
+use rodete::kinds::pipe::insert::rules::{FinerThanAngle, WallInsideHeader};
 use rodete::kinds::pipe::insert::tables;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
+use rodete::proof::rules::OffTolerance;
 use rodete::table::Entry;
 use rodete::text::Language;
 
@@ -165,6 +166,28 @@ fn every_joint_passes_its_verification_in_every_mode_and_dialect() {
             }
         }
     }
+}
+
+/// The rounding of A, 0.007 mm on a pipe of 1.6 m, had passed for a fault of rodete.
+#[test]
+fn on_a_large_pipe_the_rounding_of_a_stays_within_the_tolerance() {
+    let run = |[branch, header, theta, tolerance]: [f64; 4]| {
+        let pipes = [("D_branch", branch), ("t_branch", 20.0), ("D_header", header), ("t_header", 20.0)];
+        let mut changes: Vec<_> = pipes.into_iter().map(|(key, value)| real(key, value)).collect();
+        changes.extend([real("theta", theta), real("arc_tolerance", tolerance), choice("mode", "rotary")]);
+        let mut values = values("square", &changes);
+        let sizes = ["branch_size", "branch_schedule", "header_size", "header_schedule"];
+        values.values.retain(|key, _| !sizes.contains(key));
+        let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+        kinds::run(&FORM, values, source)
+    };
+    for pipes in [[1600.0, 2000.0, 90.0, 0.007], [2400.0, 3000.0, 90.0, 0.011], [3000.0, 3000.0, 168.61, 0.02]] {
+        let outcome = run(pipes).unwrap_or_else(|refusal| panic!("{pipes:?}: {:?}", refusal.findings));
+        let off = outcome.findings.iter().find(|finding| finding.is(OffTolerance::RULE));
+        assert!(off.is_none() && outcome.programs.len() == 1, "{pipes:?}: {off:?}");
+    }
+    let refusal = run([1600.0, 2000.0, 90.0, 0.004]).expect_err("A cannot be so fine");
+    assert!(refusal.findings.iter().any(|finding| finding.is(FinerThanAngle::RULE)), "{:?}", refusal.findings);
 }
 
 /// rs274 reads millimetres from the program itself; its arcs must end where ours do, with the same centre and turn.

@@ -5,24 +5,33 @@ use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::program::Style;
 use crate::kinds::pipe::dimensions::solid;
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, END_CODES, TORCH_OFF, TORCH_ON};
+use crate::kinds::pipe::insert::cut::{finest, half_step};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
-use crate::kinds::pipe::insert::parameters::{CONTACT, EXPERT_BRANCH_R, F, KERF, LEAD_IN, MODE, OVERCUT, R, STYLE};
+use crate::kinds::pipe::insert::parameters::{
+    ARC_TOLERANCE, CONTACT, EXPERT_BRANCH_R, F, KERF, LEAD_IN, MODE, OVERCUT, R, STYLE,
+};
 use crate::kinds::pipe::insert::rules::{
-    AnnexIsFlat, BranchLarger, BranchOverhangs, KerfBeyondBore, KerfBeyondGap, LeadInCutsPart, OvercutPastTurn,
-    RadiusOfEnvelope,
+    AnnexIsFlat, BranchLarger, BranchOverhangs, FinerThanAngle, KerfBeyondBore, KerfBeyondGap, LeadInCutsPart,
+    OvercutPastTurn, RadiusOfEnvelope,
 };
 use crate::kinds::pipe::switching::opposed;
 use crate::kinds::rules::{AnnexCarriesNoFeed, FullStyleNeeds};
 use crate::parameter::at;
 
 impl Design {
-    /// What stands against lead-in and overcut on a turning pipe.
+    /// What stands against lead-in, overcut and tolerance on a turning pipe.
     fn way_beside_the_curve(&self) -> Vec<Finding> {
         let mut findings = Vec::new();
         let most = self.outline().longest_lead_in(self.lead_in);
         if most < self.lead_in {
             let (lead, most) = (Size::mm(self.lead_in), Size::mm(most));
             findings.push(LeadInCutsPart { lead, most }.at(at([LEAD_IN.key()])));
+        }
+        let (finest, tolerance) = (finest(self.outline().radius), self.arc_tolerance);
+        if tolerance < finest {
+            let moved = Size::mm(half_step(self.outline().radius));
+            let told = FinerThanAngle { tolerance: Size::mm(tolerance), moved, finest: Size::mm(finest) };
+            findings.push(told.at(at([ARC_TOLERANCE.key(), D_BRANCH.key()])));
         }
         let round = self.outline().round();
         if self.overcut > round {

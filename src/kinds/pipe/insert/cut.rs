@@ -198,6 +198,31 @@ fn flat(design: &Design) -> Result<Cut, OutOfFormat> {
     Ok(Cut { pierce, legs: way.legs })
 }
 
+/// What rounding an end and a radius to 0.001 takes, beside the tolerance, mm.
+pub const ROUNDING: f64 = 0.002;
+/// Of the bow of a curve that bends one way its quarter points see so much at least.
+const SEEN: f64 = 0.75;
+
+/// By how much the rounding of A moves the torch round a pipe of that radius at most, mm.
+#[must_use]
+pub fn half_step(radius: f64) -> f64 {
+    FLAT.to_radians() * radius
+}
+
+/// The bow that may be seen of a move round a pipe, mm: 0.7 of the tolerance, and on a large pipe what half a thousandth of a degree,
+/// which is 0.009 mm at a radius of 1 m, and the rounding of the other axis leave of it.
+#[must_use]
+pub fn most_bow(tolerance: f64, radius: f64) -> f64 {
+    (0.7 * tolerance).min(SEEN * (tolerance + ROUNDING - FLAT - half_step(radius)))
+}
+
+/// The finest tolerance that leaves moves round a pipe of that radius a bow, mm: a tenth of it.
+#[must_use]
+pub fn finest(radius: f64) -> f64 {
+    let grid = FLAT + half_step(radius) - ROUNDING;
+    (grid.max(0.0) / (1.0 - 0.1 / SEEN) * 1000.0).ceil() / 1000.0
+}
+
 /// How deep the halving of a piece of the curve may go: far below the grid.
 const DEEPEST: u32 = 24;
 
@@ -213,6 +238,10 @@ impl Round<'_> {
         Vector2::new((development.x / self.outline.radius).to_degrees(), development.y)
     }
 
+    fn bow(&self) -> f64 {
+        most_bow(self.design.arc_tolerance, self.outline.radius)
+    }
+
     /// Follows the curve from one angle to another, with straight moves that leave it by no more than the tolerance less
     /// what rounding takes.
     fn follow(&mut self, from: f64, to: f64, sides: [Side; 2], depth: u32) -> Result<(), OutOfFormat> {
@@ -224,8 +253,7 @@ impl Round<'_> {
             if length > 0.0 { (chord.x * point.y - chord.y * point.x).abs() / length } else { point.norm() }
         };
         let most = [0.25, 0.5, 0.75].map(off).into_iter().fold(0.0, f64::max);
-        // The quarter points see at least three quarters of the bow of a curve that bends one way.
-        if depth < DEEPEST && most > 0.7 * self.design.arc_tolerance || to - from > TAU / 32.0 {
+        if depth < DEEPEST && most > self.bow() || to - from > TAU / 32.0 {
             let middle = f64::midpoint(from, to);
             self.follow(from, middle, [sides[0], Side::Before], depth + 1)?;
             self.follow(middle, to, [Side::After, sides[1]], depth + 1)
@@ -240,7 +268,7 @@ impl Round<'_> {
         let [before, after] = [Side::Before, Side::After].map(|side| self.outline.across(phi, side));
         let turn = atan2(before.x * after.y - before.y * after.x, before.dot(&after));
         let beside = self.outline.beside;
-        let most = 2.0 * acos((1.0 - 0.7 * self.design.arc_tolerance / beside).clamp(-1.0, 1.0));
+        let most = 2.0 * acos((1.0 - self.bow() / beside).clamp(-1.0, 1.0));
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
         let steps = (turn.abs() / most).ceil().clamp(1.0, 1000.0) as u32;
         for step in 1..=steps {

@@ -143,4 +143,11 @@ rules! {
         why "La curva se corta para el radio escrito: en un tubo que no lo tiene, no ajusta.",
             "The curve is cut for the radius that was typed: on a pipe that does not have it, it does not fit.";
         example book!("pipe-insert", "R" = "50");
+    "P2121" FinerThanAngle Stop { tolerance: Size, moved: Size, finest: Size }
+        es "arc_tolerance = {tolerance}: en este tubo, solo redondear A a 0.001° mueve la antorcha hasta {moved}"
+        en "arc_tolerance = {tolerance}: on this pipe, rounding A to 0.001° alone moves the torch by up to {moved}"
+        remedy "elija {finest} como mínimo", "choose {finest} at least";
+        why "A se escribe con tres decimales: la antorcha no puede acercarse más a la curva.",
+            "A is written with three decimals: the torch cannot keep nearer to the curve.";
+        example book!("pipe-insert --case square", "branch_size" = "", "branch_schedule" = "", "D_branch" = "1600", "t_branch" = "20", "header_size" = "", "header_schedule" = "", "D_header" = "2000", "t_header" = "20", "mode" = "rotary", "dialect" = "linuxcnc", "arc_tolerance" = "0.004");
 }

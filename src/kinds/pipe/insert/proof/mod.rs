@@ -26,7 +26,7 @@ use crate::geometry::pipe_pair::Side;
 use crate::geometry::pipe_wall::{Line, Seat};
 use crate::kinds::pipe::insert::arcs::triples;
 use crate::kinds::pipe::insert::bounds::beyond;
-use crate::kinds::pipe::insert::cut::{Cut, Follows};
+use crate::kinds::pipe::insert::cut::{Cut, Follows, ROUNDING};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::outline::Outline;
 use crate::kinds::pipe::insert::program::{approach, template_points};
@@ -47,8 +47,6 @@ use crate::text::{Text, t};
 
 /// What the decimals of the published program leave of a length, mm.
 const SAME: f64 = 1e-6;
-/// What rounding an end and a radius to 0.001 takes, beside the tolerance.
-const ROUNDING: f64 = 0.002;
 
 /// A move of the cut.
 #[derive(Clone, Copy, Debug)]
