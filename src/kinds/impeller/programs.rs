@@ -184,11 +184,11 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
     };
     let mut milled = vec![blade];
     if cuts.splitter.is_some() {
-        // The published program is run with C turned by half a pitch beforehand; a complete one stands where it cuts.
-        let half = if design.style == Style::Annex { Milli::ZERO } else { part_of_turn(1, 2 * design.N)? };
+        // Splitters stand half way between blades; the published program is taken there by hand.
+        let half = part_of_turn(1, 2 * design.N)?;
         let mut assembly = Assembly::new(design, tracks.entry_reverse.moved(Axis::C, half))?;
         cuts.splitter(tracks, &mut assembly, half);
-        assembly.turn_on(half + part_of_turn(1, design.N)?);
+        assembly.turn_on(part_of_turn(1, design.N)?);
         milled.push(assembly.finish(Operation::Splitter, t("Un álabe intermedio", "One splitter blade")));
     }
     milled.push(impeller(design, tracks, &cuts)?);

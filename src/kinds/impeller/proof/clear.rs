@@ -27,7 +27,7 @@ use crate::kinds::impeller::floor_depth::within;
 use crate::kinds::impeller::part::Part;
 use crate::kinds::impeller::proof::nose::Nose;
 use crate::kinds::impeller::proof::rules::{
-    AxisInBlade, ClearCutsBlade, ClearCutsSplitter, ClearMayCut, ClearPassesDiffer, FloorUnder,
+    AxisInBlade, ClearCutsBlade, ClearCutsSplitter, ClearMayCut, ClearPassesDiffer, FloorUnder, RoughingLeavesLess,
 };
 use crate::kinds::impeller::sweep::Sweep;
 use crate::machine::axis::{Axis, Pose, Position};
@@ -82,6 +82,14 @@ impl<'a> ClearCutting<'a> {
 
     fn limit(&self) -> f64 {
         self.asked.tolerance + OVER
+    }
+
+    /// How near to a face the tool may come: in roughing the allowance stays, less the limit.
+    fn least_left(&self) -> f64 {
+        match self.which {
+            Which::Rough => self.asked.cut.s - self.limit(),
+            Which::Finish => -self.limit(),
+        }
     }
 
     /// By how much a rounded turn of C moves the rim.
@@ -287,7 +295,9 @@ impl Judge for ClearCutting<'_> {
             asked.holds(made == due, |place| ClearPassesDiffer { program: program.title.clone(), made, due }.at(place)),
         ];
         let limit = self.limit();
-        let shown = Text::same(format!("≥ −{}", mm(limit)));
+        let least_left = self.least_left();
+        let sign = if least_left < 0.0 { "−" } else { "" };
+        let shown = Text::same(format!("≥ {sign}{}", mm(least_left.abs())));
         let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
         let nearest = |found: [Option<(Bounds, At)>; 3]| {
             found.into_iter().flatten().reduce(|one, two| {
@@ -323,8 +333,12 @@ impl Judge for ClearCutting<'_> {
                 .at(Some(at))
                 .seen(self.ways.len())
                 .measuring(bounds.lower);
-            checks.push(asked.holds(bounds.lower >= -limit, |place: Place| {
+            checks.push(asked.holds(bounds.lower >= least_left.max(-limit), |place: Place| {
                 let (line, program) = (at.line, program.title.clone());
+                if bounds.lower >= -limit {
+                    let (left, asked) = (size(-up(-bounds.lower.max(0.0))), Size::mm(self.asked.cut.s));
+                    return RoughingLeavesLess { left, asked, line, program }.at(place);
+                }
                 // The search for a face that the axis reaches ends at a hundredth of the radius.
                 if bounds.upper < self.turned() - (1.0 - AT_AXIS) * mill.d / 2.0 {
                     AxisInBlade { line, program }.at(place)
@@ -342,9 +356,12 @@ impl Judge for ClearCutting<'_> {
                 .at(Some(at))
                 .seen(self.ways.len())
                 .measuring(bounds.lower);
-            checks.push(asked.holds(bounds.lower >= -limit, |place| {
+            checks.push(asked.holds(bounds.lower >= least_left.max(-limit), |place| {
                 let (line, program) = (at.line, program.title.clone());
-                if bounds.upper < -limit {
+                if bounds.lower >= -limit {
+                    let (left, asked) = (size(-up(-bounds.lower.max(0.0))), Size::mm(self.asked.cut.s));
+                    RoughingLeavesLess { left, asked, line, program }.at(place)
+                } else if bounds.upper < -limit {
                     ClearCutsSplitter { depth: size(-bounds.upper), limit: size(limit), line, program }.at(place)
                 } else {
                     ClearMayCut { limit: size(limit), line, program }.at(place)

@@ -24,8 +24,9 @@ use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::part::{HUB, Part};
 use crate::kinds::impeller::proof::rules::{
-    PublishedSplitterCutsBlade, PublishedSplitterMayCutBlade, SplitterCutsBlade, SplitterCutsSplitter,
-    SplitterMayCutBlade, SplitterMayCutSplitter, ToolCutsBlade, ToolMayCutBlade,
+    BladeCutsSplitter, BladeMayCutSplitter, PublishedSplitterCutsBlade, PublishedSplitterMayCutBlade,
+    SplitterCutsBlade, SplitterCutsSplitter, SplitterMayCutBlade, SplitterMayCutSplitter, ToolCutsBlade,
+    ToolMayCutBlade,
 };
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::track::Track;
@@ -208,6 +209,14 @@ impl Met {
         }
     }
 
+    fn splitter_by_blade(self, place: Place) -> Finding {
+        let Self { depth, line, program, .. } = self;
+        match depth {
+            Some(depth) => BladeCutsSplitter { depth, line, program }.at(place),
+            None => BladeMayCutSplitter { line, program }.at(place),
+        }
+    }
+
     fn splitter_by_splitter(self, place: Place) -> Finding {
         let Self { depth, line, program, .. } = self;
         match depth {
@@ -244,8 +253,11 @@ fn to_splitters(program: &Program, track: Track, found: &Clearance) -> Check {
     let Bounds { lower, upper, .. } = found.bounds;
     let asked = Question::new("splitters", name, program).showing(bounded(lower, upper), Text::same(""));
     let asked = asked.at(Some(found.at)).seen(1).measuring(lower);
-    if lower >= 0.0 || !track.of_splitter() {
+    if lower >= 0.0 {
         return asked.informs();
     }
-    asked.holds(false, |place| Met::new(program, found).splitter_by_splitter(place))
+    asked.holds(false, |place| {
+        let met = Met::new(program, found);
+        if track.of_splitter() { met.splitter_by_splitter(place) } else { met.splitter_by_blade(place) }
+    })
 }

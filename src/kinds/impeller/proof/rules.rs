@@ -151,7 +151,7 @@ crate::finding::rule::rules! {
     "V0127" ClearCutsSplitter Stop { depth: Size, limit: Size, line: usize, program: Text }
         es "la herramienta entra {depth} en un álabe intermedio, en la línea {line} de «{program}»; la tolerancia admite {limit}"
         en "the tool enters a splitter by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
-        remedy "use una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o menos álabes o más delgados", "use a smaller tool in this program (d_t in roughing, d_f in finishing), or fewer or thinner blades";
+        remedy "use álabes más delgados (e) o menos, y en fresas anchas una menor (d_t en el desbaste, d_f en el acabado)", "use thinner blades (e) or fewer, and of wide tools a smaller one (d_t in roughing, d_f in finishing)";
         why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
         example Example::Slip { kind: "impeller", cells: &[("c_s", "0.02"), ("tol", "0.01"), ("delta", "")], program: "finish", from: "N50980 G1 X-3.520", to: "N50980 G1 X-3.820" };
     "V0128" ClearMayCut Stop { limit: Size, line: usize, program: Text }
@@ -180,6 +180,25 @@ crate::finding::rule::rules! {
         why "Si el cubo es más estrecho que el álabe, las caras pasan el eje de la pieza y llegan a los canales del otro lado.",
             "Where the hub is narrower than the blade, the faces pass the axis of the part and come into the channels on the other side.";
         example book!("impeller", "r" = "15.5", "N" = "1", "e" = "7", "a_p" = "4", "d_t" = "4", "d_f" = "", "splitters" = "no", "c_s" = "0.2", "tol" = "0.03");
+    "V0132" RoughingLeavesLess Caution { left: Size, asked: Size, line: usize, program: Text }
+        es "el desbaste deja {left} como mínimo en una cara, en la línea {line} de «{program}»; s_w pide {asked}"
+        en "roughing leaves {left} at least on a face, in line {line} of \"{program}\"; s_w asks for {asked}"
+        remedy "cuente en el acabado con esa demasía, o elija una s_w mayor", "count on that allowance in finishing, or choose a larger s_w";
+        why "Una pasada alrededor de un álabe intermedio puede acercarse más a la cara de enfrente.",
+            "A pass round a splitter may come nearer to the face across.";
+        example book!("impeller", "R" = "20.4", "r" = "18", "N" = "2", "e" = "2.046", "a_p" = "0.626", "splitters" = "yes", "d_t" = "0.6", "d_f" = "", "T_f" = "", "D_f" = "", "F_f" = "", "S_f" = "", "s_w" = "0.25", "kappa" = "0.9", "c_s" = "0.02", "tol" = "0.02", "delta" = "");
+    "V0133" BladeCutsSplitter Caution { depth: Size, line: usize, program: Text }
+        es "la pasada de un álabe corta {depth} de un álabe intermedio, a lo ancho de la herramienta, en la línea {line} de «{program}»"
+        en "the pass of a blade cuts {depth} off a splitter, across the tool, in line {line} of \"{program}\""
+        remedy "ponga method = clear o splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set method = clear or splitters = no, or use fewer blades, thinner blades, or a smaller tool";
+        why "El intermedio se corta después, y le faltará ese metal.", "The splitter is cut afterwards, and that metal will be missing.";
+        example Example::Slip { kind: "impeller --case tfg-2021", cells: &[], program: "blade", from: "", to: "" };
+    "V0134" BladeMayCutSplitter Caution { line: usize, program: Text }
+        es "no está demostrado que la pasada de un álabe libre los intermedios: pasa lo más cerca en la línea {line} de «{program}»"
+        en "it is not proved that the pass of a blade clears the splitters: it comes nearest in line {line} of \"{program}\""
+        remedy "compruébelo en el visor, o ponga method = clear", "check it in the viewer, or set method = clear";
+        why "rodete solo cuenta con la distancia que queda demostrada.", "rodete counts only on the distance that is proved.";
+        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} {found} is in force, but the form asks for {wanted}"
