@@ -1,6 +1,7 @@
 
 /** A number with so many decimals and no minus before nothing. */
 function decimals(value, places) {
+  if (Number.isNaN(value)) return "–";
   const text = value.toFixed(places);
   return /^-0\.?0*$/.test(text) ? text.slice(1) : text;
 }

@@ -56,10 +56,11 @@ class Run {
     for (let at = 0; at < this.count; at++) this.times[at + 1] = this.times[at] + seconds[at];
     this.total = this.times[this.count];
     this.feed = numbers(data.feed);
-    // The F in force; a lead is an F on a Fanuc only.
-    for (let at = 0, last = 0; at < this.count; at++) {
-      if (this.kind[at] === RAPID || stands(this.kind[at])) this.feed[at] = last;
-      else if (this.kind[at] !== THREAD || data.feed_codes[0] === "G98") last = this.feed[at];
+    // The F in force; a lead is an F on a Fanuc only. Under another code than the one that it was given under it says nothing.
+    for (let at = 0, last = 0, under = null; at < this.count; at++) {
+      const mode = this.states[this.state[at]].feed;
+      if (this.kind[at] === RAPID || stands(this.kind[at])) this.feed[at] = under === null || under === mode ? last : NaN;
+      else if (this.kind[at] !== THREAD || data.feed_codes[0] === "G98") [last, under] = [this.feed[at], mode];
     }
     // The motion code in force at each: a dwell and a block without motion leave it as it is.
     this.modal = this.kind.slice();

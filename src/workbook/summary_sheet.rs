@@ -256,7 +256,9 @@ impl Summary<'_> {
 
 /// The gravest findings, one per line.
 fn cautions(findings: &[Finding]) -> Text {
-    let grave: Vec<&Finding> = findings.iter().filter(|one| one.grade != Grade::Note).collect();
+    let mut grave: Vec<&Finding> = findings.iter().filter(|one| one.grade != Grade::Note).collect();
+    // Of one grade first what the programs do to the part, as on the first page of the report.
+    grave.sort_by_key(|one| (std::cmp::Reverse(one.grade), !one.code().starts_with('V')));
     let list = |language: Language, none: &str, more: &str, all: &str| {
         if grave.is_empty() {
             return none.to_owned();

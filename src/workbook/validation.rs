@@ -87,7 +87,7 @@ pub(super) fn unknown(kind: &FieldKind, cell: &str) -> Option<String> {
         }
         FieldKind::Line { max } => Some(format!("LEN({cell})>{max}")),
         FieldKind::Date => Some(format!("LEN({cell})>{DATE}")),
-        FieldKind::Codes => Some(misspelt(cell, ["GM", ""])),
+        FieldKind::Codes => Some(misspelt(cell, ["M", ""])),
         FieldKind::Block => Some(misspelt(cell, ["GM", "XYZ"])),
         FieldKind::Real { .. } | FieldKind::Whole { .. } | FieldKind::Schema => None,
     }

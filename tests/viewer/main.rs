@@ -309,6 +309,23 @@ fn behind_a_thread_the_feed_in_force_is_shown() {
     quiet(&browser);
 }
 
+/// The F of G93, 1/min, had been shown as mm/min at the end of the program.
+#[test]
+fn a_feed_is_shown_only_under_the_code_that_it_was_given_under() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let browser = Browser::start(true);
+    let text = "G21 G90\nG94 G1 X5 F300\nG93 G1 X10 F2\nG94\nG0 X20\nG1 X30 F100\nG0 X0\nM2\n";
+    fs::write(folder.path().join("part.ngc"), text).expect("a program");
+    rodete(folder.path(), &["view", "part.ngc"]);
+    let page = folder.path().join("part.html");
+    let feeds = [2, 3, 5, 6, 7].map(|line| browser.open(&page, &format!("goto={line}"))["said"]["F"].clone());
+    assert_eq!(feeds, ["300.0", "2.000", "–", "100.0", "100.0"]);
+    quiet(&browser);
+}
+
 #[test]
 fn keys_play_step_and_switch() {
     if !chromium() {
