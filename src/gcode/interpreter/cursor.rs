@@ -362,7 +362,7 @@ pub fn bare(line: &str, form: Comments) -> String {
         return String::new();
     }
     // A block that may be passed over has its number behind the slash.
-    let slash = if words.starts_with('/') { 1 + digits(&words[1..]) } else { 0 };
+    let slash = words.strip_prefix('/').map_or(0, |behind| 1 + digits(behind));
     let (before, behind) = words.split_at(slash);
     match behind.strip_prefix('n').map(|number| (number, digits(number))) {
         Some((number, digits)) if digits > 0 => format!("{before}{}", &number[digits..]),

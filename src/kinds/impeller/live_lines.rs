@@ -26,6 +26,8 @@ struct Course {
     start: u8,
     exits: [u8; 2],
     ends: &'static [u8],
+    /// What C is turned on beside annex 4, as a term in thousandths.
+    turned: &'static str,
     /// Its paths follow inputs only in part.
     in_part: bool,
 }
@@ -38,6 +40,7 @@ const BLADE: Course = Course {
     start: 1,
     exits: [3, 4],
     ends: &[2, 1, 1],
+    turned: "",
     in_part: false,
 };
 
@@ -52,6 +55,7 @@ const SPLITTER: Course = Course {
     start: 2,
     exits: [4, 3],
     ends: &[2, 2],
+    turned: "+ROUND(180000/blades_N,0)",
     in_part: true,
 };
 
@@ -173,7 +177,8 @@ impl Course {
             // In whole numbers, as in the programs: many of them lie between two thousandths.
             Axis::B => "IF([j]<intervals_n,ROUND(90000*(intervals_n-[j])/intervals_n,0),ROUND(1000*DEGREES([annex-4.B last]),0))".to_owned(),
             _ => format!(
-                "ROUND(1000*DEGREES(INDEX([annex-4.C all],[j]+1)),0)+IF([i]={last},ROUND(360000/blades_N,0),0)"
+                "ROUND(1000*DEGREES(INDEX([annex-4.C all],[j]+1)),0){}+IF([i]={last},ROUND(360000/blades_N,0),0)",
+                self.turned
             ),
         }
     }
