@@ -333,7 +333,7 @@ impl Judge for ClearCutting<'_> {
                 .at(Some(at))
                 .seen(self.ways.len())
                 .measuring(bounds.lower);
-            checks.push(asked.holds(bounds.lower >= least_left.max(-limit), |place: Place| {
+            checks.push(asked.holds(bounds.lower >= least_left, |place: Place| {
                 let (line, program) = (at.line, program.title.clone());
                 if bounds.lower >= -limit {
                     let (left, asked) = (size(-up(-bounds.lower.max(0.0))), Size::mm(self.asked.cut.s));
@@ -356,7 +356,7 @@ impl Judge for ClearCutting<'_> {
                 .at(Some(at))
                 .seen(self.ways.len())
                 .measuring(bounds.lower);
-            checks.push(asked.holds(bounds.lower >= least_left.max(-limit), |place| {
+            checks.push(asked.holds(bounds.lower >= least_left, |place| {
                 let (line, program) = (at.line, program.title.clone());
                 if bounds.lower >= -limit {
                     let (left, asked) = (size(-up(-bounds.lower.max(0.0))), Size::mm(self.asked.cut.s));

@@ -17,7 +17,7 @@ use nalgebra::Vector2;
 
 use crate::geometry::pipe_pair::Side;
 use crate::kinds::pipe::insert::arcs::{arc_through, bow};
-use crate::kinds::pipe::insert::design::{Design, Mode};
+use crate::kinds::pipe::insert::design::{Design, Mode, ROUNDING};
 use crate::kinds::pipe::insert::outline::Outline;
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::trig::{acos, atan2, sin_cos};
@@ -198,8 +198,6 @@ fn flat(design: &Design) -> Result<Cut, OutOfFormat> {
     Ok(Cut { pierce, legs: way.legs })
 }
 
-/// What rounding an end and a radius to 0.001 takes, beside the tolerance, mm.
-pub const ROUNDING: f64 = 0.002;
 /// Of the bow of a curve that bends one way its quarter points see so much at least.
 const SEEN: f64 = 0.75;
 

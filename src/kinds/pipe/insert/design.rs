@@ -20,6 +20,9 @@ pub use crate::kinds::pipe::insert::parameters::{Contact, Mode};
 use crate::machine::rapids::Rapids;
 use crate::parameter::field::Fields;
 
+/// What a program may add to the tolerance of a path by the rounding of ends and radii to 0.001, mm.
+pub const ROUNDING: f64 = 0.002;
+
 /// A radius that was typed in place of the one that the pipe gives, both in mm.
 #[derive(Clone, Copy, Debug)]
 pub struct Typed {
