@@ -448,6 +448,10 @@ mod embedded {
         let (Some(rollover), Some(linear)) = (linuxcnc("rollover"), linuxcnc("linear")) else { return };
         assert!(!rollover.contains("not rollover") && rollover.contains("C counts past 360°"), "{rollover}");
         assert!(linear.contains("B and C are not rollover axes"), "{linear}");
+        // What depends on the machine is a box: its clamps where the program writes them, and a path that may be blended.
+        let (clamps, blended) = ("M11 and M13 release the clamps", "G61, or G64 with a small P, is in force");
+        assert!(sticking.contains(clamps) && !sticking.contains(blended), "{sticking}");
+        assert!(linear.contains(blended) && !linear.contains(clamps), "{linear}");
     }
 
     /// What no page holds goes on, and says so on top: more tools than a page has lines.

@@ -291,19 +291,20 @@ rules! {
         why "El metal que queda obstruye el canal entre los álabes.", "The metal left blocks the channel between the blades.";
         example book!("impeller --case full", "splitters" = "no");
     "P1043" FloorTooDeep Caution { most: Size, track: Text, point: Size, law: Size }
-        es "junto a los álabes el fondo queda hasta {most} más hondo que a_p (valor máximo; lo peor, {track}, punto {point}): el extremo plano de la fresa no cabe en el fondo cóncavo (la ley √(r_f² + (d_t/2 + w·cos α)²) − r_f da {law}; el resto viene de los bloques)"
-        en "beside the blades the floor is up to {most} deeper than a_p (upper bound; worst on {track}, point {point}): the flat end of the tool does not fit the concave floor (the law √(r_f² + (d_t/2 + w·cos α)²) − r_f gives {law}; the rest comes from the blocks)"
+        es "junto a los álabes el fondo queda hasta {most} más hondo que a_p (valor máximo; lo peor, {track}, punto {point}): el extremo plano de la fresa no cabe en el fondo cóncavo (eso solo da {law}; el resto viene de los bloques)"
+        en "beside the blades the floor is up to {most} deeper than a_p (upper bound; worst on {track}, point {point}): the flat end of the tool does not fit the concave floor (that alone gives {law}; the rest comes from the blocks)"
         remedy "elija una herramienta menor, o cuente con ese fondo más hondo en el cubo y donde la pieza es delgada",
             "choose a smaller tool, or allow for the deeper floor at the hub and where the part is thin";
-        why "En el cubo la pared mide R − r − a_p, menos lo que el fondo tenga de más.", "At the hub the wall is R − r − a_p, less the extra depth of the floor.";
+        why "En el cubo la pared mide R − r − a_p, menos lo que el fondo tenga de más. El extremo plano solo da √(r_f² + (d_t/2 + w·cos α)²) − r_f: r_f es el radio del arco del fondo, r + a_p; w, lo que el eje se aparta de la línea media; α, el ángulo entre la línea media y el paralelo.",
+            "At the hub the wall is R − r − a_p, less the extra depth of the floor. The flat end alone gives √(r_f² + (d_t/2 + w·cos α)²) − r_f: r_f is the radius of the arc of the floor, r + a_p; w is how far the axis is from the mean line; α is the angle between the mean line and the parallel.";
         example book!("impeller --case full");
     "P1044" IntoOwnFaces Caution { most: Size, faces: Text, law: Size }
-        es "las pasadas entran hasta {most} en las propias caras del álabe, que queda más delgado: {faces} (valores máximos, bloque a bloque; la ley a·(1 − cos θ) en el cubo, que no cuenta el espesor ni los bloques, da {law})"
-        en "the passes cut up to {most} into the blade's own faces and leave the blade thinner: {faces} (upper bounds, block by block; the law a·(1 − cos θ) at the hub, which leaves out thickness and blocks, gives {law})"
+        es "las pasadas entran hasta {most} en las propias caras del álabe, que queda más delgado: {faces} (valores máximos, bloque a bloque; solo por el alabeo en el cubo, sin contar el espesor ni los bloques, {law})"
+        en "the passes cut up to {most} into the blade's own faces and leave the blade thinner: {faces} (upper bounds, block by block; from the twist at the hub alone, without thickness and blocks, {law})"
         remedy "elija una a_p menor, una herramienta menor o un e mayor que lo compense; un n mayor reduce lo que añaden los bloques",
             "choose a smaller a_p, a smaller tool, or a larger e to make up for it; a larger n reduces what the blocks add";
-        why "El flanco de una fresa cilíndrica no sigue una cara alabeada: lo que entra en ella reduce el espesor.",
-            "The side of a cylindrical cutter does not follow a twisted face: where it enters the face, the blade gets thinner.";
+        why "El flanco de una fresa cilíndrica no sigue una cara alabeada: lo que entra en ella reduce el espesor. El alabeo solo da d_t/2·(1 − cos θ): θ es lo que la cara gira de la superficie torneada al fondo.",
+            "The side of a cylindrical cutter does not follow a twisted face: where it enters the face, the blade gets thinner. The twist alone gives d_t/2·(1 − cos θ): θ is how far the face turns from the turned surface to the floor.";
         example book!("impeller --case full");
     "P1045" ToolDoesNotPass Caution { tool: Size, largest: Largest, at: Size, blades: Text, thickness: Text }
         es "la herramienta de {tool} no pasa entre los álabes; la mayor que pasa: {largest}; el paso más estrecho está al {at} del camino del cubo al borde; {blades}; {thickness}"
