@@ -35,6 +35,15 @@ impl Turned {
         Self { B: sin_cos(B), C: sin_cos(C) }
     }
 
+    /// The axes turned on from here by as much as `step` has them turned: from step to step that takes no sine.
+    #[must_use]
+    pub fn on_by(&self, step: &Self) -> Self {
+        let on = |(sin, cos): (f64, f64), (sin_by, cos_by): (f64, f64)| {
+            (sin * cos_by + cos * sin_by, cos * cos_by - sin * sin_by)
+        };
+        Self { B: on(self.B, step.B), C: on(self.C, step.C) }
+    }
+
     /// A direction of the part frame in machine axes.
     #[inline]
     #[must_use]

@@ -14,6 +14,7 @@ use nalgebra::Vector3;
 
 use crate::geometry::darboux::opposite;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
+use crate::number::lesser;
 use crate::number::root::golden;
 
 /// Lines of a face that are looked at first: steps between them, and they themselves.
@@ -103,11 +104,11 @@ pub struct Scan<'a> {
     wall: &'a Wall,
     aside: f64,
     axis: Axis,
-    /// Infinite where the line is farther than the nearest by more than [`Wall::valley_reach`].
+    /// Infinite where the line is farther than the nearest by more than [`Wall::valley_reach`], or than asked.
     apart: [f64; ROW],
     /// The least distance is not more than this.
     pub most: f64,
-    /// It is not less than this.
+    /// It is not less than this, which is no more than asked.
     pub least: f64,
 }
 
@@ -290,7 +291,7 @@ impl Wall {
         {
             return found;
         }
-        self.scan(aside, axis).nearest()
+        self.scan(aside, axis, f64::INFINITY).nearest()
     }
 
     /// On which side of the mean surface a face lies, and how far.
@@ -298,16 +299,16 @@ impl Wall {
         face.side() * self.part.e / 2.0
     }
 
-    /// What is known of the distance of an axis from a face before it is sought.
+    /// What is known of the distance of an axis from a face before it is sought; whether it is less than `asked`, at least.
     #[must_use]
-    pub fn seen(&self, face: Face, axis: &Axis) -> Scan<'_> {
-        self.scan(self.aside(face), axis)
+    pub fn seen(&self, face: Face, axis: &Axis, asked: f64) -> Scan<'_> {
+        self.scan(self.aside(face), axis, asked)
     }
 
     /// The same of the blade's mean surface.
     #[must_use]
     pub fn seen_from_middle(&self, axis: &Axis) -> Scan<'_> {
-        self.scan(0.0, axis)
+        self.scan(0.0, axis, f64::INFINITY)
     }
 
     /// An axis as high as the lines beside it that it is to be seen from.
@@ -315,7 +316,8 @@ impl Wall {
         Axis { range: [axis.range[0], axis.range[1] + self.overhang], ..*axis }
     }
 
-    fn scan(&self, aside: f64, axis: &Axis) -> Scan<'_> {
+    /// Lines between which nothing is nearer than `asked` are not looked at.
+    fn scan(&self, aside: f64, axis: &Axis, asked: f64) -> Scan<'_> {
         let axis = self.high(axis);
         let mut apart = [f64::INFINITY; ROW];
         let mut most = f64::INFINITY;
@@ -326,7 +328,7 @@ impl Wall {
         }
         let reach = self.valley_reach();
         for first in (0..ROW - 1).step_by(step) {
-            if apart[first].min(apart[first + step]) - self.between_apart > most + reach {
+            if apart[first].min(apart[first + step]) - self.between_apart > lesser(most + reach, asked) {
                 continue;
             }
             let between = first + 1..first + step;
@@ -335,7 +337,7 @@ impl Wall {
                 most = most.min(*apart);
             }
         }
-        Scan { wall: self, aside, axis, apart, most, least: most - self.between }
+        Scan { wall: self, aside, axis, apart, most, least: lesser(most - self.between, asked) }
     }
 
     /// The half round of the radius e/2 with which a splitter begins at v.
@@ -510,7 +512,7 @@ mod tests {
                 let along = (frame.N + frame.t * tilt + frame.b * (tilt / 2.0)).try_normalize(1e-9).unwrap();
                 let axis =
                     Axis { foot: P + frame.b * (e / 2.0 + 2.0 + f64::from(step % 3)), along, range: [-a_p * 0.9, 1.0] };
-                let seen = wall.seen(Face::Obverse, &axis);
+                let seen = wall.seen(Face::Obverse, &axis, f64::INFINITY);
                 let found = seen.nearest().0;
                 let dense = (0..=20_000).map(|line| {
                     let v = wall.v[0] + (wall.v[1] - wall.v[0]) * f64::from(line) / 20_000.0;
@@ -521,6 +523,9 @@ mod tests {
                 assert!(found <= dense + 1e-9 && found > dense - 1e-5 * R, "{R} {step} {found} {dense}");
                 for off in [-2.0, -1e-3, 1e-3, 2.0] {
                     assert_eq!(seen.keeps(found + off), off < 0.0, "{R} {step} {off}");
+                    let asked = wall.seen(Face::Obverse, &axis, found + off);
+                    assert!(asked.least <= dense && asked.least <= found + off, "{R} {step} {off}");
+                    assert_eq!(asked.keeps(found + off), off < 0.0, "{R} {step} {off}");
                 }
             }
         }

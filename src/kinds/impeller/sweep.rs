@@ -19,6 +19,7 @@ use crate::kinds::impeller::programs::Tracks;
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
 use crate::machine::rotary::{Rotary, Turned};
+use crate::number::trig::sin_cos;
 
 /// Most slack of blocks taken as one, mm.
 const SLACK: f64 = 0.0005;
@@ -73,6 +74,27 @@ fn between(from: &Stand, to: &Stand, part: f64) -> Stand {
 fn tool(machine: Rotary, [x, y, z, B, C]: &Stand) -> (Vector3<f64>, Vector3<f64>) {
     let [tip, axis] = machine.tool(&Vector3::new(*x, *y, *z), *B, *C);
     (tip, axis)
+}
+
+/// How far points of the tool's axis up to a height above the tip are at most from the axis of B, and from that of C.
+fn reach(machine: Rotary, [x, y, z, B, _]: &Stand, height: f64) -> [f64; 2] {
+    let (sin, cos) = sin_cos(*B);
+    let up = z + machine.L;
+    let out = x * cos + up * sin;
+    [x.abs() + up.abs() + height, (out * out + y * y).sqrt() + height]
+}
+
+/// Where all axes stand at a point, and how far the tool's axis then reaches.
+struct Seen {
+    stand: Stand,
+    reach: [f64; 2],
+}
+
+impl Seen {
+    fn new(machine: Rotary, position: &Position, height: f64) -> Self {
+        let stand = stand(position);
+        Self { stand, reach: reach(machine, &stand, height) }
+    }
 }
 
 impl Stretch {
@@ -130,8 +152,9 @@ impl Sweep<Track> {
     #[must_use]
     pub fn new(design: &Design, tracks: &Tracks, track: Track, height: f64) -> Option<Self> {
         let points = tracks.positions(track)?;
-        let [entry, exit] = tracks.safe_points(track);
-        let at: Vec<Stand> = [entry].iter().chain(points).chain([exit].iter()).map(stand).collect();
+        let [entry, exit] = &tracks.safe_points(track);
+        let at = std::iter::once(entry).chain(points).chain([exit]);
+        let at: Vec<Seen> = at.map(|position| Seen::new(design.machine, position, height)).collect();
         let mut sweep = Self { track, stretches: Vec::new(), height };
         // The ways in and out stand by themselves.
         let last = at.len() - 1;
@@ -146,7 +169,7 @@ impl<T> Sweep<T> {
     /// The way through some positions, block by block. The bounds hold up to a height above the tip.
     #[must_use]
     pub fn through(track: T, machine: Rotary, positions: &[Position], height: f64) -> Self {
-        let at: Vec<Stand> = positions.iter().map(stand).collect();
+        let at: Vec<Seen> = positions.iter().map(|position| Seen::new(machine, position, height)).collect();
         let mut sweep = Self { track, stretches: Vec::new(), height };
         if let Some(last) = at.len().checked_sub(1).filter(|last| *last > 0) {
             sweep.take(machine, &at, 0, last);
@@ -155,37 +178,43 @@ impl<T> Sweep<T> {
     }
 
     /// Takes the blocks from one point to another as one stretch, or as the two halves of them.
-    fn take(&mut self, machine: Rotary, at: &[Stand], low: usize, high: usize) {
-        let slack = self.slack(machine, &at[low..=high]);
-        if slack > SLACK {
+    fn take(&mut self, machine: Rotary, at: &[Seen], low: usize, high: usize) {
+        let Some(slack) = self.slack(machine, &at[low..=high]) else {
             let middle = low + (high - low) / 2;
             self.take(machine, at, low, middle);
             self.take(machine, at, middle, high);
             return;
-        }
+        };
         #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
         let x = [low as f64 - 1.0, high as f64 - 1.0];
-        self.stretches.push(Stretch { from: at[low], to: at[high], machine, x, slack });
+        self.stretches.push(Stretch { from: at[low].stand, to: at[high].stand, machine, x, slack });
     }
 
-    /// How far the axis is from that of one block through all of these points. Between two of them both run evenly, so
-    /// that it is the farthest at one of them.
-    fn slack(&self, machine: Rotary, at: &[Stand]) -> f64 {
-        let (Some(from), Some(to)) = (at.first(), at.last()) else { return 0.0 };
-        let mut most = 0.0_f64;
+    /// How far the axis is from that of one block through all of these points; `None` where that is too much. Between two of
+    /// them both run evenly, so that it is the farthest at one of them.
+    fn slack(&self, machine: Rotary, at: &[Seen]) -> Option<f64> {
+        let (Some(from), Some(to)) = (at.first(), at.last()) else { return Some(0.0) };
         #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-        for (k, here) in at.iter().enumerate() {
-            let even = between(from, to, k as f64 / (at.len() - 1) as f64);
+        let off = |k: usize| {
+            let Seen { stand: here, reach: here_reach } = &at[k];
+            let even = between(&from.stand, &to.stand, k as f64 / (at.len() - 1) as f64);
             let off: Stand = std::array::from_fn(|axis| here[axis] - even[axis]);
             let way = Vector3::new(off[0], off[1], off[2]).norm();
-            let reach = |stand: &Stand| {
-                let (tip, _) = tool(machine, stand);
-                let out = (tip.x * tip.x + tip.y * tip.y).sqrt() + self.height;
-                (stand[0].abs() + (stand[2] + machine.L).abs() + self.height, out)
-            };
-            let ((one_B, one_C), (other_B, other_C)) = (reach(here), reach(&even));
-            most = most.max(way + off[3].abs() * one_B.max(other_B) + off[4].abs() * one_C.max(other_C));
+            let even_reach = reach(machine, &even, self.height);
+            let [B, C] = [0, 1].map(|axis: usize| off[axis + 3].abs() * here_reach[axis].max(even_reach[axis]));
+            way + B + C
+        };
+        // Of blocks that are not straight the middle tells it at once.
+        if off(at.len() / 2) > SLACK {
+            return None;
         }
-        most
+        let mut most = 0.0_f64;
+        for k in 0..at.len() {
+            most = most.max(off(k));
+            if most > SLACK {
+                return None;
+            }
+        }
+        Some(most)
     }
 }

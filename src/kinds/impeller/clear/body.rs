@@ -75,7 +75,8 @@ impl Body {
         if less(least) {
             return least;
         }
-        let mut faces = Face::ALL.map(|face| self.wall.seen(face, axis));
+        let asked_of_faces = asked.map_or(f64::INFINITY, |asked| asked.max(2.0 * self.half));
+        let mut faces = Face::ALL.map(|face| self.wall.seen(face, axis, asked_of_faces));
         if faces[1].most < faces[0].most {
             faces.reverse();
         }
@@ -118,13 +119,13 @@ impl Obstacles {
     /// True where an axis is no less than `asked` from the obverse of blade 0.
     #[must_use]
     pub fn keeps_obverse(&self, axis: &Axis, asked: f64) -> bool {
-        self.wall.seen(Face::Obverse, axis).keeps(asked)
+        self.wall.seen(Face::Obverse, axis, asked).keeps(asked)
     }
 
     /// True where it is no less from the reverse of the next blade.
     #[must_use]
     pub fn keeps_reverse(&self, axis: &Axis, asked: f64) -> bool {
-        self.wall.seen(Face::Reverse, &turned(axis, self.pitch)).keeps(asked)
+        self.wall.seen(Face::Reverse, &turned(axis, self.pitch), asked).keeps(asked)
     }
 
     /// True where it is no less from the splitter, or there is none.

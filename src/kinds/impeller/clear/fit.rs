@@ -173,15 +173,17 @@ impl Flank {
     /// Foot and normal of the ruling at v, and how both change with v.
     fn ruling(&self, v: f64, beyond: Beyond) -> [Vector3<f64>; 4] {
         let Torus { R, r } = self.part.circle.torus;
-        let (P, Darboux { N, t, b }) = self.frame(v, beyond);
+        let on_blade = (HUB..=RIM).contains(&v);
+        let turned = sin_cos(v);
+        let (P, Darboux { N, t, b }) = if on_blade { self.part.frame_at(v, turned) } else { self.frame(v, beyond) };
         let half = self.face.side() * self.part.e / 2.0;
         let foot = P + b * half;
-        if beyond == Beyond::Straight && !(HUB..=RIM).contains(&v) {
+        if beyond == Beyond::Straight && !on_blade {
             return [foot, N, t * R, Vector3::zeros()];
         }
         // R times the curvatures and the torsion: see the derivatives of the frame.
         let k = self.part.circle.k;
-        let cos_v = sin_cos(v).1;
+        let cos_v = turned.1;
         let rho = R + r * cos_v;
         let along = r / R + k * k / R * cos_v / rho;
         let aside = -(1.0 - along * along).max(0.0).sqrt();

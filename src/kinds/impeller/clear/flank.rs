@@ -32,6 +32,8 @@ const TABLE: [f64; 4] = [2e-6, 2e-6, 2e-5, 2e-5];
 const POLE: f64 = 1e-6;
 /// A tip goes no lower than one whose end reaches this part of the tube's radius to the side.
 const WIDEST: f64 = 0.9;
+/// The last step towards the place nearest to K, radians: its error goes with the square.
+const LAST: f64 = 1e-8;
 
 /// An axis beside the tube's circle K.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,18 +63,20 @@ fn widest(tool: &Tool, r_f: f64) -> f64 {
 #[must_use]
 pub fn passing(through: &Vector3<f64>, along: &Vector3<f64>, R: f64, mut psi: f64) -> Passing {
     let across = |vector: Vector3<f64>| vector - along * vector.dot(along);
+    let [mut sin, mut cos] = [0.0; 2];
     for _ in 0..30 {
-        let (sin, cos) = sin_cos(psi);
+        (sin, cos) = sin_cos(psi);
         let (point, tangent) = (Vector3::new(R * cos, R * sin, 0.0), Vector3::new(-R * sin, R * cos, 0.0));
         let away = across(point - through);
         let bend = across(tangent).norm_squared() - away.dot(&point);
         let step = away.dot(&tangent) / bend.max(R * R * 1e-3);
         psi -= step.clamp(-0.3, 0.3);
-        if step.abs() < 1e-14 {
+        if step.abs() < LAST {
+            // So does what is missed by turning straight on by it.
+            (sin, cos) = (sin - step * cos, cos + step * sin);
             break;
         }
     }
-    let (sin, cos) = sin_cos(psi);
     let from = Vector3::new(R * cos, R * sin, 0.0) - through;
     Passing { m: across(from).norm(), at: from.dot(along), lean: along.y * cos - along.x * sin }
 }

@@ -21,7 +21,7 @@ use crate::geometry::torus::Torus;
 use crate::kinds::impeller::clear::flank::{Passing, passing};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::{Rotary, Turned};
 use crate::number::trig::{atan2, hypot};
 
 /// Inner places at which a block is looked at.
@@ -53,6 +53,15 @@ pub struct Tolerance {
 /// A tool in the part: the tip, and the direction of its axis.
 fn tool(machine: Rotary, stand: &Stand) -> [Vector3<f64>; 2] {
     machine.tool(&stand.at, stand.B, stand.C)
+}
+
+/// The tool at the ends of so many even steps of a block, from its beginning on.
+fn evenly(machine: Rotary, ends: [&Stand; 2], steps: u8) -> impl Iterator<Item = [Vector3<f64>; 2]> {
+    let [from, to] = ends.map(|stand| *stand);
+    let step = Turned::to((to.B - from.B) / f64::from(steps), (to.C - from.C) / f64::from(steps));
+    let by = (to.at - from.at) / f64::from(steps);
+    let turned = std::iter::successors(Some(Turned::to(from.B, from.C)), move |turned| Some(turned.on_by(&step)));
+    (0..=steps).zip(turned).map(move |(k, turned)| machine.tool_turned(&(from.at + by * f64::from(k)), &turned))
 }
 
 /// The size of what is across a direction of travel.
@@ -90,12 +99,11 @@ impl Tolerance {
         enough: f64,
     ) -> f64 {
         let exact = |part: f64| tool(self.machine, &way(x_0 + (x_1 - x_0) * part));
-        let mut last = tool(self.machine, ends[0]);
+        let mut evenly = evenly(self.machine, ends, places + 1);
+        let Some(mut last) = evenly.next() else { return 0.0 };
         let mut most: f64 = 0.0;
-        for place in 1..=places {
-            let part = f64::from(place) / f64::from(places + 1);
-            let here = exact(part);
-            let even = tool(self.machine, &ends[0].towards(ends[1], part));
+        for (place, even) in (1..=places).zip(evenly) {
+            let here = exact(f64::from(place) / f64::from(places + 1));
             let (tip, turn) = (even[0] - here[0], even[1] - here[1]);
             let (travel, over) = (here[0] - last[0], here[0] - last[0] + (here[1] - last[1]) * self.height);
             let off = across(tip, travel).max(across(tip + turn * self.height, over));
@@ -118,8 +126,13 @@ impl Tolerance {
     #[must_use]
     pub fn feed_error(&self, ends: [&Stand; 2]) -> f64 {
         let tip = |part: f64| tool(self.machine, &ends[0].towards(ends[1], part))[0];
-        let places: Vec<Vector3<f64>> = (0..=PLACES).map(|place| tip(f64::from(place) / f64::from(PLACES))).collect();
-        let mean: f64 = places.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+        let mut places = evenly(self.machine, ends, PLACES).map(|[tip, _]| tip);
+        let Some(mut last) = places.next() else { return 0.0 };
+        let mut mean = 0.0;
+        for place in places {
+            mean += (place - last).norm();
+            last = place;
+        }
         if mean < 1e-9 {
             return 0.0;
         }

@@ -238,8 +238,10 @@ impl Part {
         (P, frame, self.top_at(v, turned.1))
     }
 
+    /// The same where sine and cosine of v, or of the end that it is beyond, are known.
     #[inline]
-    fn frame_at(&self, v: f64, (sin_v, cos_v): (f64, f64)) -> (Vector3<f64>, Darboux) {
+    #[must_use]
+    pub fn frame_at(&self, v: f64, (sin_v, cos_v): (f64, f64)) -> (Vector3<f64>, Darboux) {
         let Torus { R, r } = self.circle.torus;
         let end = v.clamp(HUB, RIM);
         let (rho, k) = (R + r * cos_v, self.circle.k);
