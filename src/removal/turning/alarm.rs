@@ -16,7 +16,8 @@ pub const TOUCH: f64 = 0.001;
 /// An edge with a lead angle φ1 > 90° leans away from the shoulder at which it stops, and leaves a wedge of a tan(φ1 − 90°)
 /// there at a depth of cut a: 0.44 mm at 95° and 5 mm. If the tool then retracts straight along the shoulder, by the program or
 /// by a cycle with a fixed way out, its nose cuts that wedge, and a finishing allowance with it. It cuts metal in rapid, but it
-/// does not crash. Anything deeper is not a remnant of its own edge.
+/// does not crash. Anything deeper is not a remnant of its own edge, nor is anything larger in section than a wedge of this depth as
+/// long as the insert's inscribed circle is wide: a tool that was plunged in and goes along the skin in rapid takes more.
 pub const SCRAPE: f64 = 0.5;
 
 /// What moves.
@@ -114,6 +115,8 @@ pub enum Cause {
     FeedStands,
     /// The spindle turns the wrong way for the tool.
     SpindleWrongWay,
+    /// A drill works at a constant surface speed.
+    DrillAtSurfaceSpeed,
     /// No coolant in the cut.
     NoCoolant,
     /// A feed of 0.
@@ -285,6 +288,7 @@ impl Cause {
             Self::SpindleStopped => Box::new(row::SpindleStopped {}),
             Self::SpindleWrongWay => Box::new(row::SpindleWrongWay {}),
             Self::FeedStands => Box::new(row::FeedStands {}),
+            Self::DrillAtSurfaceSpeed => Box::new(row::DrillAtSurfaceSpeed {}),
             Self::NoCoolant => Box::new(row::NoCoolant {}),
             Self::NoFeed => Box::new(row::NoFeed {}),
             Self::ImplausibleFeed { feed, limits: [least, most] } => {

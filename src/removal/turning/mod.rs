@@ -22,6 +22,7 @@ mod motion_totals;
 mod once;
 pub mod outline;
 pub mod path;
+mod retraction;
 pub mod rules;
 pub mod second_removal;
 pub mod simulation;

@@ -270,6 +270,13 @@ rules! {
         why "El control espera a que gire el husillo, y el programa no sigue.",
             "The control waits for the spindle to turn, and the program does not go on.";
         example blocks!("M5|G1 X51. F0.1|G0 X54.");
+    "L0156" DrillAtSurfaceSpeed Caution alarm Lathe 156 {}
+        es "Broca a velocidad de corte constante: en el eje el husillo gira a su límite"
+        en "Drill at constant surface speed: on the axis the spindle runs at its limit"
+        remedy "Programe G97 con el giro de la broca", "Program G97 with the speed of the drill";
+        why "G96 cuenta el diámetro por la X de la punta, y la de una broca es 0: el giro no depende de la broca.",
+            "G96 takes the diameter from the X of the tip, and that of a drill is 0: the speed does not depend on the drill.";
+        example program!("G50 S2500|T0505|G96 S30 M3|M8|G0 X0. Z5.|G1 Z-20. F0.1|G0 Z5.|X100. Z50.|M30");
     "L0161" NoCoolant Note alarm Lathe 161 {}
         es "Corte sin refrigerante"
         en "Cutting without coolant"

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
+use super::alarm::{Alarm, Cause, Moving, TOUCH};
 use super::boring::Hole;
 use super::change;
 use super::contact::{Contact, Ride, depth, far_end};
@@ -11,6 +11,7 @@ use super::motion_totals::{Tally, collide, travel};
 use super::once::Watch;
 use super::outline::Outline;
 use super::path::{self, Piece};
+use super::retraction::{Scraped, retracts};
 use super::rules::{ArcTolerance, PartBeyondSpace, ToolWithoutOutline};
 use super::spindle::{SpindleUse, begun, extent, revolutions, ribs};
 pub use super::start::Setup;
@@ -397,6 +398,7 @@ impl Simulation {
             chain.end();
         }
         let leaves = self.stands.is_some_and(|stands| retracts(&ready.tool, stands, control.tool, pieces));
+        let mut scraped: Option<Scraped> = None;
         let mut add = |more: Removed| {
             removed.volume += more.volume;
             removed.parted += more.parted;
@@ -466,9 +468,7 @@ impl Simulation {
                         let (deep, place) = depth(meeting);
                         if deep > TOUCH {
                             let place = if mirrored { [place[0], -place[1]] } else { place };
-                            let scrapes = leaves && deep <= SCRAPE;
-                            let cause = if scrapes { Cause::RetractionInMetal } else { Cause::RapidInMetal };
-                            tally.raise(cause, place, Some(deep));
+                            Scraped::take(&mut scraped, meeting, deep, place);
                         }
                     } else {
                         let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
@@ -500,6 +500,9 @@ impl Simulation {
                 });
             }
             add(part.drop_loose(|ring| judged(&ready.tool.cutter, &ready.outline.cutter, ends, ring)));
+        }
+        if let Some(scraped) = scraped {
+            tally.raise(scraped.cause(&ready.tool, leaves), scraped.place, Some(scraped.deep));
         }
         removed
     }
@@ -554,6 +557,7 @@ impl Simulation {
         for (cause, holds) in [
             (Cause::SpindleStopped, stopped),
             (Cause::SpindleWrongWay, !stopped && right.is_some_and(|right| control.spindle != right)),
+            (Cause::DrillAtSurfaceSpeed, ready.tool.axial() && matches!(control.speed, Speed::Surface(_))),
             (Cause::NoCoolant, !control.coolant),
             (Cause::OffAxis, ready.tool.axial() && start[1].abs().max(end[1].abs()) > TOUCH),
         ] {
@@ -583,17 +587,10 @@ impl Simulation {
     }
 }
 
-/// True where a tool goes from where it has worked towards the side on which its own body lies.
-fn retracts(tool: &TurningTool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Piece]) -> bool {
-    let body = tool.tip.mirror();
-    let aside = |[from, to]: &Piece| (0..2).all(|axis| (to[axis] - from[axis]) * body[axis] >= 0.0);
-    stands == place && pieces.first().is_some_and(|piece| near(at, piece[0])) && pieces.iter().all(aside)
-}
-
 fn labels(rings: &[Labelled]) -> impl Iterator<Item = u32> + '_ {
     rings.iter().flat_map(|(_, labels)| labels.iter().copied())
 }
 
-fn near(one: [f64; 2], two: [f64; 2]) -> bool {
+pub(super) fn near(one: [f64; 2], two: [f64; 2]) -> bool {
     hypot(two[0] - one[0], two[1] - one[1]) < TOUCH
 }

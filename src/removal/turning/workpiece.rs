@@ -7,7 +7,7 @@ use super::second_removal::Repeat;
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::cut::Cut;
 use crate::geometry::exact::grid::Point;
-use crate::geometry::exact::meeting::Meeting;
+use crate::geometry::exact::meeting::{Meeting, Stretch};
 use crate::geometry::exact::region::{Labelled, Region, Ring};
 use crate::geometry::revolution::{frustum, volume};
 
@@ -241,6 +241,13 @@ impl Workpiece {
             act(self, &polygon.mirrored(), true);
         }
     }
+}
+
+/// The section of what a polygon takes away from the part where it meets it, mm².
+#[must_use]
+pub fn section(meeting: &Meeting) -> f64 {
+    let below = |one: &Stretch| (one.from[0] - one.to[0]) * f64::midpoint(one.from[1], one.to[1]);
+    meeting.removed.iter().map(below).sum::<f64>() - meeting.inserted.iter().map(|(one, _)| below(one)).sum::<f64>()
 }
 
 /// What a polygon takes away from the part where it meets it, mm³.

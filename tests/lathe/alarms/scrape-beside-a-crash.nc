@@ -1,6 +1,6 @@
 (stock D60xL100)
-(alarms 101@11 101@11)
-(a caution of 0.3 mm, the relief, does not hide the stop of the drop back into the groove)
+(alarms 101@11)
+(a blade leaves no wedge: its relief of 0.3 mm cuts the wall in rapid, as the drop back into the groove does)
 O1
 G50 S2500
 T0303

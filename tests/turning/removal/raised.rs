@@ -112,6 +112,14 @@ fn a_retraction_that_scrapes_the_wedge_of_its_own_edge_is_a_caution() {
     let alarm = bore(29.0).only(101);
     near(alarm.depth.unwrap(), 2.0 * tan(3_f64.to_radians()), 1e-6);
     assert_eq!(alarm.cause, Cause::RetractionInMetal);
+    // Plunged in by 0.4 mm and taken along the skin in rapid, a tool meets no wedge of its own edge: 24 mm² in section, as from the free end.
+    let along = |z: f64| Run::on(with(rougher())).rapid(54.0, z).cut(49.2, z).rapid(49.2, 5.0);
+    let alarm = along(-60.0).only(101);
+    assert_eq!((alarm.cause, alarm.cause.grade()), (Cause::RapidInMetal, Grade::Stop));
+    near(alarm.depth.unwrap(), 0.4, 1e-6);
+    // A blade leaves no wedge, however little it meets.
+    let blade = Run::new(bar()).tool(3).rapid(54.0, -20.0).cut(49.2, -20.0).rapid(49.2, -18.0);
+    assert_eq!(blade.only(101).cause, Cause::RapidInMetal);
 }
 
 #[test]

@@ -1,0 +1,50 @@
+//! What a tool meets of metal as it leaves its work in rapid.
+//!
+//! # Units
+//! Millimetres, `[z, r]`.
+
+use super::alarm::{Cause, SCRAPE};
+use super::path::Piece;
+use super::simulation::near;
+use super::tool::{Cutter, TurningTool};
+use super::workpiece::section;
+use crate::geometry::exact::meeting::Meeting;
+
+/// The metal that a rapid motion meets.
+#[derive(Clone, Copy, Debug)]
+pub struct Scraped {
+    /// Its section, mm².
+    section: f64,
+    /// How deep it is at most.
+    pub deep: f64,
+    /// Where that is.
+    pub place: [f64; 2],
+}
+
+impl Scraped {
+    /// Takes one more meeting in, so deep at a place.
+    pub fn take(scraped: &mut Option<Self>, meeting: &Meeting, deep: f64, place: [f64; 2]) {
+        let of = scraped.get_or_insert(Self { section: 0.0, deep, place });
+        of.section += section(meeting).abs();
+        if deep > of.deep {
+            *of = Self { deep, place, ..*of };
+        }
+    }
+
+    /// What it is to be called. Only the inclined edge of an insert that leaves its work has left a wedge, no longer than the edge is and
+    /// half as thick in the mean as at most: see [`SCRAPE`].
+    pub fn cause(&self, tool: &TurningTool, leaves: bool) -> Cause {
+        let wedge = match tool.cutter {
+            Cutter::Insert { circle, .. } if leaves => SCRAPE * circle / 2.0,
+            _ => 0.0,
+        };
+        if self.deep <= SCRAPE && self.section <= wedge { Cause::RetractionInMetal } else { Cause::RapidInMetal }
+    }
+}
+
+/// True where a tool goes from where it has worked towards the side on which its own body lies.
+pub fn retracts(tool: &TurningTool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Piece]) -> bool {
+    let body = tool.tip.mirror();
+    let aside = |[from, to]: &Piece| (0..2).all(|axis| (to[axis] - from[axis]) * body[axis] >= 0.0);
+    stands == place && pieces.first().is_some_and(|piece| near(at, piece[0])) && pieces.iter().all(aside)
+}
