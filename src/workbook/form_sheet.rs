@@ -15,6 +15,7 @@ use super::live_form::LivePart;
 use super::page::Page;
 use super::style::Styles;
 use super::validation::{range_and_note, red, validation};
+use crate::finding::CellPlace;
 use crate::kind::live_form::LiveForm;
 use crate::parameter::{FieldKind, Parameter, Section, Sheet, Value};
 use crate::text::{Language, Text, t};
@@ -79,6 +80,14 @@ impl Layout {
         let landscape = self.last_column > RANGE;
         Page { repeat: (self.header, self.header), landscape, ..*page }.set_up(sheet, language)?;
         Ok(())
+    }
+
+    /// The cells of an input's symbol and of the heading above its value, on the sheet whose name is given.
+    pub fn beside(&self, name: &str, sheet: &str) -> Option<[CellPlace; 2]> {
+        let (_, row) = self.names.iter().find(|(own, _)| *own == name)?;
+        let cell =
+            |column: char, row: RowNum| CellPlace { sheet: sheet.to_owned(), cell: format!("{column}{}", row + 1) };
+        Some([cell('A', *row), cell('C', self.header)])
     }
 
     /// The defined names with the cells they stand for, as `=DATOS!$C$7`.

@@ -6,7 +6,7 @@
 //! last place of a number is not seen: it moves nothing by 0.001 mm. The flags ask for the time and make nothing of it, so
 //! that a spreadsheet which keeps stored results computes them when it opens the file.
 
-use crate::finding::Key;
+use crate::finding::{CellPlace, Key};
 use std::collections::{BTreeMap, BTreeSet};
 
 use rust_xlsxwriter::{
@@ -139,7 +139,7 @@ impl Written {
 #[derive(Debug, Default)]
 pub struct Guard {
     stamp: String,
-    inputs: Vec<(&'static str, Copy)>,
+    inputs: Vec<(&'static str, Option<[CellPlace; 2]>, Copy)>,
     columns: Vec<Column>,
     files: Vec<NamedFile>,
 }
@@ -154,9 +154,10 @@ impl Guard {
         Self { stamp, ..Self::default() }
     }
 
-    /// Watches an input by its defined name.
-    pub fn watch(&mut self, input: &'static str, copy: Copy) {
-        self.inputs.push((input, copy));
+    /// Watches an input by its defined name, which must go on leading to the row of its symbol and the column of the heading, where these
+    /// cells are known: a cell that is cut and pasted elsewhere takes its name along.
+    pub fn watch(&mut self, input: &'static str, at: Option<[CellPlace; 2]>, copy: Copy) {
+        self.inputs.push((input, at, copy));
     }
 
     /// Watches a column of a list.
@@ -192,11 +193,12 @@ impl Guard {
         let count = format!("=IF(ISERROR(SUM(C2:C{last})),{},SUM(C2:C{last}))", last - 1);
         sheet.write_formula(0, 2, Formula::new(count).set_result("0"))?;
         let mut row = 0;
-        for (input, copy) in &self.inputs {
+        for (input, at, copy) in &self.inputs {
             row += 1;
             write_text(sheet, row, 0, input, &styles.entry)?;
             copy.write(sheet, row, 1, styles)?;
-            sheet.write_formula(row, 2, Formula::new(flag(input, row + 1)).set_result("0"))?;
+            let flag = flag(input, at.as_ref(), row + 1);
+            sheet.write_formula(row, 2, Formula::new(flag).set_result("0"))?;
         }
         for (at, column) in (LISTS..).zip(&self.columns) {
             row += 1;
@@ -419,16 +421,35 @@ impl Column {
         let equal = format!("(ISTEXT({copies})*EXACT({cells},{copies})+(1-ISTEXT({copies}))*({cells}={copies}))");
         let differ = format!("SUMPRODUCT(1-{}*{}*{equal})", kind("ISTEXT"), kind("ISBLANK"));
         let below = format!("COUNTA({sheet}!${name}${}:${name}${LAST})", last + 1);
+        // A row that is put in right above the first one moves all of the cells, and is none of them; cells that are cut and pasted
+        // elsewhere leave their heading.
+        let above = if self.first > 0 {
+            let (own, heading) = (format!("{sheet}!${name}${first}"), format!("{sheet}!${name}${}", self.first));
+            format!("+ABS(ROW({own})-ROW({heading})-1)+ABS(COLUMN({own})-COLUMN({heading}))")
+        } else {
+            String::new()
+        };
+        let differ = format!("{differ}{above}");
         let flag = format!("=IF(ISERROR({differ}),1,IF({differ}+{below}=0,0,1))+0*NOW()");
         (cells, flag)
     }
 }
 
-/// 1 where an input differs from the copy on a row, 0 where it does not.
-fn flag(input: &str, row: RowNum) -> String {
+/// 1 where an input differs from the copy on a row or stands elsewhere, 0 where it does not.
+fn flag(input: &str, at: Option<&[CellPlace; 2]>, row: RowNum) -> String {
     let copy = format!("B{row}");
+    // Rows and columns that are put in, taken away or moved as a whole take symbol and heading with them; a cell that is moved leaves them.
+    let absolute = |place: &CellPlace| {
+        let (row, column) = address::parse(&place.cell)?;
+        Some(format!("{}!${}${}", quote_sheet_name(&place.sheet), address::letters(column), u64::from(row) + 1))
+    };
+    let elsewhere = at.and_then(|[symbol, heading]| {
+        let (symbol, heading) = (absolute(symbol)?, absolute(heading)?);
+        Some(format!("ABS(ROW({input})-ROW({symbol}))+ABS(COLUMN({input})-COLUMN({heading}))>0"))
+    });
+    let elsewhere = elsewhere.unwrap_or_else(|| "FALSE".to_owned());
     format!(
-        "=IF(ISERROR({input}),1,IF(ISBLANK({copy}),IF(ISBLANK({input}),0,1),IF(ISNUMBER({copy}),IF(ISNUMBER({input}),IF(({input}-{copy})=0,IF(EXACT({input},{copy}),0,1),1),1),IF(ISTEXT({input}),IF(EXACT({input},{copy}),0,1),1))))+0*NOW()"
+        "=IF(ISERROR({input}),1,IF({elsewhere},1,IF(ISBLANK({copy}),IF(ISBLANK({input}),0,1),IF(ISNUMBER({copy}),IF(ISNUMBER({input}),IF(({input}-{copy})=0,IF(EXACT({input},{copy}),0,1),1),1),IF(ISTEXT({input}),IF(EXACT({input},{copy}),0,1),1)))))+0*NOW()"
     )
 }
 

@@ -204,11 +204,14 @@ impl<'a> Results<'a> {
             }
             for parameter in sheet.sections.iter().flat_map(|section| section.parameters) {
                 match self.present {
-                    None => self.guard.watch(parameter.name, Copy::of(parameter, values(parameter.key), language)),
+                    None => {
+                        let at = layout.beside(parameter.name, &name);
+                        self.guard.watch(parameter.name, at, Copy::of(parameter, values(parameter.key), language));
+                    }
                     // One whose row the form does not have has no cell to be watched.
                     Some(present) => {
                         let copy = present.written.inputs.get(parameter.key);
-                        copy.into_iter().for_each(|copy| self.guard.watch(parameter.name, copy.clone()));
+                        copy.into_iter().for_each(|copy| self.guard.watch(parameter.name, None, copy.clone()));
                     }
                 }
             }

@@ -130,6 +130,50 @@ fn of_another(bytes: &[u8]) -> Option<String> {
     stamp::others(bytes).expect("a workbook").map(|found| format!("{} {}", found.code(), found.what.en))
 }
 
+/// What a spreadsheet leaves when an input's cell is cut and pasted beside the form, and another number is typed where it was; and
+/// when a row is put in between the headings of a list and its first row.
+#[test]
+fn an_input_that_was_moved_and_a_row_above_a_list_turn_the_line_red() {
+    if !libreoffice() {
+        return;
+    }
+    let results = results_of("impeller", "full");
+    let cell = cell_of(&results, "thickness_e");
+    let row = cell.trim_start_matches('C');
+    let parts = Parts::of(&results);
+    let listed = parts.text("xl/workbook.xml");
+    let name = format!("<definedName name=\"thickness_e\">DATA!$C${row}<");
+    assert!(listed.contains(&name), "{listed}");
+    let led = |to: String| listed.replace(&name, &format!("<definedName name=\"thickness_e\">DATA!${to}<"));
+    let moved = |to: &str, led: String| {
+        let moved = with_on(&parts.put("xl/workbook.xml", led).zip(), "DATA", to, "><v>2</v>");
+        with_on(&moved, "DATA", &cell, "><v>3</v>")
+    };
+    let beside = moved(&format!("D{row}"), led(format!("D${row}")));
+    let lathe = results_of("lathe", "shaft");
+    let parts = Parts::of(&lathe);
+    let guard = part_of(&parts, SHEET);
+    let above = guard.replace("-ROW(PROGRAM!$A$5)-1)", "-ROW(PROGRAM!$A$4)-1)");
+    let aside = guard.replace("-COLUMN(TOOLS!$G$5))", "-COLUMN(TOOLS!$F$5))");
+    assert_ne!(guard, aside, "{guard}");
+    assert_ne!(guard, above, "{guard}");
+    let listed = parts.text("xl/workbook.xml");
+    let before = listed.split(&format!("<sheet name=\"{SHEET}\"")).next().expect("a list of sheets");
+    let part = format!("xl/worksheets/sheet{}.xml", before.matches("<sheet name=").count() + 1);
+    let files = [
+        ("as built".to_owned(), results.clone(), 0.0),
+        ("beside".to_owned(), beside, 1.0),
+        ("list".to_owned(), lathe.clone(), 0.0),
+        ("above".to_owned(), Parts::of(&lathe).put(&part, above).zip(), 1.0),
+        ("aside".to_owned(), Parts::of(&lathe).put(&part, aside).zip(), 1.0),
+    ];
+    let folder = tempfile::tempdir().expect("a folder");
+    let books: Vec<_> = files.iter().map(|(name, book, _)| (name.clone(), book.clone())).collect();
+    for ((name, _, wanted), mut book) in files.iter().zip(recalculated(folder.path(), false, &books)) {
+        assert_eq!(number(range(&mut book, SHEET).get_value((0, 2))), Some(*wanted), "{name}");
+    }
+}
+
 #[test]
 fn a_sheet_of_another_build_says_so() {
     for (language, sheets, red, green) in [
