@@ -1,13 +1,14 @@
 //! Numbers typed as text: what was probably meant, said as a hint and never taken as the value.
 
 use crate::finding::Raise;
+use crate::table::Unit;
 use crate::text::{Text, t};
 
 use super::rules::value::*;
 
-/// What is told of a text that stands where a number must: `name` is the parameter's, `unit` the label of its unit.
+/// What is told of a text that stands where a number must: `name` is the parameter's, `unit` its unit.
 #[must_use]
-pub fn told(name: Text, text: &str, shown: String, unit: &str) -> Box<dyn Raise> {
+pub fn told(name: Text, text: &str, shown: String, unit: Unit) -> Box<dyn Raise> {
     let (plain, foreign) = plain(text);
     let plain = plain.trim();
     if foreign.is_none() && strict(plain) {
@@ -26,8 +27,17 @@ pub fn told(name: Text, text: &str, shown: String, unit: &str) -> Box<dyn Raise>
     let suffix = suffix.trim();
     // Letters after the digits are a unit typed into the value cell; a lone separator is part of the number.
     let number = if suffix.chars().all(|character| ".,".contains(character)) { plain } else { number };
-    let typed_unit = suffix.chars().any(|character| character.is_alphabetic() || "°\"'%/".contains(character));
-    let unit = match (typed_unit, unit) {
+    let typed_unit = suffix.chars().any(|character| character.is_alphabetic() || "°\"'%/″”“′".contains(character));
+    let factor = match suffix {
+        _ if !typed_unit => Some(1.0),
+        // No cell of a form counts in per cent.
+        "%" => Some(0.01),
+        suffix => super::unit::in_this(unit, suffix),
+    };
+    // Before inches a mark is that of feet, and not between thousands.
+    let feet = number.contains('\'') && factor == Some(25.4);
+    let factor = factor.filter(|_| !feet);
+    let without = match (typed_unit, unit.label()) {
         (false, _) => none,
         (true, "") => t(" y sin unidad", " and without a unit"),
         (true, unit) => Text::new(
@@ -36,11 +46,19 @@ pub fn told(name: Text, text: &str, shown: String, unit: &str) -> Box<dyn Raise>
         ),
     };
     match read(number) {
-        Some(Reading::One(number)) => {
-            let number = if suffix == "%" { hundredth(&number) } else { number };
-            Box::new(NumberWithMarks { name, text: shown, number, unit, sign })
+        Some(_) if factor.is_none() => {
+            let unit =
+                if unit.label().is_empty() { t("sin unidad", "without a unit") } else { Text::same(unit.label()) };
+            Box::new(NumberInOtherUnit { name, text: shown, unit })
         }
-        Some(Reading::Either(one, other)) => Box::new(NumberOfTwoReadings { name, text: shown, one, other, sign }),
+        Some(Reading::One(number)) => {
+            let number = counted(number, factor);
+            Box::new(NumberWithMarks { name, text: shown, number, unit: without, sign })
+        }
+        Some(Reading::Either(one, other)) => {
+            let [one, other] = [one, other].map(|number| counted(number, factor));
+            Box::new(NumberOfTwoReadings { name, text: shown, one, other, sign })
+        }
         None => Box::new(NotANumber { name, text: shown, sign }),
     }
 }
@@ -91,9 +109,12 @@ fn read(text: &str) -> Option<Reading> {
     })
 }
 
-/// What a percentage is as a number: no cell of a form counts in per cent.
-fn hundredth(number: &str) -> String {
-    number.parse().map_or_else(|_| number.to_owned(), |percent: f64| crate::number::shown(percent / 100.0, 9))
+/// A number as typed, or in another unit to the digits that anybody types.
+fn counted(number: String, factor: Option<f64>) -> String {
+    match (factor, number.parse::<f64>()) {
+        (Some(factor), Ok(typed)) if factor != 1.0 => crate::number::shown(typed * factor, 6),
+        _ => number,
+    }
 }
 
 /// The text with the digits, signs and blanks of other scripts replaced by plain ones, and the first such character.
@@ -151,29 +172,41 @@ mod tests {
     #[test]
     fn the_hint_names_the_number_that_was_meant() {
         for (text, unit, hinted) in [
-            ("12.5", "mm", "set the cell's format to General instead of text and retype 12.5"),
-            ("1,5", "mm", "type the number 1.5"),
-            ("-0,25", "mm", "type the number -0.25"),
-            ("1 234,5", "mm", "type the number 1234.5"),
-            ("1.234,5", "mm", "type the number 1234.5"),
-            ("1,234.5", "mm", "type the number 1234.5"),
-            ("1.234.567", "mm", "type the number 1234567"),
-            ("1,234", "mm", "type the number 1.234 or 1234, whichever is meant"),
-            ("0,125", "mm", "type the number 0.125"),
-            ("1_000", "", "type the number 1000"),
-            ("0x10", "", "type a number, such as 12.5"),
-            ("nan", "mm", "type a number, such as 12.5"),
-            ("inf", "mm", "type a number, such as 12.5"),
-            ("1e400", "mm", "type a number, such as 12.5"),
-            ("\u{2212}1.5", "mm", "type the number -1.5 (the text has the character U+2212, MINUS SIGN)"),
-            ("1\u{a0}234", "mm", "type the number 1234 (the text has the character U+00A0, NO-BREAK SPACE)"),
-            ("\u{ff11}\u{ff12}", "mm", "type the number 12 (the text has the character U+FF11, a full-width digit)"),
+            ("12.5", Unit::Millimetre, "set the cell's format to General instead of text and retype 12.5"),
+            ("1,5", Unit::Millimetre, "type the number 1.5"),
+            ("-0,25", Unit::Millimetre, "type the number -0.25"),
+            ("1 234,5", Unit::Millimetre, "type the number 1234.5"),
+            ("1.234,5", Unit::Millimetre, "type the number 1234.5"),
+            ("1,234.5", Unit::Millimetre, "type the number 1234.5"),
+            ("1.234.567", Unit::Millimetre, "type the number 1234567"),
+            ("1,234", Unit::Millimetre, "type the number 1.234 or 1234, whichever is meant"),
+            ("0,125", Unit::Millimetre, "type the number 0.125"),
+            ("1_000", Unit::One, "type the number 1000"),
+            ("0x10", Unit::One, "type a number, such as 12.5"),
+            ("nan", Unit::Millimetre, "type a number, such as 12.5"),
+            ("inf", Unit::Millimetre, "type a number, such as 12.5"),
+            ("1e400", Unit::Millimetre, "type a number, such as 12.5"),
+            ("\u{2212}1.5", Unit::Millimetre, "type the number -1.5 (the text has the character U+2212, MINUS SIGN)"),
+            (
+                "1\u{a0}234",
+                Unit::Millimetre,
+                "type the number 1234 (the text has the character U+00A0, NO-BREAK SPACE)",
+            ),
+            (
+                "\u{ff11}\u{ff12}",
+                Unit::Millimetre,
+                "type the number 12 (the text has the character U+FF11, a full-width digit)",
+            ),
             (
                 "\u{661}\u{662}\u{66b}\u{665}",
-                "mm",
+                Unit::Millimetre,
                 "type the number 12.5 (the text has the character U+0661, an Arabic-Indic digit)",
             ),
-            ("\u{200b}12", "mm", "type the number 12 (the text has the character U+200B, an invisible character)"),
+            (
+                "\u{200b}12",
+                Unit::Millimetre,
+                "type the number 12 (the text has the character U+200B, an invisible character)",
+            ),
         ] {
             let remedy = told(Text::same("R"), text, String::new(), unit).remedy().en;
             // A text that is a number already says nothing of signs.
@@ -187,16 +220,70 @@ mod tests {
         for (text, unit, hinted) in [
             (
                 "12 mm",
-                "mm",
+                Unit::Millimetre,
                 "12, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
             ),
-            ("12mm", "mm", "12, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm"),
-            ("30°", "°", "30, with the decimal sign of your spreadsheet and without the unit: rodete reads it in °"),
-            ("10 %", "", "0.1, with the decimal sign of your spreadsheet and without a unit"),
-            ("-2,5%", "", "-0.025, with the decimal sign of your spreadsheet and without a unit"),
+            (
+                "12mm",
+                Unit::Millimetre,
+                "12, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
+            ),
+            (
+                "30°",
+                Unit::Degree,
+                "30, with the decimal sign of your spreadsheet and without the unit: rodete reads it in °",
+            ),
+            // Another unit is counted over; one that rodete does not know gets no number.
+            (
+                "2 in",
+                Unit::Millimetre,
+                "50.8, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
+            ),
+            (
+                "0,3 m/min",
+                Unit::MillimetrePerMinute,
+                "300, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm/min",
+            ),
+            (
+                "11.8 in/min",
+                Unit::MillimetrePerMinute,
+                "299.72, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm/min",
+            ),
+            (
+                "2\u{201d}",
+                Unit::Millimetre,
+                "50.8, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
+            ),
+            (
+                "12 MM",
+                Unit::Millimetre,
+                "12, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
+            ),
+            (
+                "1'250 mm.",
+                Unit::Millimetre,
+                "1250, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
+            ),
+            (
+                "300 mm / min",
+                Unit::MillimetrePerMinute,
+                "300, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm/min",
+            ),
+            ("7 álabes", Unit::Count, "7, with the decimal sign of your spreadsheet and without a unit"),
+            (
+                "1,250 in",
+                Unit::Millimetre,
+                "31.75 or 31750, whichever is meant, with the decimal sign of your spreadsheet",
+            ),
+            ("10 %", Unit::One, "0.1, with the decimal sign of your spreadsheet and without a unit"),
+            ("-2,5%", Unit::One, "-0.025, with the decimal sign of your spreadsheet and without a unit"),
         ] {
             let remedy = told(Text::same("R"), text, String::new(), unit).remedy().en;
             assert_eq!(remedy, format!("type the number {hinted}"), "{text:?}");
+        }
+        for other in ["12 furlong", "5' 3\""] {
+            let other = told(Text::same("R"), other, String::new(), Unit::Millimetre);
+            assert_eq!(other.remedy().en, "convert it, and type the number alone; the unit of the cell: mm");
         }
     }
 }

@@ -57,6 +57,48 @@ fn mistaken(unit: Unit) -> &'static [(Text, f64)] {
     }
 }
 
+/// How many of this unit one of what people type behind a number makes: 1 for its own spellings; `None` where that is not known.
+#[must_use]
+pub fn in_this(unit: Unit, typed: &str) -> Option<f64> {
+    let typed: String = typed.to_lowercase().chars().filter(|one| !one.is_whitespace()).collect();
+    let typed = typed.trim_end_matches('.');
+    let inches = ["in", "inch", "inches", "\"", "″", "”", "“", "''", "pulg", "pulgada", "pulgadas"].as_slice();
+    let factors: &[(&[&str], f64)] = match unit {
+        Unit::Millimetre => &[
+            (&["mm", "milímetro", "milímetros", "milimetros", "millimetre", "millimetres", "millimeters"], 1.0),
+            (inches, 25.4),
+            (&["ft", "feet", "'", "′"], 304.8),
+            (&["m"], 1000.0),
+            (&["cm"], 10.0),
+            (&["µm", "μm", "um"], 0.001),
+        ],
+        Unit::MillimetrePerMinute => &[
+            (&["mm/min", "mm/min-1", "mmpm"], 1.0),
+            (&["m/min"], 1000.0),
+            (&["cm/min"], 10.0),
+            (&["mm/s"], 60.0),
+            (&["in/min", "ipm", "inch/min", "inches/min", "pulgadas/min"], 25.4),
+        ],
+        Unit::MillimetrePerRevolution => {
+            &[(&["mm/rev", "mm/r", "mm/vuelta", "mm/u"], 1.0), (&["in/rev", "ipr", "in/r"], 25.4)]
+        }
+        Unit::MetrePerMinute => &[(&["m/min"], 1.0), (&["ft/min", "sfm"], 0.3048)],
+        Unit::Degree => &[
+            (&["°", "º", "deg", "grado", "grados", "degree", "degrees"], 1.0),
+            (&["rad"], 180.0 / std::f64::consts::PI),
+        ],
+        Unit::DegreePerMinute => {
+            &[(&["°/min", "º/min", "deg/min", "grados/min"], 1.0), (&["rpm", "rev/min", "r/min"], 360.0)]
+        }
+        Unit::RevolutionPerMinute => &[(&["rpm", "rev/min", "r/min", "u/min", "1/min", "min-1", "min⁻¹"], 1.0)],
+        Unit::Second => &[(&["s", "seg", "sec", "segundos", "seconds"], 1.0), (&["ms"], 0.001), (&["min"], 60.0)],
+        _ => &[],
+    };
+    let found = factors.iter().find(|(spellings, _)| spellings.contains(&typed)).map(|(_, factor)| *factor);
+    // What has no unit is counted, whatever the things are called.
+    found.or_else(|| (unit.label().is_empty() || says(unit, typed)).then_some(1.0))
+}
+
 /// What was meant by a value outside of its limits, as far as units tell; `None` where no other unit explains it.
 #[must_use]
 pub fn meant(value: f64, unit: Unit, min: f64, max: f64) -> Option<Text> {

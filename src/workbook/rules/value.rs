@@ -180,4 +180,10 @@ rules! {
         why "En otra unidad el valor estaría dentro de los límites: quizá se midió en ella.",
             "In another unit the value would be within the limits: it may have been measured in that unit.";
         example book!("impeller", "R" = "0.025");
+    "W0426" NumberInOtherUnit Stop { name: Text, text: String, unit: Text }
+        es "{name} es el texto \"{text}\", no un número"
+        en "{name} is the text \"{text}\", not a number"
+        remedy "conviértalo y escriba solo el número; la unidad de la celda: {unit}", "convert it, and type the number alone; the unit of the cell: {unit}";
+        why "Un número en otra unidad no es el de la celda, y rodete no adivina esa unidad.", "A number in another unit is not that of the cell, and rodete does not guess that unit.";
+        example book!("impeller", "R" = "'12 kg");
 }
