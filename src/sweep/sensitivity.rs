@@ -180,6 +180,27 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Valu
     plan.inputs.par_iter().map(effect).collect()
 }
 
+/// How many designs are worked out for that at most, beside the workbook's own: of each input that has a tolerance.
+#[must_use]
+pub fn most(base: &Values, plan: &Plan) -> Vec<u64> {
+    let looks = |input: &Input| {
+        base.values.get(input.parameter.key).and_then(number)?;
+        limits(input)?;
+        let [from, to] = span(input)?;
+        let grains = if input.whole() { 1.0 } else { GRAINS };
+        // The widest interval between two looks is halved until it is one grain.
+        let mut widest = ((to - from) * grains / f64::from(LOOKS)).ceil();
+        let mut halvings = 0;
+        while widest > 1.0 {
+            widest = (widest / 2.0).ceil();
+            halvings += 1;
+        }
+        // Its slope and its ends, and to each side what is looked at and halved.
+        Some(4 + 2 * (u64::from(NEAR + LOOKS) + halvings))
+    };
+    plan.inputs.iter().filter_map(looks).collect()
+}
+
 /// How far one may go, at most so far, and whether it is good to the end: in steps of the last digit that is shown, so that what is
 /// read off was judged itself. Looks at distances that double, then at even ones, up to the first that is not good, and halves the
 /// interval before it.

@@ -10,7 +10,7 @@ use super::error::WriteError;
 use super::page::{ENDS, Further, Page, WHOLE, both_ends, properties};
 use super::save::{Additions, save};
 use super::style::{Styles, digits};
-use crate::parameter::Parameter;
+use crate::parameter::{FieldKind, Parameter};
 use crate::sweep::results::{Results, heading, state};
 use crate::sweep::table::{Cells, Table};
 use crate::table::Unit;
@@ -108,7 +108,8 @@ impl SweepBook<'_> {
             let heading = heading(&column.name);
             let heading = self.text(&heading);
             write_text(sheet, HEADINGS, at, heading, format)?;
-            let width = heading_width(heading).max(cells_width(&column.cells, shown));
+            let width =
+                heading_width(heading).max(cells_width(&column.cells, shown, |text| self.word(&column.name, text)));
             sheet.set_column_width(at, width)?;
             let number = Format::new().set_num_format(shown);
             let words = styles.block.clone().set_indent(1);
@@ -116,8 +117,7 @@ impl SweepBook<'_> {
                 match &column.cells {
                     Cells::Text(_) => {
                         if let Some(text) = column.cells.text(cell) {
-                            let told = if column.name == "state" { state(text) } else { Text::same(text.to_owned()) };
-                            write_text(sheet, row, at, self.text(&told), &words)?;
+                            write_text(sheet, row, at, &self.word(&column.name, text), &words)?;
                         }
                     }
                     Cells::Truth(cells) => {
@@ -137,11 +137,29 @@ impl SweepBook<'_> {
         Ok(widths)
     }
 
+    /// A text of a column in the words of the form: the rows hold the keys of choices.
+    fn word(&self, name: &str, text: &str) -> String {
+        if name == "state" {
+            return self.text(&state(text)).to_owned();
+        }
+        let Some(Parameter { kind: FieldKind::Choice(choices), .. }) = self.input(name) else { return text.to_owned() };
+        choices
+            .iter()
+            .find(|choice| choice.key == text)
+            .map_or(text, |choice| choice.label.get(self.language))
+            .to_owned()
+    }
+
+    /// The input of a column.
+    fn input(&self, name: &str) -> Option<&'static Parameter> {
+        let input = self.results.plan.inputs.iter().find(|one| name.strip_prefix("in_") == Some(&one.symbol()));
+        input.map(|one| one.parameter)
+    }
+
     /// How a column's numbers are shown.
     fn digits(&self, name: &str) -> &'static str {
         let measure = self.results.kind.measures().iter().find(|one| one.key == name).map(|one| one.unit);
-        let input = self.results.plan.inputs.iter().find(|one| name.strip_prefix("in_") == Some(&one.symbol()));
-        match (measure, input.map(|one| one.parameter)) {
+        match (measure, self.input(name)) {
             (Some(unit), _) => digits(unit),
             // As it was typed.
             (None, Some(Parameter { unit: Unit::None, .. })) | (None, _) => "General",
@@ -264,10 +282,10 @@ pub(super) fn heading_width(heading: &str) -> f64 {
 }
 
 /// The width of a column in which its values stand clear of the next, in the digits that are shown.
-fn cells_width(cells: &Cells, shown: &str) -> f64 {
+fn cells_width(cells: &Cells, shown: &str, word: impl Fn(&str) -> String) -> f64 {
     let digits = shown.split_once('.').map(|(_, decimals)| decimals.len());
     let length = |row: usize| match (cells, digits) {
-        (Cells::Text(_), _) => cells.text(row).map_or(0, |text| text.chars().count().min(TEXT_MOST)),
+        (Cells::Text(_), _) => cells.text(row).map_or(0, |text| word(text).chars().count().min(TEXT_MOST)),
         (Cells::Truth(_), _) => 2,
         (_, Some(digits)) => cells.number(row).map_or(0, |value| format!("{value:.digits$}").len()),
         (_, None) if shown == "0" => cells.number(row).map_or(0, |value| format!("{value:.0}").len()),

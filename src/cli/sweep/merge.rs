@@ -5,7 +5,7 @@ use std::ffi::{OsStr, OsString};
 use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use super::super::build::{self, Asked, Settings};
 use super::super::interrupt::AtWork;
@@ -15,6 +15,7 @@ use super::super::{fault, finding, stationery};
 use super::Study;
 use super::args::Sweep;
 use super::folder::Rows;
+use super::progress;
 use super::work::Workshop;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule};
@@ -32,7 +33,7 @@ use crate::sweep::ranking::{Ranked, Ranking, Reason};
 use crate::sweep::results::{Coded, Results};
 use crate::sweep::row::{told, values};
 use crate::sweep::rules::{FrontCut, NoneDone};
-use crate::sweep::sensitivity::{Shares, around};
+use crate::sweep::sensitivity::{Shares, around, most};
 use crate::sweep::table::{Cells, Column, FRONT, Table};
 use crate::text::{Text, t};
 use crate::workbook::results::Tables;
@@ -77,8 +78,15 @@ pub(super) fn merge(
     let (all, best) = summary(arguments, study, rows, (&ranked, &top), &folder)?;
     let links = build_top(study, kinds, rows, (&top, &built))?;
     let workshop = Workshop::open(study, arguments.jobs)?;
-    let judge = |values: &Values| workshop.beside(values);
-    let mut effects = workshop.side_by_side(|| around(study.kind, &study.base, plan, &judge));
+    let done = AtomicU64::new(0);
+    let judge = |values: &Values| {
+        let row = workshop.beside(values);
+        done.fetch_add(1, Ordering::Relaxed);
+        row
+    };
+    let work = || workshop.side_by_side(|| around(study.kind, &study.base, plan, &judge));
+    let mut effects =
+        progress::waiting(work, (&done, 1 + most(&study.base, plan).iter().sum::<u64>()), *language, terminal);
     match &indices {
         Some(indices) => effects.iter_mut().zip(indices.end()).for_each(|(effect, of)| effect.indices = of),
         None => effects.iter_mut().zip(shares.end()).for_each(|(effect, of)| effect.shares = of),

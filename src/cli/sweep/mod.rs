@@ -31,6 +31,7 @@ use crate::sweep::asked;
 use crate::sweep::form::NAME;
 use crate::sweep::plan::Plan;
 use crate::sweep::rules::{NoSweepSheet, WrongChunk};
+use crate::sweep::sensitivity::most;
 use crate::text::{Language, Text, t};
 use crate::workbook::sweep_sheet;
 
@@ -157,6 +158,11 @@ fn forecast(arguments: &Sweep, study: &Study<'_>, terminal: &mut Terminal) -> Re
         if same { least } else { range.get(study.language).to_owned() }
     };
     let (core, here) = (range(1), range(jobs));
+    // They are worked out one input beside the other, each in one row.
+    let looks = most(&study.base, plan);
+    let beside = 1 + looks.iter().sum::<u64>();
+    let in_a_row = (beside.div_ceil(jobs)).max(looks.iter().copied().max().unwrap_or(0));
+    let sensitivities = duration(workshop.own()? * count(in_a_row));
     let (all, refused, inputs) = (tried.count(), tried.refused, plan.inputs.len());
     let unknown = if tried.judged > 0 {
         t("", "")
@@ -168,11 +174,11 @@ fn forecast(arguments: &Sweep, study: &Study<'_>, terminal: &mut Terminal) -> Re
     };
     let text = Text::new(
         format!(
-            "{} diseños, {inputs} entradas:\n{axes}{all} probados, {refused} rechazados: {each} ms por diseño y núcleo\n{}{core} en un núcleo, {here} con --jobs {jobs}; trozos para Slurm: {chunks}\n",
+            "{} diseños, {inputs} entradas:\n{axes}{all} probados, {refused} rechazados: {each} ms por diseño y núcleo\n{}{core} en un núcleo, {here} con --jobs {jobs}; trozos para Slurm: {chunks}\ndespués, para las sensibilidades, {beside} diseños como mucho: {sensitivities} con --jobs {jobs}\n",
             plan.count, unknown.es
         ),
         format!(
-            "{} designs, {inputs} inputs:\n{axes}{all} tried, {refused} refused: {each} ms a design and core\n{}{core} on one core, {here} with --jobs {jobs}; chunks for Slurm: {chunks}\n",
+            "{} designs, {inputs} inputs:\n{axes}{all} tried, {refused} refused: {each} ms a design and core\n{}{core} on one core, {here} with --jobs {jobs}; chunks for Slurm: {chunks}\nthen, for the sensitivities, at most {beside} designs: {sensitivities} with --jobs {jobs}\n",
             plan.count, unknown.en
         ),
     );

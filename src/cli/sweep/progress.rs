@@ -4,6 +4,9 @@
 
 use std::collections::VecDeque;
 use std::ops::Range;
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use super::super::terminal::Terminal;
@@ -17,6 +20,8 @@ use crate::text::{Language, Text};
 const WINDOW: Duration = Duration::from_secs(30);
 const ON_TERMINAL: Duration = Duration::from_millis(500);
 const ELSEWHERE: Duration = Duration::from_secs(60);
+/// How often it is looked whether work has ended.
+const TICK: Duration = Duration::from_millis(5);
 
 /// How far a sweep is.
 pub(super) struct Progress<'a> {
@@ -102,6 +107,44 @@ impl<'a> Progress<'a> {
         );
         text.get(self.language).to_owned()
     }
+}
+
+/// Waits for work that counts what it has done, and says in one line how far it is, as for the rows of a sweep.
+///
+/// # Panics
+/// Where the work does.
+pub(super) fn waiting<T: Send>(
+    work: impl FnOnce() -> T + Send,
+    (done, most): (&AtomicU64, u64),
+    language: Language,
+    terminal: &mut Terminal,
+) -> T {
+    let live = terminal.overwrites();
+    let mut on_line = false;
+    let result = thread::scope(|scope| {
+        let working = scope.spawn(work);
+        let mut told = Instant::now();
+        while !working.is_finished() {
+            thread::sleep(TICK);
+            if told.elapsed() < if live { ON_TERMINAL } else { ELSEWHERE } {
+                continue;
+            }
+            told = Instant::now();
+            let [done, most] = [done.load(Ordering::Relaxed), most].map(|number| grouped(number, language));
+            let text = Text::new(
+                format!("sensibilidades: {done} diseños, de {most} como mucho"),
+                format!("sensitivities: {done} designs of at most {most}"),
+            );
+            let line = text.get(language);
+            on_line |= live;
+            terminal.err(&if live { format!("\r{line}\u{1b}[K") } else { format!("{line}\n") });
+        }
+        working.join()
+    });
+    if on_line {
+        terminal.err("\r\u{1b}[K");
+    }
+    result.unwrap_or_else(|panic| resume_unwind(panic))
 }
 
 /// A number with its digits in groups of three: parted by a comma, in Spanish by a blank that does not break.

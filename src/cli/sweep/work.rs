@@ -80,6 +80,15 @@ impl<'a> Workshop<'a> {
         self.pool.install(work)
     }
 
+    /// How long the workbook's own design takes on one core, s.
+    pub(super) fn own(&self) -> Result<f64, Refusal> {
+        let one =
+            ThreadPoolBuilder::new().num_threads(1).build().map_err(|error| fault::refusal(&error.to_string()))?;
+        let begun = Instant::now();
+        one.install(|| self.beside(&self.study.base));
+        Ok(begun.elapsed().as_secs_f64())
+    }
+
     /// Designs of the plan in an order by chance, always the same one, worked out one by one until so many of them are not refused,
     /// with the time that each took: what is refused early costs little, and says nothing of the others.
     pub(super) fn tried(&self) -> Result<Tried, Refusal> {
