@@ -11,11 +11,8 @@ use crate::text::Language;
 const fn decimals(unit: Unit) -> usize {
     match unit {
         Unit::Count | Unit::RevolutionPerMinute | Unit::CubicMillimetre => 0,
-        Unit::MetrePerMinute
-        | Unit::CubicCentimetrePerMinute
-        | Unit::MillimetrePerMinute
-        | Unit::DegreePerMinute
-        | Unit::Second => 1,
+        Unit::MetrePerMinute | Unit::CubicCentimetrePerMinute | Unit::MillimetrePerMinute | Unit::DegreePerMinute => 1,
+        Unit::Second => 2,
         Unit::Millimetre
         | Unit::Degree
         | Unit::MillimetrePerRevolution
@@ -98,7 +95,7 @@ mod tests {
             "  L     =   242.9 mm   what it is",
             "  β     =    36.8699°  what it is",
             "  x     =     0        what it is",
-            "  t     =   144.1 s    what it is",
+            "  t     =   144.06 s   what it is",
             "  V     = 78445 mm³    what it is",
         ];
         assert_eq!(table(&quantities, Language::En, None), expected.join("\n") + "\n");

@@ -31,11 +31,9 @@ pub(super) fn given(value: f64) -> String {
 pub(super) fn quantity(value: f64, unit: Unit) -> String {
     let decimals = match unit {
         Unit::Count | Unit::CubicMillimetre | Unit::RevolutionPerMinute => 0,
-        Unit::MetrePerMinute
-        | Unit::CubicCentimetrePerMinute
-        | Unit::MillimetrePerMinute
-        | Unit::DegreePerMinute
-        | Unit::Second => 1,
+        Unit::MetrePerMinute | Unit::CubicCentimetrePerMinute | Unit::MillimetrePerMinute | Unit::DegreePerMinute => 1,
+        // A time is told to the tenth that it has reached: with one decimal a part of it would be rounded up beside it.
+        Unit::Second => 2,
         Unit::Millimetre | Unit::Degree | Unit::MillimetrePerRevolution | Unit::One | Unit::None => 3,
         Unit::Radian => 5,
         Unit::Step => 6,

@@ -61,9 +61,13 @@ pub(super) fn svg(figure: &Figure, language: Language) -> Option<String> {
             }
         }
     }
-    for label in &figure.labels {
-        let at = frame.at(label.at);
-        word(&mut body, at, letters(figure), "middle", "#1d232b", label.text.get(language));
+    if !figure.labels.is_empty() {
+        // Paper about the letters keeps those that stand on a line legible.
+        body.push_str("<g stroke=\"#ffffff\" stroke-width=\"1.2\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n");
+        for label in &figure.labels {
+            word(&mut body, frame.at(label.at), letters(figure), "middle", "#1d232b", label.text.get(language));
+        }
+        body.push_str("</g>\n");
     }
     Some(document(&body, frame.size))
 }

@@ -125,7 +125,8 @@ impl Default for Styles {
 pub const fn digits(unit: Unit) -> &'static str {
     match unit {
         Unit::Count | Unit::RevolutionPerMinute | Unit::MetrePerMinute | Unit::CubicMillimetre => "0",
-        Unit::Second | Unit::MillimetrePerMinute | Unit::DegreePerMinute | Unit::CubicCentimetrePerMinute => "0.0",
+        Unit::MillimetrePerMinute | Unit::DegreePerMinute | Unit::CubicCentimetrePerMinute => "0.0",
+        Unit::Second => "0.00",
         Unit::Step => "0.000",
         Unit::Millimetre | Unit::Degree | Unit::MillimetrePerRevolution => "0.0000",
         Unit::One | Unit::Radian => "0.000000",

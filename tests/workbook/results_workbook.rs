@@ -386,7 +386,7 @@ fn values_are_shown_to_the_digits_of_their_unit_and_kept_whole() {
     let number = sheets.iter().position(|sheet| sheet == name).expect("the table's sheet") + 1;
     let rows = &xml[&format!("xl/worksheets/sheet{number}.xml")];
     assert_eq!(rows.matches("<v>0.3333333333333333</v>").count(), 12);
-    for code in ["0.0000", "0.000000", "0.0"] {
+    for code in ["0.0000", "0.000000", "0.00"] {
         assert!(xml["xl/styles.xml"].contains(&format!("formatCode=\"{code}\"")), "{code}");
     }
 }
