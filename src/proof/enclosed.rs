@@ -1,10 +1,10 @@
 //! What a judge has enclosed over the motions of a program: between the looks too, so that a pass is one of every place.
 
-use crate::finding::{Finding, Place, Raise, Size};
+use crate::finding::{Finding, Grade, Place, Raise, Size};
 use crate::number::bound::Enclosure;
 use crate::proof::check::{At, Check, Question, mm, up};
 use crate::proof::rules::{NotEnclosed, OffByN, OffTolerance};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The greatest values of K questions, with where they were found.
 #[derive(Clone, Copy, Debug)]
@@ -20,8 +20,13 @@ pub struct Enclosed<const K: usize> {
 /// Whose it is to mend what leaves its tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remedy {
-    /// The user's, with a greater N: a caution.
-    GreaterN,
+    /// The user's, with a greater N.
+    GreaterN {
+        /// One that will do, where one is known.
+        enough: Option<u32>,
+        /// How grave it is until then.
+        grade: Grade,
+    },
     /// rodete's own: a stop.
     Fault,
 }
@@ -93,7 +98,13 @@ fn beyond(reached: f64, at_most: f64, tolerance: f64, what: Text, remedy: Remedy
         _ if reached.is_nan() || reached <= tolerance => {
             NotEnclosed { what, off, most: size(at_most), limit }.at(place)
         }
-        Remedy::GreaterN => OffByN { what, off, limit }.at(place),
+        Remedy::GreaterN { enough, grade } => {
+            let N = enough
+                .map_or(t("un N mayor o una arc_tolerance mayor", "a larger N or a larger arc_tolerance"), |N| {
+                    Text::same(format!("N = {N}"))
+                });
+            OffByN { what, off, limit, N }.at(place).graded(grade)
+        }
         Remedy::Fault => OffTolerance { what, off, limit }.at(place),
     }
 }
@@ -107,7 +118,6 @@ pub fn bound(at_most: f64, limit: f64) -> [Text; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::finding::Grade;
     use crate::gcode::control::LINUXCNC;
     use crate::gcode::program::Program;
     use crate::gcode::word::NumberFormat;
@@ -137,7 +147,7 @@ mod tests {
         assert_eq!(grade(1.3, 1.2, Remedy::Fault), Some(Grade::Caution));
         assert_eq!(grade(f64::NAN, 1.2, Remedy::Fault), Some(Grade::Caution));
         assert_eq!(grade(1.1, 0.9, Remedy::Fault), Some(Grade::Stop));
-        assert_eq!(grade(1.1, 0.9, Remedy::GreaterN), Some(Grade::Caution));
+        assert_eq!(grade(1.1, 0.9, Remedy::GreaterN { enough: None, grade: Grade::Caution }), Some(Grade::Caution));
     }
 
     #[test]

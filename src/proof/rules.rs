@@ -155,12 +155,12 @@ crate::finding::rule::rules! {
         why "rodete acota el corte en todo su recorrido: fuera de la tolerancia la pieza no encaja.",
             "rodete bounds the cut along its whole path: beyond the tolerance the part does not fit.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "N120 G1 A-5.506", to: "N120 G1 A-3.506" };
-    "V0024" OffByN Caution { what: Text, off: Size, limit: Size }
+    "V0024" OffByN Stop { what: Text, off: Size, limit: Size, N: Text }
         es "{what} {off}; la tolerancia es {limit}"
         en "{what} {off}; the tolerance is {limit}"
-        remedy "elija un N mayor", "choose a larger N";
-        why "Con pocos puntos los arcos son largos y se apartan de la curva entre punto y punto.",
-            "With few points the arcs are long and leave the curve between the points.";
+        remedy "elija {N}", "choose {N}";
+        why "Con pocos puntos los arcos son largos y se apartan de la curva entre punto y punto; también cuenta dónde caen. En style = annex, el programa publicado, es solo una precaución.",
+            "With few points the arcs are long and leave the curve between the points; where the points fall counts, too. In style = annex, the published program, it is only a caution.";
         example Example::Slip { kind: "pipe-insert", cells: &[("mode", "flat"), ("N", "8")], program: "insert", from: "", to: "" };
     "V0025" NotEnclosed Caution { what: Text, off: Size, most: Size, limit: Size }
         es "{what} {off} en los puntos comprobados; entre ellos solo está demostrado que no pasa de {most}; la tolerancia es {limit}"

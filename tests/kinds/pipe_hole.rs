@@ -233,7 +233,17 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
         (
             vec![choice("branch_size", "6")],
             "the branch with its gap does not fit into the header, by 8.11 mm: r + b = 86.15 mm, e = 0 mm, radius 78.04 mm",
-            "choose a smaller branch or less eccentricity",
+            "choose a smaller branch",
+        ),
+        (
+            vec![real("e", 40.0)],
+            "the branch with its gap does not fit into the header, by ",
+            "choose a smaller branch, or an eccentricity of ",
+        ),
+        (
+            vec![real("overcut", 400.0)],
+            "the overcut of 400 mm goes more than once round: one turn is ",
+            "choose a shorter overcut",
         ),
         (vec![real("h", 7.2)], "the land h is 7.2 mm; it must be less than the wall, 7.11 mm", "choose a smaller land"),
         (vec![real("R_g", 5.0)], "the body R_g = 5 mm is thinner than the nozzle r_g = 6 mm", "check both radii"),
@@ -256,6 +266,10 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
         let finding = refused(&changes);
         if changes.contains(&real("gamma", 60.0)) {
             assert!(finding.what.en.contains("the torch lies flat"), "{}", finding.what.en);
+            continue;
+        }
+        if what.ends_with(' ') {
+            assert!(finding.what.en.starts_with(what) && finding.remedy.en.starts_with(remedy), "{finding:?}");
             continue;
         }
         assert_eq!((finding.what.en.as_ref(), finding.remedy.en.as_ref()), (what, remedy), "{changes:?}");

@@ -247,6 +247,20 @@ fn contradictions_are_refused_with_the_amount() {
             "torch_on holds M30, which ends the program",
             "take M30 out",
         ),
+        (
+            vec![("end_codes", Value::Line("M3 M30".to_owned()))],
+            "end_codes holds M3, which turns the torch on",
+            "write only codes that end the program, such as M30",
+        ),
+        (
+            vec![
+                ("torch_on", Value::Line("M101".to_owned())),
+                ("torch_off", Value::Line("M102".to_owned())),
+                ("end_codes", Value::Line("M101 M30".to_owned())),
+            ],
+            "end_codes holds M101, which turns the torch on",
+            "write only codes that end the program, such as M30",
+        ),
     ] {
         let findings = refused(&changes);
         assert_eq!(findings.len(), 1, "{findings:?}");

@@ -1,6 +1,6 @@
 //! Outside diameter and wall of branch and header as a form gives them: by nominal size and schedule, or as measured.
 
-use crate::finding::{Finding, Key, Raise, Size as Length, Typed};
+use crate::finding::{Finding, Key, Raise, Said, Size as Length, Typed};
 use crate::kinds::pipe::form::{
     BRANCH_SCHEDULE, BRANCH_SIZE, D_BRANCH, D_HEADER, HEADER_SCHEDULE, HEADER_SIZE, T_BRANCH, T_HEADER,
 };
@@ -8,7 +8,7 @@ use crate::kinds::pipe::rules::{NoSchedule, SizeMissing, TwoSizes, WallBeyondRad
 use crate::kinds::pipe::size::{Schedule, Size};
 use crate::parameter::at;
 use crate::parameter::field::{Field, Fields, Optional};
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 
 /// Outside diameter and wall of a pipe, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,4 +74,13 @@ pub(super) fn solid(branch: Pipe, header: Pipe) -> Vec<Finding> {
     let branch = of(branch, t("del injerto", "of the branch"), [D_BRANCH.key(), T_BRANCH.key()]);
     let header = of(header, t("del tubo base", "of the header"), [D_HEADER.key(), T_HEADER.key()]);
     branch.into_iter().chain(header).collect()
+}
+
+/// What a remedy adds to a smaller branch, where an eccentricity would do as well.
+#[must_use]
+pub(super) fn or_eccentricity(most: Option<Length>) -> Text {
+    most.map_or(t("", ""), |most| {
+        let [es, en] = [Language::Es, Language::En].map(|language| most.said(language));
+        Text::new(format!(", o una excentricidad de {es} como mucho"), format!(", or an eccentricity of {en} at most"))
+    })
 }

@@ -55,4 +55,22 @@ rules! {
         why "Con M3 y M4 la salida que enciende la antorcha queda puesta y con M5 se quita, en todos los controles que rodete escribe.",
             "M3 and M4 set the output that turns the torch on, and M5 clears it, on every control that rodete writes for.";
         example book!("pipe-insert", "torch_off" = "M4");
+    "P2008" TorchOnAtEnd Stop { number: u32 }
+        es "end_codes lleva M{number}, que enciende la antorcha"
+        en "end_codes holds M{number}, which turns the torch on"
+        remedy "escriba solo los códigos que acaban el programa, como M30", "write only codes that end the program, such as M30";
+        why "La antorcha quedaría encendida y parada al acabar el programa.", "The torch would be left burning where it stands when the program ends.";
+        example book!("pipe-insert", "end_codes" = "M3 M30");
+    "P2109" KerfZero Caution {}
+        es "kerf = 0: el corte no se compensa"
+        en "kerf = 0: the cut is not compensated"
+        remedy "escriba el ancho que corta la antorcha", "fill in the width that the torch cuts";
+        why "Toda antorcha corta un ancho, y la mitad saldría de la pieza.", "Every torch cuts a width, and half of it would come off the part.";
+        example book!("pipe-insert", "kerf" = "0");
+    "P2119" OvercutPastTurn Stop { overcut: Size, round: Size }
+        es "la salida de {overcut} da más de una vuelta: una vuelta son {round}"
+        en "the overcut of {overcut} goes more than once round: one turn is {round}"
+        remedy "elija una salida más corta", "choose a shorter overcut";
+        why "La salida repasa el principio del corte.", "The overcut goes over the beginning of the cut again.";
+        example book!("pipe-insert", "branch_size" = "1/2 in", "overcut" = "200");
 }

@@ -2,8 +2,8 @@
 
 use crate::finding::{Finding, Key, Raise};
 use crate::gcode::word::{Number, Word};
-use crate::kinds::pipe::form::{TORCH_OFF, TORCH_ON};
-use crate::kinds::pipe::rules::{CodeInBoth, TurnsTheOtherWay};
+use crate::kinds::pipe::form::{END_CODES, TORCH_OFF, TORCH_ON};
+use crate::kinds::pipe::rules::{CodeInBoth, TorchOnAtEnd, TurnsTheOtherWay};
 use crate::parameter::at;
 use crate::text::{Text, t};
 
@@ -13,6 +13,17 @@ fn machine_codes(codes: &[Word]) -> impl Iterator<Item = u32> {
         Number::Whole(number) if word.letter == 'M' => Some(number),
         _ => None,
     })
+}
+
+/// What turns the torch on among the codes at the end of the program. Where M3 or M4 turns it on, what else torch_on holds is for
+/// something else, as air.
+pub(super) fn on_at_end(torch_on: &[Word], end_codes: &[Word]) -> Option<Finding> {
+    let by_spindle = machine_codes(torch_on).any(|code| matches!(code, 3 | 4));
+    // Stops and ends are no switches, wherever they stand.
+    let switch = |code: u32| !matches!(code, 0..=2 | 30) && machine_codes(torch_on).any(|one| one == code);
+    let starts = |code: &u32| matches!(code, 3 | 4) || !by_spindle && switch(*code);
+    let number = machine_codes(end_codes).find(starts)?;
+    Some(TorchOnAtEnd { number }.at(at([END_CODES.key(), TORCH_ON.key()])))
 }
 
 /// What is wrong with lists of codes beside each other: a code that stands in two of them, and one that does the opposite of

@@ -1,5 +1,7 @@
 //! The design of a bevelled hole: validated parameters with units settled, and the checks of one against another.
 
+use std::f64::consts::TAU;
+
 use crate::figure::Paper;
 use crate::finding::{Finding, Raise, Size};
 use crate::gcode::control::{Control, Written};
@@ -7,7 +9,7 @@ use crate::gcode::fields::rapids;
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
-use crate::kinds::pipe::dimensions::{BRANCH, HEADER, Pipe, solid};
+use crate::kinds::pipe::dimensions::{BRANCH, HEADER, Pipe, or_eccentricity, solid};
 use crate::kinds::pipe::form::{
     BLOCK_STEP, D_BRANCH, D_HEADER, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, T_HEADER,
     THETA, TORCH_OFF, TORCH_ON,
@@ -22,7 +24,8 @@ use crate::kinds::pipe::hole::rules::{
     LimitBelowHeight,
 };
 use crate::kinds::pipe::hole::station::Groove;
-use crate::kinds::pipe::switching::opposed;
+use crate::kinds::pipe::rules::OvercutPastTurn;
+use crate::kinds::pipe::switching::{on_at_end, opposed};
 use crate::machine::rapids::Rapids;
 use crate::parameter::at;
 use crate::parameter::field::Fields;
@@ -186,6 +189,14 @@ impl Design {
         PipePair::new(self.branch.D / 2.0 + self.b, self.R_i() + self.h, self.theta, -self.e)
     }
 
+    /// How long the curve is where the branch's outside and its gap meet the bore and the land, mm, to a thousandth of it.
+    fn round(&self) -> f64 {
+        const STEPS: u16 = 720;
+        let pair = self.pair();
+        let place = |step: u16| pair.point(TAU * f64::from(step) / f64::from(STEPS));
+        (0..STEPS).map(|step| (place(step + 1) - place(step)).norm()).sum()
+    }
+
     /// The torch.
     #[must_use]
     pub fn torch(&self) -> Torch {
@@ -214,8 +225,17 @@ impl Design {
         if self.h >= self.header.t {
             findings.push(LandBeyondWall { h: Size::mm(self.h), wall }.at(at([H.key(), T_HEADER.key()])));
         } else if pair.overhang() >= 0.0 {
-            let told = BranchDoesNotGoIn { over: Size::mm(pair.overhang()), r, e, R: Size::mm(pair.R) };
+            // The hole must stay clear of the side; the last thousandth is as good as it.
+            let most = ((pair.R - pair.r) * 1000.0 - 1.0).floor() / 1000.0;
+            let eccentricity = (most >= 0.0 && self.e.abs() > most).then(|| Size::mm(most));
+            let most = or_eccentricity(eccentricity);
+            let told = BranchDoesNotGoIn { over: Size::mm(pair.overhang()), r, e, R: Size::mm(pair.R), most };
             findings.push(told.at(at([D_BRANCH.key(), B.key(), E.key(), D_HEADER.key()])));
+        }
+        let round = self.round();
+        if findings.is_empty() && self.overcut > round {
+            let told = OvercutPastTurn { overcut: Size::mm(self.overcut), round: Size::mm(round) };
+            findings.push(told.at(at([OVERCUT.key()])));
         }
         if self.g0 >= self.d0 {
             findings.push(GapBeyondHeight { g0, d0 }.at(at([G0.key(), D0.key()])));
@@ -252,6 +272,7 @@ impl Design {
         }
         findings.extend(opposed(&lists));
         findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true));
+        findings.extend(on_at_end(&self.torch_on, &self.end_codes));
         findings
     }
 }

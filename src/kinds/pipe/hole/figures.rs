@@ -226,7 +226,7 @@ pub fn template(design: &Design) -> Figure {
             Stroke::line(Ink::Cut, edge),
         ],
         labels: vec![
-            Label { at: [width + 20.0, -1.0], text: t("generatriz superior", "top generator") },
+            Label { at: [width + 20.0, -1.0], text: t("+X, generatriz superior", "+X, top generator") },
             Label { at: [0.0, height + 2.0], text: Text::same("x = 0") },
         ],
         legend: vec![(Ink::Cut, t("corte", "cut")), (Ink::Seam, t("generatriz", "generator"))],

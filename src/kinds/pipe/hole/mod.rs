@@ -45,7 +45,7 @@ use crate::kinds::pipe::hole::rules::{
 };
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
-use crate::kinds::pipe::rules::NoLeadIn;
+use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
 use crate::kinds::pipe::{self, account, scene, sizes};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
@@ -334,6 +334,9 @@ fn remarks(design: &Design, held: bool) -> Vec<Finding> {
     }
     if design.lead_in == 0.0 {
         findings.push(NoLeadIn {}.at(at([LEAD_IN.key()])));
+    }
+    if design.kerf == 0.0 {
+        findings.push(KerfZero {}.at(at([KERF.key(), M.key()])));
     }
     // Without a groove the whole edge is cut upright at once.
     if design.h > 0.0 && design.gamma > 0.0 {

@@ -2,6 +2,7 @@
 
 use crate::finding::rule::{book, rules};
 use crate::finding::{Key, Size};
+use crate::text::Text;
 
 rules! {
     /// The rows of a bevelled hole.
@@ -12,10 +13,10 @@ rules! {
         remedy "elija un talón menor", "choose a smaller land";
         why "Con un talón tan alto como la pared no queda bisel.", "A land as high as the wall leaves no groove.";
         example book!("pipe-hole", "h" = "90");
-    "P3002" BranchDoesNotGoIn Stop { over: Size, r: Size, e: Size, R: Size }
+    "P3002" BranchDoesNotGoIn Stop { over: Size, r: Size, e: Size, R: Size, most: Text }
         es "el injerto con su holgura no cabe en el tubo base, por {over}: r + b = {r}, e = {e}, radio {R}"
         en "the branch with its gap does not fit into the header, by {over}: r + b = {r}, e = {e}, radius {R}"
-        remedy "elija un injerto menor o menos excentricidad", "choose a smaller branch or less eccentricity";
+        remedy "elija un injerto menor{most}", "choose a smaller branch{most}";
         why "El agujero se saldría por el costado del tubo.", "The hole would run out at the side of the pipe.";
         example book!("pipe-hole", "branch_size" = "6 in");
     "P3003" GapBeyondHeight Stop { g0: Size, d0: Size }

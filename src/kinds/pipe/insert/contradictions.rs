@@ -12,9 +12,10 @@ use crate::kinds::pipe::insert::parameters::{
 };
 use crate::kinds::pipe::insert::rules::{
     AnnexIsFlat, BranchLarger, BranchOverhangs, FinerThanAngle, KerfBeyondBore, KerfBeyondGap, LeadInCutsPart,
-    OvercutPastTurn, RadiusOfEnvelope,
+    RadiusOfEnvelope,
 };
-use crate::kinds::pipe::switching::opposed;
+use crate::kinds::pipe::rules::OvercutPastTurn;
+use crate::kinds::pipe::switching::{on_at_end, opposed};
 use crate::kinds::rules::{AnnexCarriesNoFeed, FullStyleNeeds};
 use crate::parameter::at;
 
@@ -88,6 +89,7 @@ impl Design {
         findings.extend(refused_codes(self.control, TORCH_OFF.key(), &self.torch_off, false));
         findings.extend(opposed(&[(TORCH_ON.key(), &self.torch_on), (TORCH_OFF.key(), &self.torch_off)]));
         findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true));
+        findings.extend(on_at_end(&self.torch_on, &self.end_codes));
         findings
     }
 }

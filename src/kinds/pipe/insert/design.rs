@@ -55,6 +55,8 @@ pub struct Design {
     pub r: f64,
     /// R, the header's radius.
     pub R: f64,
+    /// Which surface the template is developed on.
+    pub sheet: Surface,
     /// The radius of the development.
     pub r_dev: f64,
     /// The radii that were typed in place of those that the pipes give.
@@ -151,6 +153,7 @@ impl Design {
             N: fields.get(&N),
             r: fields.get(&EXPERT_BRANCH_R).unwrap_or(r),
             R: fields.get(&R).unwrap_or(R_header),
+            sheet: fields.get(&SHEET),
             r_dev: fields.get(&R_DEV).unwrap_or(r_dev),
             typed: typed.collect(),
             mode: fields.get(&MODE),

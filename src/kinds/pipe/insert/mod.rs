@@ -32,6 +32,8 @@ pub mod proof;
 pub mod rules;
 pub mod tables;
 
+use std::f64::consts::TAU;
+
 use crate::figure::Figure;
 use crate::finding::{Finding, Grade, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
@@ -44,20 +46,23 @@ use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Shown, Wants, out_of_format};
 use crate::kinds;
+use crate::kinds::pipe::dimensions::or_eccentricity;
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, THETA, TORCH_ON};
 use crate::kinds::pipe::insert::bounds::{Rest, Worst};
 use crate::kinds::pipe::insert::cut::{Cut, cut};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode, Typed};
 use crate::kinds::pipe::insert::figures::{figures, template};
-use crate::kinds::pipe::insert::parameters::{CONTACT, EXPERT_BRANCH_R, F, FORM, KERF, LEAD_IN, MODE, R_DEV, STYLE, Z};
+use crate::kinds::pipe::insert::parameters::{
+    CONTACT, EXPERT_BRANCH_R, F, FORM, KERF, LEAD_IN, MODE, R_DEV, SHEET, STYLE, Surface, Z,
+};
 use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, published};
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
 use crate::kinds::pipe::insert::rules::{
-    AnnexAsPublished, AnnexWithoutKerf, CurveBehindEdge, GapsOfEnvelope, KerfOnOutside, KerfZero, OutsideForInside,
-    PipeByIncrements, PipeOnLinearAxis, RadiusTyped, WallInsideHeader,
+    AnnexAsPublished, AnnexWithoutKerf, CurveBehindEdge, GapsOfEnvelope, KerfOnOutside, OutsideForInside,
+    PipeByIncrements, PipeOnLinearAxis, RadiusTyped, TemplateNotRound, WallInsideHeader, WallOverhangs,
 };
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
-use crate::kinds::pipe::rules::NoLeadIn;
+use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
 use crate::kinds::pipe::{self, account, scene, sizes};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
@@ -293,7 +298,7 @@ fn quantities(design: &Design, rest: &Rest, account: &Account) -> Vec<Quantity> 
         ),
         quantity(
             "e_max",
-            t("Excentricidad máxima sin que sobresalga", "Maximum eccentricity without overhang"),
+            t("Excentricidad máxima con la que la curva se cierra", "Maximum eccentricity with which the curve closes"),
             design.R - design.r,
             mm,
             t("R − r", "R − r"),
@@ -420,6 +425,34 @@ fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
     (rest.inside.most > SEATED).then(|| caution.at(at([CONTACT.key(), THETA.key(), E.key()])))
 }
 
+/// The wall of a branch whose bore meets the header but whose outside passes its side. A branch of the header's own size ends at it.
+fn wall_beside_header(design: &Design) -> Option<Finding> {
+    let outside = design.branch.D / 2.0;
+    let over = outside + design.e.abs() - design.R;
+    let within = design.R - outside;
+    let most = or_eccentricity((within >= 0.0).then(|| Size::mm((within * 1000.0 + 1e-6).floor() / 1000.0)));
+    let [over_mm, r_o, e, R] = [over, outside, design.e, design.R].map(Size::mm);
+    let told = WallOverhangs { over: over_mm, r_o, e, R, most };
+    // The outside of a branch that rests on it is the curve's own.
+    let beside = design.contact != Contact::Outside && over > SEATED / 2.0;
+    beside.then(|| told.at(at([D_BRANCH.key(), D_HEADER.key(), E.key(), CONTACT.key()])))
+}
+
+/// A template for wrapping round the pipe that is not as long as it is round.
+fn template_not_round(design: &Design) -> Option<Finding> {
+    let round = TAU * design.branch.D / 2.0;
+    let W = design.template().round();
+    let sheet = match design.sheet {
+        Surface::Outside => t("exterior", "outside"),
+        Surface::Mean => t("media", "mean"),
+        Surface::Inside => t("interior", "inside"),
+    };
+    let told = TemplateNotRound { sheet, W: Size::mm(W), round: Size::mm(round) };
+    // A development whose radius was typed is told as such.
+    let differs = design.mode == Mode::Rotary && !design.is_typed(R_DEV.key()) && (W - round).abs() > SEATED;
+    differs.then(|| told.at(at([SHEET.key(), MODE.key()])))
+}
+
 /// What a person should know of the design and its program.
 fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
     let mut findings = Vec::new();
@@ -439,10 +472,12 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
         RadiusTyped { key: one.key, typed, derived }.at(at([one.key]))
     }));
     findings.extend(seat(design, rest));
+    findings.extend(wall_beside_header(design));
+    findings.extend(template_not_round(design));
     // A jet is wider than what a corner is rounded by.
     findings.extend(kinds::rules::corners_between_blocks(design.control).map(|one| one.graded(Grade::Note)));
     let below = -design.template().extent()[0];
-    if below > 1e-9 {
+    if below > SEATED / 2.0 {
         let told = CurveBehindEdge { below: Size::mm(below), least: Size::mm(design.Z + below) };
         findings.push(told.at(at([Z.key()])));
     }

@@ -70,11 +70,13 @@ pub(super) static Z: Field<f64, Required> = Field::real(
     t("Z, del borde de la plantilla a la curva en φ = 0", "Z, from the template edge to the curve at φ = 0"),
     t("Publicado: 20", "Published: 20"),
 );
+/// The greatest N.
+pub(super) const MOST_N: u32 = 10_000;
 pub(super) static N: Field<u32, Required> = Field::whole(
     "N",
     "divisions_N",
     Unit::Count,
-    [3, 10_000],
+    [3, MOST_N],
     t("Número de divisiones de la circunferencia", "Number of divisions of the circumference"),
     t(
         "Par: arcos de tres en tres puntos; impar: acaba en recta",

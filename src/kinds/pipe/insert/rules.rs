@@ -60,12 +60,6 @@ rules! {
         why "La antorcha iría por la propia curva y quitaría medio ancho de corte a la pieza.",
             "The torch would follow the curve itself and take half the kerf off the part.";
         example book!("pipe-insert", "dialect" = "fagor-8055", "style" = "annex", "mode" = "flat");
-    "P2109" KerfZero Caution {}
-        es "kerf = 0: el corte no se compensa"
-        en "kerf = 0: the cut is not compensated"
-        remedy "escriba el ancho que corta la antorcha", "fill in the width that the torch cuts";
-        why "Toda antorcha corta un ancho, y la mitad saldría de la pieza.", "Every torch cuts a width, and half of it would come off the part.";
-        example book!("pipe-insert", "kerf" = "0");
     "P2110" KerfOnOutside Note { outside: Size }
         es "rodete compensa el ancho de corte en el exterior del tubo, de radio {outside}"
         en "rodete compensates the kerf on the outside of the pipe, of radius {outside}"
@@ -130,12 +124,6 @@ rules! {
         why "Entre el borde de la plantilla, que es el cero, y la curva queda el injerto.",
             "The branch is what stays between the edge of the template, which is the zero, and the curve.";
         example book!("pipe-insert", "theta" = "120");
-    "P2119" OvercutPastTurn Stop { overcut: Size, round: Size }
-        es "la salida de {overcut} da más de una vuelta: una vuelta son {round}"
-        en "the overcut of {overcut} goes more than once round: one turn is {round}"
-        remedy "elija una salida más corta", "choose a shorter overcut";
-        why "La salida repasa el principio del corte.", "The overcut goes over the beginning of the cut again.";
-        example book!("pipe-insert", "branch_size" = "1/2 in", "overcut" = "200");
     "P2120" RadiusTyped Caution { key: Key, typed: Size, derived: Size }
         es "{key} = {typed} se ha escrito en lugar de {derived}, que es lo que dan los tubos"
         en "{key} = {typed} was typed in place of {derived}, which the pipes give"
@@ -150,4 +138,18 @@ rules! {
         why "A se escribe con tres decimales: la antorcha no puede acercarse más a la curva.",
             "A is written with three decimals: the torch cannot keep nearer to the curve.";
         example book!("pipe-insert --case square", "branch_size" = "", "branch_schedule" = "", "D_branch" = "1600", "t_branch" = "20", "header_size" = "", "header_schedule" = "", "D_header" = "2000", "t_header" = "20", "mode" = "rotary", "dialect" = "linuxcnc", "arc_tolerance" = "0.004");
+    "P2122" WallOverhangs Caution { over: Size, r_o: Size, e: Size, R: Size, most: Text }
+        es "la pared del injerto sobresale {over} por el costado del tubo base: r_o = {r_o}, e = {e}, R = {R}; ahí no apoya"
+        en "the wall of the branch overhangs the header's side by {over}: r_o = {r_o}, e = {e}, R = {R}; there it does not rest"
+        remedy "elija un injerto menor{most}", "choose a smaller branch{most}";
+        why "La curva sale del interior del injerto y se cierra; la parte de la pared que pasa del costado del tubo base no lo toca en ningún punto.",
+            "The curve follows the bore and closes; the part of the wall beyond the header's side touches it nowhere.";
+        example book!("pipe-insert", "header_size" = "3 in", "e" = "3");
+    "P2123" TemplateNotRound Caution { sheet: Text, W: Size, round: Size }
+        es "con sheet = {sheet} la plantilla mide {W} y el tubo {round} de vuelta: no lo rodea"
+        en "with sheet = {sheet} the template is {W} long and the pipe {round} round: it does not go round it"
+        remedy "elija sheet = exterior y deje vacío r_dev", "set sheet = outside and leave r_dev empty";
+        why "Con mode = rotatorio la plantilla se arrolla por fuera del tubo; el programa no depende de ella.",
+            "With mode = rotary the template is wrapped round the outside of the pipe; the program does not depend on it.";
+        example book!("pipe-insert", "sheet" = "inside");
 }

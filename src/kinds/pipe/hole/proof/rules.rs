@@ -9,8 +9,8 @@ crate::finding::rule::rules! {
         es "el bisel se desvía hasta {angle}"
         en "the bevel is off by up to {angle}"
         remedy "elija otro ángulo de bisel", "choose another groove angle";
-        why "Los procedimientos de soldadura dan una tolerancia de pocos grados al bisel.",
-            "Welding procedures allow a tolerance of only a few degrees on the groove angle.";
+        why "Los procedimientos de soldadura dan una tolerancia de pocos grados al bisel. Cuenta también lo que el ancho de corte de los chorros vecinos quita de más donde casi se cruzan.",
+            "Welding procedures allow a tolerance of only a few degrees on the groove angle. What the kerf of neighbouring beams takes off where they nearly cross counts, too.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "B29.910", to: "B35.910" };
     "V0302" TorchTooNear Stop { distance: Size, g0: Size }
         es "la distancia de la antorcha al tubo baja a {distance} (negativa: entra en él); el mínimo es g0 = {g0}"

@@ -10,10 +10,10 @@
 //! against the header in the same way: no point of it may be inside the header, where the end is cut along the envelope, and at
 //! its nearest it is on the header; of a cut along one edge the depth and the gaps are told.
 
+mod greater_n;
 pub mod rules;
 mod speed;
 
-use crate::kinds::pipe::insert::parameters::{ARC_TOLERANCE, N};
 use std::f64::consts::TAU;
 
 use nalgebra::Vector2;
@@ -29,7 +29,9 @@ use crate::kinds::pipe::insert::bounds::beyond;
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode, ROUNDING};
 use crate::kinds::pipe::insert::outline::Outline;
+use crate::kinds::pipe::insert::parameters::{ARC_TOLERANCE, N};
 use crate::kinds::pipe::insert::program::{approach, template_points};
+use crate::kinds::pipe::insert::proof::greater_n::enough;
 use crate::kinds::pipe::insert::proof::speed::CutSpeed;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::grid::Milli;
@@ -196,15 +198,8 @@ struct PathOnCurve<'a> {
 impl Judge for PathOnCurve<'_> {
     fn see(&mut self, step: &Step<'_>) {
         let Some(follows) = self.moves.follows(step) else { return };
-        let (at, way, outline) = (At::motion(&step.motion), self.surface.way(&step.motion), self.surface.outline);
-        match follows {
-            Follows::Curve(leg) => self.look_along(&way, leg, at),
-            Follows::Corner(phi) => {
-                let off = way.off_circle(outline.curve(phi), outline.beside);
-                self.errors.take(at, &[off], |off| [*off, 0.0], |one, other| [one.max(*other), 0.0], |one, _| *one);
-            }
-            Follows::WayIn | Follows::Beyond => {}
-        }
+        let (at, way) = (At::motion(&step.motion), self.surface.way(&step.motion));
+        self.follow(&way, follows, at);
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
@@ -216,7 +211,15 @@ impl Judge for PathOnCurve<'_> {
         };
         let name = t("Trayectoria contra la curva exacta", "Path against the exact curve");
         let path = asked("path", name, 0, tolerance).of_parameters([ARC_TOLERANCE.key(), N.key()]);
-        let remedy = if design.mode == Mode::Flat { Remedy::GreaterN } else { Remedy::Fault };
+        let off = !self.keeps();
+        let remedy = match design.mode {
+            Mode::Flat => Remedy::GreaterN {
+                enough: off.then(|| enough(design)).flatten(),
+                // What was published is told, and stays as it was published.
+                grade: if design.style == Style::Annex { Grade::Caution } else { Grade::Stop },
+            },
+            Mode::Rotary => Remedy::Fault,
+        };
         let words = t("los arcos se apartan de la curva exacta", "the arcs leave the exact curve by");
         let path = self.errors.within(path, 0, tolerance, words, remedy);
         let name = t("Borde cortado, sobre el tubo base", "Cut edge, on the header");
@@ -233,7 +236,27 @@ impl Judge for PathOnCurve<'_> {
     }
 }
 
-impl PathOnCurve<'_> {
+impl<'a> PathOnCurve<'a> {
+    /// Of no motion yet.
+    fn new(design: &'a Design, moves: &'a Moves, curve: &'a mut Curve) -> Self {
+        let surface = Surface { design, outline: design.outline() };
+        let errors = Enclosed::new([1e-3 * design.arc_tolerance; 2], limits(design), WORK);
+        let limit = match design.contact {
+            Contact::Inside | Contact::Outside => f64::INFINITY,
+            Contact::Envelope => limits(design)[1],
+        };
+        let wall =
+            Enclosed::new([1e-3 * design.arc_tolerance, 1e-3, 1e-3], [limit, f64::INFINITY, f64::INFINITY], WORK);
+        Self { surface, moves, errors, wall, curve }
+    }
+
+    /// True where the path keeps to its tolerance, and the wall out of the header where it is cut for that.
+    fn keeps(&self) -> bool {
+        let [tolerance, limit] = limits(self.surface.design);
+        let enveloped = self.surface.design.contact == Contact::Envelope;
+        self.errors.at_most(0) <= tolerance && (!enveloped || self.wall.at_most(0) <= limit)
+    }
+
     /// How the wall as it is cut stands to the header.
     fn seat(&self, program: &Program, limit: f64, remedy: Remedy) -> [Check; 2] {
         let design = self.surface.design;
@@ -243,7 +266,8 @@ impl PathOnCurve<'_> {
         let wall = match design.contact {
             Contact::Envelope => {
                 let words = t("la pared queda dentro del tubo base", "the wall is inside the header by");
-                self.wall.within(asked("wall", name, value, limited), 0, limit, words, remedy)
+                let asked = asked("wall", name, value, limited).of_parameters([ARC_TOLERANCE.key(), N.key()]);
+                self.wall.within(asked, 0, limit, words, remedy)
             }
             Contact::Inside | Contact::Outside => {
                 self.wall.put(asked("wall", name, value, Text::same("")), 0).informs()
@@ -255,6 +279,19 @@ impl PathOnCurve<'_> {
             Text::new(format!("interior ≤ {inner}, exterior ≤ {outer}"), format!("inner ≤ {inner}, outer ≤ {outer}"));
         let name = t("Separación de los bordes al tubo base", "Gap of the edges to the header");
         [wall, self.wall.put(asked("gap", name, value, Text::same("")), 1).informs()]
+    }
+
+    /// Holds a motion against what it follows.
+    fn follow(&mut self, way: &Way, follows: Follows, at: At) {
+        let outline = self.surface.outline;
+        match follows {
+            Follows::Curve(leg) => self.look_along(way, leg, at),
+            Follows::Corner(phi) => {
+                let off = way.off_circle(outline.curve(phi), outline.beside);
+                self.errors.take(at, &[off], |off| [*off, 0.0], |one, other| [one.max(*other), 0.0], |one, _| *one);
+            }
+            Follows::WayIn | Follows::Beyond => {}
+        }
     }
 
     /// Holds a motion against the curve between two angles.
@@ -484,18 +521,13 @@ pub fn setting(design: &Design, program: &Program) -> Setting {
 /// The judges of the program. `curve` takes the deviation along the curve.
 #[must_use]
 pub fn judges<'a>(design: &'a Design, moves: &'a Moves, curve: &'a mut Curve) -> Vec<Box<dyn Judge + 'a>> {
-    let surface = Surface { design, outline: design.outline() };
-    let errors = Enclosed::new([1e-3 * design.arc_tolerance; 2], limits(design), WORK);
-    let limit = match design.contact {
-        Contact::Inside | Contact::Outside => f64::INFINITY,
-        Contact::Envelope => limits(design)[1],
-    };
-    let wall = Enclosed::new([1e-3 * design.arc_tolerance, 1e-3, 1e-3], [limit, f64::INFINITY, f64::INFINITY], WORK);
+    let path = PathOnCurve::new(design, moves, curve);
+    let surface = path.surface;
     let codes = (design.style == Style::Full).then_some([&design.torch_on[..], &design.torch_off[..]]);
     let agreement = Agreement::of_the_torch(moved(design.mode), moves.moves.len(), 0).approached_by(moves.approach);
     let mut judges: Vec<Box<dyn Judge + 'a>> = vec![
         Box::new(agreement),
-        Box::new(PathOnCurve { surface, moves, errors, wall, curve }),
+        Box::new(path),
         Box::new(CutSpeed {
             surface,
             moves,
