@@ -9,7 +9,7 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
-    CodeNotSupported, CoordinateTooGreat, DecimalsTooMany, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat,
+    CodeNotSupported, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat,
     LetterNotSupported, LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany, Macros,
     Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, WordTooGreat, WordTwice,
 };
@@ -259,6 +259,12 @@ impl Reader<'_, '_> {
     #[cold]
     fn unknown_letter(&self, letter: u8, column: usize) -> Box<Refused> {
         let (name, dialect) = (name(letter), self.memory.setting.control.name);
+        if let Some(G::Turning(cycle)) = self.block.g(Group::NonModal)
+            && matches!(name, 'A' | 'D')
+            && !self.fagor_cycle()
+        {
+            return Refused::of(&CycleInOneBlock { letter: name, number: cycle.number() }, &[column]);
+        }
         if self.memory.control.lexis.refused.has(letter - b'a') {
             Refused::of(&LetterNotSupported { letter: name, dialect }, &[column])
         } else {

@@ -197,4 +197,11 @@ rules! {
         why "El control se para ante un ángulo, un sentido o un tiempo de espera que no hay.",
             "The control stops at an angle, a direction or a time limit that does not exist.";
         example Example::program("linuxcnc", "G21 G90 F100|M19 R361|M2", "2:5");
+    "G0128" CycleInOneBlock Stop { letter: char, number: u8 }
+        es "G{number} con {letter}: el ciclo está escrito en un solo bloque, como lo leen otros controles"
+        en "G{number} with {letter}: the cycle is written in one block, as other controls read it"
+        remedy "escríbalo en dos bloques: el primero con la profundidad y la retirada, el segundo con P y Q, o X y Z, y F",
+            "write it in two blocks: the first with depth and retraction, the second with P and Q, or X and Z, and F";
+        why "Este control lee G71 a G76 en dos bloques, con otras letras.", "This control reads G71 to G76 in two blocks, with other letters.";
+        example Example::program("fanuc-lathe-a", "G21 G99|G0 X54. Z2.|G71 P10 Q20 U0.4 W0.1 D2000 F0.2|N10 G0 X30.|N20 G1 Z-20.|M30", "3:23");
 }

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use super::drawn::Drawn;
 use super::findings::{Faults, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
-use super::rules::NoMotion;
+use super::rules::{NoMotion, NothingCut};
 use super::setup::Given;
 use super::tables::Rows;
 use super::text::SheetProgram;
@@ -283,6 +283,11 @@ impl<'a> Following<'_, 'a> {
         faults.told.extend(assumed(given, &source.main.text));
         if one.account.program.is_none() && last.is_none() && !one.endless && !one.uncut {
             faults.told.push(NoMotion {}.at(Place::File));
+        }
+        let all = one.simulation.totals().all;
+        let in_air = all.volume + all.parted <= 0.0 && all.seconds > all.rapid_seconds;
+        if in_air && last.is_none() && !one.endless {
+            faults.told.push(NothingCut {}.at(Place::File));
         }
         if let Some(place) = last {
             one.lost = true;

@@ -276,4 +276,12 @@ rules! {
         remedy "compruebe que el programa completo está en la hoja", "check that the whole program is on the sheet";
         why "Si no se ha visto ningún movimiento, que no haya alarmas no dice nada.", "Where no motion was seen, the absence of alarms says nothing.";
         example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120", program: "O0001|G21 G40 G97 G99|M30", machine: &[] };
+    "L0230" NothingCut Caution {}
+        es "el programa no arranca material en ningún movimiento de trabajo"
+        en "no cutting motion of the program removes metal"
+        remedy "compruebe el bruto, el cero W1 y los correctores de las herramientas, y X y Z de los ciclos",
+            "check the stock, the zero W1 and the tool offsets, and X and Z of the cycles";
+        why "Un programa que corta en el aire no da alarmas, y la pieza no se hace.",
+            "A program that cuts air raises no alarm, and the part is not made.";
+        example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120", program: "G50 S2500|T0101|G97 S900 M3|M8|G0 X60. Z2.|G1 Z-20. F0.2|G0 X100. Z50.|M30", machine: &[] };
 }

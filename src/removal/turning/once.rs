@@ -68,7 +68,7 @@ impl Watch {
         tool: &TurningTool,
         control: &InForce,
         pieces: &[Piece],
-        deep: f64,
+        (deep, deepest): (f64, [f64; 2]),
         tally: &mut Tally,
     ) {
         let Some(&[start, _]) = pieces.first() else { return };
@@ -76,7 +76,11 @@ impl Watch {
         let mut causes = Vec::new();
         if !matches!(tally.motion.kind, MotionKind::Thread(_)) {
             let cause = Cause::NoseInTheWork(control.compensation);
-            causes.push((cause, tool.nose() > 0.0 && pieces.iter().any(|piece| nose_ahead(tool, control, piece))));
+            causes.push((
+                cause,
+                place,
+                tool.nose() > 0.0 && pieces.iter().any(|piece| nose_ahead(tool, control, piece)),
+            ));
         }
         if let (MotionKind::Feed(feed) | MotionKind::Arc(_, feed), Cutter::Insert { .. }) =
             (tally.motion.kind, tool.cutter)
@@ -89,14 +93,14 @@ impl Watch {
                 FeedMode::PerMinute if slowest > 0.0 => feed.value / slowest,
                 _ => 0.0,
             };
-            causes.push((Cause::CoarseFeed { feed, most }, most > 0.0 && feed > most + 1e-9));
+            causes.push((Cause::CoarseFeed { feed, most }, place, most > 0.0 && feed > most + 1e-9));
         }
         if let (MotionKind::Thread(thread), Cutter::Threader { angle, nose, .. }) = (tally.motion.kind, tool.cutter) {
             let half = angle.to_radians() / 2.0;
             let most = thread.lead / (2.0 * tan(half)) - nose * (1.0 / sin(half) - 1.0);
-            causes.push((Cause::ThreadTooDeep { depth: deep, most }, deep > most + TOUCH));
+            causes.push((Cause::ThreadTooDeep { depth: deep, most }, deepest, deep > most + TOUCH));
         }
-        for (cause, holds) in causes {
+        for (cause, place, holds) in causes {
             if self.begins(cause, holds, control.tool) {
                 tally.raise(cause, place, None);
             }

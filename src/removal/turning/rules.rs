@@ -217,7 +217,8 @@ rules! {
     "L0146" ThreadTooDeep Caution alarm Lathe 146 { depth: Size, most: Size }
         es "La rosca es más honda de lo que admite su paso: la herramienta se lleva las crestas"
         en "The thread is deeper than its lead allows: the tool cuts the crests away"
-        remedy "Compruebe el diámetro del fondo y el paso F", "Check the diameter of the root and the lead F";
+        remedy "Compruebe el diámetro del fondo, el paso F y que la rosca acabe antes del escalón",
+            "Check the diameter of the root, the lead F, and that the thread ends before the shoulder";
         why "Los flancos de dos vueltas vecinas se juntan: la cresta desaparece y la rosca no sujeta.",
             "The flanks of neighbouring turns meet: the crest disappears and the thread does not hold.";
         example blocks!("X40.|G1 Z-30. F.2|X54.|G0 X100. Z50.|T0404|G97 S900 M3|M8|G0 X54. Z5.|X37.5|G32 Z-15. F1.5|G0 X54.|Z50.");

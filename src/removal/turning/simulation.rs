@@ -567,7 +567,7 @@ impl Simulation {
         }
         // What is deeper than its edge is reported for that.
         let deep = if contact.edge.is_some() { 0.0 } else { contact.across };
-        watch.edge(&ready.tool, control, pieces, deep, tally);
+        watch.edge(&ready.tool, control, pieces, (deep, contact.place), tally);
         let back = contact.back.or(contact.beside.filter(|_| !contact.dragged));
         if let Some(cause) = contact.solid {
             tally.raise(cause, contact.place, Some(contact.across));
