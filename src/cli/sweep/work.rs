@@ -34,6 +34,11 @@ const JUDGED: u64 = 8;
 /// The variable in which Slurm says how many processors a task has.
 const SLURM: &str = "SLURM_CPUS_PER_TASK";
 
+/// One thread to time a design on: its searches would use all.
+fn one_at_once() -> Result<ThreadPool, Refusal> {
+    ThreadPoolBuilder::new().num_threads(1).build().map_err(|error| fault::refusal(&error.to_string()))
+}
+
 /// What works designs out.
 pub(super) struct Workshop<'a> {
     study: &'a Study<'a>,
@@ -82,8 +87,7 @@ impl<'a> Workshop<'a> {
 
     /// How long the workbook's own design takes on one core, s.
     pub(super) fn own(&self) -> Result<f64, Refusal> {
-        let one =
-            ThreadPoolBuilder::new().num_threads(1).build().map_err(|error| fault::refusal(&error.to_string()))?;
+        let one = one_at_once()?;
         let begun = Instant::now();
         one.install(|| self.beside(&self.study.base));
         Ok(begun.elapsed().as_secs_f64())
@@ -92,9 +96,7 @@ impl<'a> Workshop<'a> {
     /// Designs of the plan in an order by chance, always the same one, worked out one by one until so many of them are not refused,
     /// with the time that each took: what is refused early costs little, and says nothing of the others.
     pub(super) fn tried(&self) -> Result<Tried, Refusal> {
-        // One thread: a design's searches would use all.
-        let one =
-            ThreadPoolBuilder::new().num_threads(1).build().map_err(|error| fault::refusal(&error.to_string()))?;
+        let one = one_at_once()?;
         let plan = &self.study.plan;
         let mut tried = Tried::default();
         for at in 0..plan.count.min(FORECAST_DESIGNS) {
