@@ -44,6 +44,9 @@ pub const REFUSED_LINES: usize = 10_000;
 pub const PECKS: f64 = 10_000.0;
 /// Holes of a block. Four digits.
 pub const BLOCK_HOLES: i64 = 9_999;
+/// A feed per revolution, mm, above which F is taken for one per minute. Threads and taps have leads up to 6 mm; a face mill of ten
+/// teeth takes 5.
+pub const GREATEST_FEED_PER_TURN: f64 = 10.0;
 
 // Turning cycles
 

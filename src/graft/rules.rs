@@ -98,7 +98,7 @@ rules! {
     "B0112" DefinedNameTaken Stop { name: String, formula: String }
         es "el nombre {name} del libro ya es de otra cosa: {formula}"
         en "the workbook's name {name} already stands for something else: {formula}"
-        remedy "cámbiele el nombre en el administrador de nombres", "rename it in the name manager";
+        remedy "cámbiele el nombre en el administrador de nombres, o bórrelo si es un resto de hojas de rodete", "rename it in the name manager, or delete it if it is left over from sheets of rodete";
         why "Las fórmulas de las hojas de rodete usan ese nombre; los que empiezan por derived_ son para sus resultados.",
             "The formulas of rodete's sheets use that name; those that begin with derived_ are for its results.";
         example made!("into-name", "build --into de un libro cuyo torus_R es otra celda", "build --into of a workbook whose torus_R is another cell");

@@ -109,7 +109,7 @@ impl Reader<'_, '_> {
         if let Some((code @ (M::ToolChange | M::SetTool), _)) = self.block.m(6) {
             self.change_tool(code)?;
         }
-        self.memory.spindle_said |= matches!(self.block.m(7), Some((M::Spindle(_) | M::SpindleOff, _)));
+        self.see_spindle();
         match self.block.m(7) {
             Some((M::Spindle(true), _)) => self.state.modal.spindle = Spindle::Clockwise,
             Some((M::Spindle(false), _)) => self.state.modal.spindle = Spindle::CounterClockwise,

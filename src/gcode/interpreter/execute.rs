@@ -439,7 +439,7 @@ impl Reader<'_, '_> {
 
     /// A motion that goes by revolutions, with a spindle that the program has stopped. One that it has not spoken of may turn.
     pub(super) fn remark_standing_spindle(&mut self) {
-        let stands = self.state.modal.spindle == Spindle::Stopped && self.memory.spindle_said;
+        let stands = self.state.modal.spindle == Spindle::Stopped && self.memory.spindle.said;
         if stands && !self.in_doubt(doubt::SPINDLE) {
             self.memory.remarks.row(&SpindleStops {}, self.block.spot, None);
         }
@@ -499,6 +499,7 @@ impl Reader<'_, '_> {
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn emit(&mut self, kind: MotionKind, to: Pose, seconds: Option<f64>) {
         self.see_turn(kind, &to);
+        self.see_cut(kind, &to);
         let motion = Motion {
             line: self.block.spot.line,
             n: self.block.spot.n,

@@ -38,6 +38,7 @@ mod context;
 mod contour;
 mod corner;
 mod cursor;
+mod cutting;
 mod cycle;
 mod doubt;
 mod execute;
@@ -81,6 +82,7 @@ use self::compensation::Compensator;
 use self::corner::Corner;
 use self::cursor::Cursor;
 pub use self::cursor::bare;
+use self::cutting::SpindleSeen;
 use self::doubt::Doubts;
 use self::flow::Flow;
 use self::library::{Library, Spot};
@@ -153,8 +155,7 @@ struct Memory<'a> {
     /// A comment has ended the program.
     aborted: bool,
     unit_said: bool,
-    /// M3, M4 or M5 has been programmed.
-    spindle_said: bool,
+    spindle: SpindleSeen,
     repeated: u64,
     lines: usize,
     /// An absolute motion has been made, and an incremental one.
@@ -254,7 +255,7 @@ impl<'a> Interpreter<'a> {
             first_blocks: Vec::new(),
             aborted: false,
             unit_said: false,
-            spindle_said: false,
+            spindle: SpindleSeen::default(),
             repeated: 0,
             lines: 0,
             distances: [false; 2],
@@ -408,6 +409,7 @@ impl Reader<'_, '_> {
         if self.memory.control.radius.cutter() {
             self.end_cutter();
         }
+        self.end_spindle();
         self.end_of_program();
         Ok(())
     }

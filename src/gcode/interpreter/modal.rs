@@ -49,6 +49,8 @@ pub(super) struct Modal {
     pub(super) offset: u32,
     /// A tool length offset is in force.
     pub(super) lengthened: bool,
+    /// The tool whose length it is, where G43 took it from the tool table.
+    pub(super) length_of: Option<u32>,
     pub(super) coolant: bool,
     pub(super) compensation: Compensation,
     pub(super) sticky: Sticky,
@@ -94,6 +96,7 @@ impl Modal {
             tool: 0,
             offset: 0,
             lengthened: false,
+            length_of: None,
             coolant: false,
             compensation: Compensation::Off,
             sticky: Sticky::default(),

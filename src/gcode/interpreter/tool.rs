@@ -86,6 +86,7 @@ impl Reader<'_, '_> {
         let column = self.block.g_column(Group::ToolLength);
         let H = self.block.get(letter::H);
         let axes = AXES.into_iter().any(|axis| self.block.has(axis));
+        let mut length_of = None;
         let tool = match (code, H) {
             (G::ToolLengthOff, _) => Pose::default(),
             (G::ToolLength, H) => {
@@ -95,6 +96,7 @@ impl Reader<'_, '_> {
                 };
                 // H0 and no H both mean the tool in the spindle.
                 let number = if number == 0 { self.state.modal.tool } else { number };
+                length_of = Some(number);
                 self.offset_of(number)
             }
             (G::ToolLengthGiven, _) if !axes => {
@@ -118,6 +120,7 @@ impl Reader<'_, '_> {
         let machine = self.state.frame.to_machine(&self.state.at);
         self.state.frame = ActiveOffsets { tool, ..self.state.frame };
         self.state.modal.lengthened = code != G::ToolLengthOff;
+        self.state.modal.length_of = length_of;
         self.state.at = self.state.frame.to_program(&machine);
         Ok(())
     }

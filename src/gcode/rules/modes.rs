@@ -1,6 +1,6 @@
 //! What is wrong with what is in force: feed, spindle, tool, modes.
 
-use crate::finding::Example;
+use crate::finding::{Example, Size};
 use crate::finding::rule::rules;
 
 rules! {
@@ -195,4 +195,39 @@ rules! {
         remedy "programe M3 o M4 antes de este bloque", "program M3 or M4 before this block";
         why "Con el husillo parado la máquina se queda esperando en ese bloque.", "With the spindle stopped the machine waits in this block for ever.";
         example Example::program("linuxcnc", "G21 G90 G95 S500 M3|G1 X10 F.1|M5|G1 X20|M2", "4");
+    "G0528" LengthNotInForce Caution { tool: u32 }
+        es "T{tool} corta sin su corrector de longitud: no hay G43 en vigor"
+        en "T{tool} cuts without its tool length offset: no G43 is in force"
+        remedy "programe G43 detrás de M6", "program G43 behind M6";
+        why "La herramienta de la tabla tiene una longitud: sin G43 baja por debajo del programa en toda ella.",
+            "The tool of the table has a length: without G43 it goes below the program by all of it.";
+        example Example::Program { control: "linuxcnc", program: "G21 G90 S900 M3|T1 M6|M3|G0 Z5|G1 Z-2 F100|M2", at: "5", given: &[("--tools", "T1 P1 Z50 D10")] };
+    "G0529" LengthOfAnother Caution { tool: u32, other: u32 }
+        es "T{tool} corta con el corrector de longitud de T{other}"
+        en "T{tool} cuts with the tool length offset of T{other}"
+        remedy "programe G43 con el H de la herramienta", "program G43 with the tool's own H";
+        why "LinuxCNC conserva el corrector de longitud después de M6: la herramienta corta demasiado hondo, o en el aire, en la diferencia de las longitudes.",
+            "LinuxCNC keeps the tool length offset after M6: the tool cuts too deep, or air, by the difference of the lengths.";
+        example Example::Program { control: "linuxcnc", program: "G21 G90 S900|T1 M6|G43 H1|M3|G0 Z5|T2 M6|M3|G1 Z-2 F100|M2", at: "8", given: &[("--tools", "T1 P1 Z50 D10|T2 P2 Z80 D10")] };
+    "G0530" CutsBeforeSpindle Caution {}
+        es "movimiento de avance antes de que el programa ponga en marcha el husillo"
+        en "feed move before the program starts the spindle"
+        remedy "programe M3 o M4 antes de este bloque", "program M3 or M4 before this block";
+        why "Una fresa que no gira se rompe al entrar en el material.",
+            "A cutter that does not turn breaks where it meets the work.";
+        example Example::program("linuxcnc", "G21 G90 S900|G0 Z5|G1 Z-2 F100|M3|G1 X9|M2", "3");
+    "G0531" SpindleStopped Caution {}
+        es "movimiento de avance con el husillo parado"
+        en "feed move with the spindle stopped"
+        remedy "programe M3 o M4 antes de este bloque: M5 lo ha parado, y en LinuxCNC también M6", "program M3 or M4 before this block: M5 has stopped it, and on LinuxCNC M6 stops it too";
+        why "Una fresa que no gira se rompe al entrar en el material.",
+            "A cutter that does not turn breaks where it meets the work.";
+        example Example::program("linuxcnc", "G21 G90 S900 M3|G1 Z-2 F100|M5|G1 X9|M2", "4");
+    "G0532" GreatFeedPerTurn Caution { feed: Size }
+        es "avance de {feed}: ¿es por minuto?"
+        en "feed of {feed}: is it meant per minute?"
+        remedy "programe el avance por minuto (G94; en un torno Fanuc, G98), o un F en mm por vuelta", "program the feed per minute (G94; on a Fanuc lathe G98), or an F in mm per revolution";
+        why "Ninguna herramienta aguanta tal avance en cada vuelta.",
+            "No tool stands such a feed in each revolution.";
+        example Example::program("linuxcnc", "G21 G90 G95 S900 M3|G1 X10 F100|M2", "2");
 }
