@@ -52,6 +52,12 @@ impl Size {
         Self { value, unit: "mm", decimals: 3 }
     }
 
+    /// A length in mm, said with at most so many decimals.
+    #[must_use]
+    pub const fn length(value: f64, decimals: usize) -> Self {
+        Self { value, unit: "mm", decimals }
+    }
+
     /// A number without a unit, said with at most so many decimals.
     #[must_use]
     pub const fn number(value: f64, decimals: usize) -> Self {

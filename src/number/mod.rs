@@ -30,18 +30,18 @@ pub fn decimal(number: f64) -> String {
     }
 }
 
-/// A time in seconds as `1 h 02 min 03.4 s`, rounded down to the tenth, for what stands as a least time must not be above it;
-/// empty for a time that is none.
+/// A time in seconds as `1 h 02 min 03.4 s`, rounded down to the tenth, below a minute to the hundredth, for what stands as a least time
+/// must not be above it; empty for a time that is none.
 #[must_use]
 pub fn duration(seconds: f64) -> String {
     if !seconds.is_finite() || seconds < 0.0 {
         return String::new();
     }
     // Text is the one way from a float to a whole number that cannot wrap.
-    let Ok(tenths) = format!("{:.0}", (seconds * 10.0 + 1e-6).floor()).parse::<u64>() else { return String::new() };
-    let (total, tenth) = (tenths / 10, tenths % 10);
+    let Ok(hundredths) = format!("{:.0}", (seconds * 100.0 + 1e-6).floor()).parse::<u64>() else { return String::new() };
+    let (total, tenth) = (hundredths / 100, hundredths / 10 % 10);
     match (total / 3600, total / 60 % 60, total % 60) {
-        (0, 0, second) => format!("{second}.{tenth} s"),
+        (0, 0, second) => format!("{second}.{:02} s", hundredths % 100),
         (0, minute, second) => format!("{minute} min {second:02}.{tenth} s"),
         (hour, minute, second) => format!("{hour} h {minute:02} min {second:02}.{tenth} s"),
     }
@@ -65,8 +65,8 @@ mod tests {
 
     #[test]
     fn times_are_readable() {
-        assert_eq!(duration(3.2), "3.2 s");
-        assert_eq!(duration(59.96), "59.9 s");
+        assert_eq!(duration(3.2), "3.20 s");
+        assert_eq!(duration(59.969), "59.96 s");
         assert_eq!(duration(64.1), "1 min 04.1 s");
         assert_eq!(duration(125.04), "2 min 05.0 s");
         assert_eq!(duration(3725.0), "1 h 02 min 05.0 s");

@@ -16,11 +16,11 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Arc, MotionKind, Plane};
 use crate::gcode::rules::geometry::{
-    AbsoluteCentreHalf, ArcOfNoRadius, ArcTwoForms, ArcWithoutCentre, CentreWordForeign, CentreWordOfOtherPlane,
+    AbsoluteCentreHalf, ArcOfAnotherPlane, ArcOfNoRadius, ArcTwoForms, ArcWithoutCentre, CentreWordForeign, CentreWordOfOtherPlane,
     EndOffCircle, HelixPitch, HelixPitchNotPositive, RadiiDiffer, RadiusNegative, RadiusOfFullCircle,
     RadiusOfHalfCircle, RadiusTooSmall, RadiusWithoutEnd, TurnsNotWhole,
 };
-use crate::machine::axis::Pose;
+use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
 use crate::number::trig;
 
@@ -100,6 +100,15 @@ impl Reader<'_, '_> {
         let (word, name) = (name(across), plane.name());
         let [_, _, axis] = plane.axes();
         let planar = self.end_point().get(axis) == self.state.at.get(axis);
+        let foreign = CentreWordForeign { word, plane: name, first: self::name(first), second: self::name(second) };
+        // An arc in the plane of this letter and one of the others: its block says both of its axes, and neither axis nor centre of the
+        // third.
+        let says = |axis: Axis, letter: usize| self.block.has(AXES[axis as usize]) || self.block.has(letter);
+        let [one, other, _] = plane.axes();
+        let of_another = self.block.has(AXES[axis as usize]) && !(says(one, first) && says(other, second));
+        if of_another {
+            return Err(Refused::of(&foreign, &[column]));
+        }
         match self.memory.control.arcs.across {
             Across::Pitch if value > 0.0 => {
                 Err(Refused::of(&HelixPitch { word, plane: name, axis: axis.letter() }, &[column]))
@@ -110,10 +119,20 @@ impl Reader<'_, '_> {
                 self.memory.remarks.row(&CentreWordOfOtherPlane { word, plane: name }, spot, Some(column));
                 Ok(())
             }
-            Across::Foreign | Across::Unknown => Err(Refused::of(
-                &CentreWordForeign { word, plane: name, first: self::name(first), second: self::name(second) },
-                &[column],
-            )),
+            Across::Foreign | Across::Unknown => Err(Refused::of(&foreign, &[column])),
+        }
+    }
+
+    /// Remarks an arc with a radius whose block says the axis across the plane, and not both of the plane's, out of G17.
+    fn see_plane(&mut self, to: &Pose) {
+        let plane = self.state.modal.plane;
+        let [a, b, across] = plane.axes();
+        let said = |axis: Axis| self.block.has(AXES[axis as usize]);
+        let Some(missing) = [a, b].into_iter().find(|axis| !said(*axis)) else { return };
+        let helix = said(across) && to.get(across) != self.state.at.get(across);
+        if helix && plane != Plane::XY && !self.memory.control.turns() && !self.in_doubt(doubt::PLANE) {
+            let row = ArcOfAnotherPlane { plane: plane.name(), axis: across.letter(), missing: missing.letter() };
+            self.memory.remarks.row(&row, self.block.spot, Some(self.block.column(AXES[across as usize])));
         }
     }
 
@@ -139,6 +158,7 @@ impl Reader<'_, '_> {
                         &[self.block.column(letter::R)],
                     ));
                 }
+                self.see_plane(&to);
                 self.centre_by_radius(start, end, self.state.modal.unit.to_mm(R), clockwise)
             }
             None => self.centre_by_offsets(start, end, [first, second]),
@@ -193,7 +213,10 @@ impl Reader<'_, '_> {
             return Err(Refused::of(&RadiusOfFullCircle {}, &[column]));
         }
         if half - radius > LEAST || radius == 0.0 {
-            return Err(Refused::of(&RadiusTooSmall { radius: size(radius, unit), half: size(half, unit) }, &[column]));
+            let [radius, half] = [radius, half].map(|length| size(length, unit));
+            // The next that a program can say, which is no half circle: not every control takes one.
+            let least = Size { value: (half.value * 1000.0).floor() / 1000.0 + 0.001, ..half };
+            return Err(Refused::of(&RadiusTooSmall { radius, half, least }, &[column]));
         }
         let half_circle = half / radius > 1.0 - TINY;
         if half_circle && self.memory.control.arcs.negative.refused() {

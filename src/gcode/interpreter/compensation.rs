@@ -21,7 +21,7 @@
 
 use std::f64::consts::PI;
 
-use crate::finding::{Bare, Size};
+use crate::finding::Size;
 use crate::gcode::code::{G, Group, SinglePassCycle};
 use crate::gcode::control::{NoseCorner, RadiusRule};
 use crate::gcode::in_force::{Compensation, InForce};
@@ -124,7 +124,7 @@ impl Reader<'_, '_> {
             && let Ok(nose) = self.known_nose()
         {
             let (offset, tip, q) = (self.state.modal.offset, nose.tip.number(), nose.tip.in_linuxcnc());
-            let taken = NoseTaken { offset, radius: Bare::mm(nose.radius, 3), tip, q };
+            let taken = NoseTaken { offset, radius: Size::mm(nose.radius), tip, q };
             self.memory.remarks.row(&taken, self.block.spot, Some(self.block.g_column(Group::CutterCompensation)));
         }
         Ok(())
@@ -309,7 +309,7 @@ impl Reader<'_, '_> {
         for cut in self.memory.compensator.stage.cuts() {
             self.memory.remarks.row(
                 &NoseCutsContour {
-                    radius: Bare::mm(cut.radius, 4),
+                    radius: Size::length(cut.radius, 4),
                     depth: Size::mm(cut.depth),
                     into: cut.into.motion.line,
                 },
@@ -392,17 +392,17 @@ fn refusal(misfit: &Misfit) -> Box<Refused> {
         Misfit::ArcEntry => Refused::of(&CompensationBeginsOnArc {}, &[]),
         Misfit::ArcExit => Refused::of(&CompensationEndsOnArc {}, &[]),
         Misfit::Arc { radius, arc } => {
-            Refused::of(&NoseInArc { radius: Bare::mm(radius, 4), arc: Bare::mm(arc, 4) }, &[])
+            Refused::of(&NoseInArc { radius: Size::length(radius, 4), arc: Size::length(arc, 4) }, &[])
         }
         Misfit::Corner { radius, turn } => {
-            Refused::of(&NoseInCorner { radius: Bare::mm(radius, 4), turn: Size::degrees(turn.to_degrees(), 2) }, &[])
+            Refused::of(&NoseInCorner { radius: Size::length(radius, 4), turn: Size::degrees(turn.to_degrees(), 2) }, &[])
         }
         Misfit::Short { radius, length, taken } => Refused::of(
             &NoseInShortPiece {
-                radius: Bare::mm(radius, 4),
-                length: Bare::mm(length, 4),
-                taken: Bare::mm(taken, 4),
-                most: Bare::mm(radius * length / taken, 4),
+                radius: Size::length(radius, 4),
+                length: Size::length(length, 4),
+                taken: Size::length(taken, 4),
+                most: Size::length(radius * length / taken, 4),
             },
             &[],
         ),

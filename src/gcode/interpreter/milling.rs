@@ -8,7 +8,7 @@
 //! Beside what LinuxCNC refuses: G18, another unit, rotary axes and stops of the program (M0, M1) under compensation. After a
 //! [`Misfit`](crate::gcode::cutter::Misfit) motions are those of the program until G40.
 
-use crate::finding::{Bare, Raise, Size};
+use crate::finding::{Raise, Size};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
 use crate::gcode::in_force::{Compensation, InForce};
@@ -336,11 +336,11 @@ impl Reader<'_, '_> {
             }
             Misfit::EntryArc => self.refuse_here(line, &EntryArc {}),
             Misfit::Arc { radius, arc } => {
-                self.refuse_here(line, &CutterInArc { radius: Bare::mm(radius, 4), arc: Bare::mm(arc, 4) })
+                self.refuse_here(line, &CutterInArc { radius: Size::length(radius, 4), arc: Size::length(arc, 4) })
             }
-            Misfit::Corner { radius } => self.refuse_here(line, &CutterInCorner { radius: Bare::mm(radius, 4) }),
+            Misfit::Corner { radius } => self.refuse_here(line, &CutterInCorner { radius: Size::length(radius, 4) }),
             Misfit::Still => self.refuse_here(line, &CompensationHeld { most: HELD_PIECES }),
-            Misfit::Short { radius } => self.refuse_here(line, &CutterInShortPiece { radius: Bare::mm(radius, 4) }),
+            Misfit::Short { radius } => self.refuse_here(line, &CutterInShortPiece { radius: Size::length(radius, 4) }),
         }
     }
 }

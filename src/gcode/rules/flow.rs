@@ -300,7 +300,7 @@ rules! {
     "G0341" NoEnd Stop {}
         es "el programa termina sin M2 ni M30"
         en "the program ends without M2 or M30"
-        remedy "añada M30 al final", "add M30 at the end";
+        remedy "compruebe que el programa completo está en el archivo; si lo está, añada M30 al final", "check that the whole program is in the file; if it is, add M30 at the end";
         why "Al final el control se para con una alarma, o espera más bloques con el husillo en marcha.",
             "At the end the control stops with an alarm, or waits for more blocks with the spindle running.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1", "2");

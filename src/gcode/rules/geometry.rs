@@ -1,7 +1,7 @@
 //! What is wrong with arcs, planes, axes and work offsets.
 
 use crate::finding::rule::rules;
-use crate::finding::{Bare, Example, Size};
+use crate::finding::{Example, Size};
 use crate::text::Text;
 
 rules! {
@@ -25,14 +25,14 @@ rules! {
     "G0403" HelixPitch Stop { word: char, plane: &'static str, axis: char }
         es "{word} es en {plane} el paso de una hélice, que no está implementado"
         en "{word} is the pitch of a helix in {plane}, which is not supported"
-        remedy "escriba la hélice vuelta a vuelta, con su {axis} y sin {word}", "write the helix turn by turn, with its {axis} and without {word}";
+        remedy "escriba la hélice vuelta a vuelta, con su {axis} y sin {word}; si el arco es de otro plano, prográmelo antes (G17, G18 o G19)", "write the helix turn by turn, with its {axis} and without {word}; if the arc is in another plane, program that plane before it (G17, G18 or G19)";
         why "Este control escribe así una hélice de varias vueltas; rodete no la simula.",
             "This control writes a helix of several turns this way; rodete does not simulate it.";
         example Example::program("fagor-8055", "G17 G90 G1 X0 Y0 F100|G2 X10 Y0 Z5 I5 J0 K2|M30", "2:20");
     "G0404" HelixPitchNotPositive Stop { word: char, value: f64, plane: &'static str }
         es "{word}{value}: en {plane} {word} es el paso de una hélice, mayor que 0 (error 0054)"
         en "{word}{value}: {word} is the pitch of a helix in {plane}, above 0 (error 0054)"
-        remedy "quite {word}", "take {word} out";
+        remedy "quite {word}; si el arco es de otro plano, prográmelo antes (G17, G18 o G19)", "take {word} out; if the arc is in another plane, program that plane before it (G17, G18 or G19)";
         why "El control se para con su error 0054.",
             "The control stops with its error 0054.";
         example Example::program("fagor-8055", "G17 G90 G1 X0 Y0 F100|G2 X10 Y0 I5 J0 K0|M30", "2:17");
@@ -78,10 +78,10 @@ rules! {
         why "Por un punto pasan infinitos círculos de ese radio.",
             "Infinitely many circles of that radius pass through one point.";
         example Example::program("linuxcnc", "G21 G90 F100|G2 X0 Y0 R1|M2", "2:10");
-    "G0411" RadiusTooSmall Stop { radius: Size, half: Size }
+    "G0411" RadiusTooSmall Stop { radius: Size, half: Size, least: Size }
         es "radio {radius} demasiado pequeño: media cuerda {half}"
         en "radius {radius} too small to reach the end: half the chord is {half}"
-        remedy "use un R de {half} como mínimo", "use an R of at least {half}";
+        remedy "use un R de {least} como mínimo, o dé el centro", "use an R of at least {least}, or give the centre";
         why "Un arco de ese radio no llega de un punto al otro.",
             "An arc of that radius does not reach from one point to the other.";
         example Example::program("linuxcnc", "G21 G90 F100|G2 X10 Y0 R1|M2", "2:11");
@@ -274,14 +274,14 @@ rules! {
         why "La fresa no quedaría al lado del contorno al acabar el arco.",
             "The cutter would not be beside the contour at the end of the arc.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D6|G3 X10 Y2.679 J20|G1 X50|G40 X80|M2", "3");
-    "G0439" CutterInArc Stop { radius: Bare, arc: Bare }
+    "G0439" CutterInArc Stop { radius: Size, arc: Size }
         es "el radio {radius} de la fresa no cabe en el arco de radio {arc}"
         en "the cutter's radius {radius} does not fit into the arc of radius {arc}"
         remedy "use una fresa menor, o cambie el contorno", "use a smaller cutter, or change the contour";
         why "La fresa cortaría el otro lado del contorno.",
             "The cutter would cut into the other side of the contour.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D20 G1 X30|G3 X30 Y10 I0 J5|G1 X0|G40 X-30|M2", "3");
-    "G0440" CutterInCorner Stop { radius: Bare }
+    "G0440" CutterInCorner Stop { radius: Size }
         es "el radio {radius} de la fresa no cabe en el rincón"
         en "the cutter's radius {radius} does not fit into the corner"
         remedy "use una fresa menor, o cambie el contorno", "use a smaller cutter, or change the contour";
@@ -295,7 +295,7 @@ rules! {
         why "El control necesita el movimiento siguiente para calcular la esquina, y no mira tan adelante.",
             "The control needs the next motion to work out the corner, and does not look that far ahead.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D2 G1 X10|O1 REPEAT [5001]|G1 Z1|G1 Z0|O1 ENDREPEAT|G40 X20|M2", "4");
-    "G0442" CutterInShortPiece Stop { radius: Bare }
+    "G0442" CutterInShortPiece Stop { radius: Size }
         es "el radio {radius} de la fresa no cabe: los rincones ocupan más que la longitud del tramo anterior"
         en "the cutter's radius {radius} does not fit: the corners need more length than the element before them has"
         remedy "use una fresa menor, o cambie el contorno", "use a smaller cutter, or change the contour";
@@ -442,4 +442,11 @@ rules! {
         remedy "dé el centro con más decimales, o compruebe ese parámetro (CIRINERR en un Fagor 8055)", "give the centre with more decimals, or check that parameter (CIRINERR on a Fagor 8055)";
         why "Con una diferencia mayor que la admitida, el control se para en el arco.", "With a greater difference than admitted the control stops at the arc.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|G1 X0 Y0|G2 X10 Y0 I5.008 J0|M30", "3");
+    "G0463" ArcOfAnotherPlane Caution { plane: &'static str, axis: char, missing: char }
+        es "un arco de {plane} con {axis} y sin {missing}: el control lo hace en {plane}, como hélice según {axis}"
+        en "an arc of {plane} with {axis} and without {missing}: the control makes it in {plane}, as a helix along {axis}"
+        remedy "si el arco es de otro plano, prográmelo antes (G17, G18 o G19); si es una hélice, escriba también {missing}", "if the arc is in another plane, program that plane before it (G17, G18 or G19); if it is a helix, write {missing} too";
+        why "Con el plano que haya quedado de antes, la fresa baja donde debía ir de lado.",
+            "In a plane left over from before, the cutter plunges where it should go sideways.";
+        example Example::program("linuxcnc", "G21 G90 F100|G18|G3 X5 Y5 R5|M2", "3:9");
 }

@@ -151,7 +151,7 @@ rules! {
     "G0021" EndsWithoutCode Caution {}
         es "el programa termina sin M2 ni M30: rodete lo toma como el final; el control se para aquí con una alarma"
         en "the program ends without M2 or M30: rodete takes this as the end; the control stops here with an alarm"
-        remedy "añada M30 al final", "add M30 at the end";
+        remedy "compruebe que el programa completo está en el archivo; si lo está, añada M30 al final", "check that the whole program is in the file; if it is, add M30 at the end";
         why "Una alarma al final deja el husillo en marcha y la herramienta donde esté.",
             "An alarm at the end leaves the spindle running and the tool where it is.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.|G1 Z-5. F100.", "3");

@@ -11,7 +11,7 @@ rules! {
     "G0101" Macros Stop {}
         es "las macros (#, IF, WHILE, GOTO) no están implementadas"
         en "macros (#, IF, WHILE, GOTO) are not supported"
-        remedy "quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "delete or replace it: rodete cannot verify a program that contains it";
+        remedy "si el programa es de otro control, indíquelo con --dialect; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it with --dialect; if not, delete or replace it: rodete cannot verify a program that contains it";
         why "Una macro calcula y decide en el control: sin ejecutarla no se sabe qué hace el programa.",
             "A macro computes and decides inside the control: without running it nobody knows what the program does.";
         example Example::program("fanuc-lathe-a", "G21 G98|#1=5|M30", "2:1");
@@ -46,7 +46,7 @@ rules! {
     "G0106" CodeNotSupported Stop { code: f64, reason: Text }
         es "G{code} no está implementado: {reason}"
         en "G{code} is not supported: {reason}"
-        remedy "quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "delete or replace it: rodete cannot verify a program that contains it";
+        remedy "si el programa es de otro control, indíquelo con --dialect; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it with --dialect; if not, delete or replace it: rodete cannot verify a program that contains it";
         why "rodete no sabe qué hace el código, así que nada de lo que sigue sería seguro.",
             "rodete does not know what the code does, so nothing after it would be certain.";
         example Example::program("linuxcnc", "G21 G90 F100|G33 Z1 K1|M2", "2:1");
@@ -60,7 +60,7 @@ rules! {
     "G0108" MachineCodeNotSupported Stop { code: u32, reason: Text }
         es "M{code} no está implementado: {reason}"
         en "M{code} is not supported: {reason}"
-        remedy "quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "delete or replace it: rodete cannot verify a program that contains it";
+        remedy "si el programa es de otro control, indíquelo con --dialect; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it with --dialect; if not, delete or replace it: rodete cannot verify a program that contains it";
         why "rodete no sabe qué hace el código, así que nada de lo que sigue sería seguro.",
             "rodete does not know what the code does, so nothing after it would be certain.";
         example Example::program("fanuc-lathe-a", "G21 G98|M198 P1|M30", "2:1");
@@ -123,7 +123,7 @@ rules! {
     "G0117" LetterNotSupported Stop { letter: char, dialect: &'static str }
         es "la letra {letter} no está implementada en el dialecto {dialect}"
         en "letter {letter} is not supported in the dialect {dialect}"
-        remedy "quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "delete or replace it: rodete cannot verify a program that contains it";
+        remedy "si el programa es de otro control, indíquelo con --dialect; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it with --dialect; if not, delete or replace it: rodete cannot verify a program that contains it";
         why "El control conoce esta letra y rodete no: rodete no puede comprobarla.",
             "The control knows this letter but rodete does not, and so cannot verify it.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 Y5.|M30", "2:4");

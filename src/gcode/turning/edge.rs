@@ -6,7 +6,7 @@
 //! both lines. Fanuc Series 30i, user's manual, chamfering and corner R: I, K and R on a line along one axis, before one along
 //! the other; their sign says which way the second goes. Alarms PS0051 to PS0055: the texts are rodete's own.
 
-use crate::finding::{Bare, Size};
+use crate::finding::Size;
 use crate::gcode::turning::rules::{
     CornerLineWithoutLength, CornerNotSquare, CornerRunsBack, CornerSignAgainstLine, CornerTooLong,
 };
@@ -102,7 +102,7 @@ pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge, square: Option<Square>) -> R
     };
     let shortest = before.min(behind);
     if taken > shortest + TOLERANCE {
-        return Err(Trouble::of(&CornerTooLong { taken: Size::mm(taken), shortest: Bare::mm(shortest, 3) }));
+        return Err(Trouble::of(&CornerTooLong { taken: Size::mm(taken), shortest: Size::mm(shortest) }));
     }
     let along = |way: [f64; 2], by: f64| [b[0] + way[0] * by, b[1] + way[1] * by];
     // A corner that takes a whole line ends where the line does.

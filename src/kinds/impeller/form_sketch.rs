@@ -131,7 +131,7 @@ fn turning(sketch: &mut Sketch) {
     sketch.line(Ink::Centre, [[left - 5.0, AXIS], [FACE + 33.0, AXIS]]);
     sketch.line(Ink::Safe, [start, [FACE, top + 1.5], [FACE, AXIS - 1.5]]);
     sketch.line(Ink::Safe, [[FACE, top + 3.0], end]);
-    sketch.word([left + 2.0, top + 4.0], t("torneado del bruto", "turning of the blank"));
+    sketch.word([left + 8.0, top + 4.0], t("torneado del bruto", "turning of the blank"));
     sketch.dimension([FACE, AXIS], [start[0], AXIS], -5.0, "Z_b");
     sketch.dimension([FACE, AXIS], [end[0], AXIS], -11.0, "Z_e");
     sketch.line(Ink::Thin, [end, [end[0] + 6.0, end[1]]]);

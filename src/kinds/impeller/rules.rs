@@ -340,7 +340,7 @@ rules! {
     "P1049" LengthByOffset Caution { offsets: String }
         es "en este control {offsets} puede activar la longitud de la tabla de herramientas, y los programas la ponen en el cero de Z"
         en "on this control {offsets} may bring the length of the tool table into force, and the programs take it from the zero of Z"
-        remedy "ponga a 0 en la tabla la longitud de ese corrector, y tome el cero de Z con la herramienta", "set the length of this offset to 0 in the table, and take the zero of Z with the tool";
+        remedy "ponga a 0 en la tabla la longitud de ese corrector, y tome el cero de Z con la herramienta", "set the length of this offset to 0 in the table, and set the Z zero with the tool";
         why "Con la longitud en la tabla y en el cero, la punta queda baja o alta en toda la longitud de la fresa.",
             "With the length both in the table and in the zero, the tip is too low or too high by the whole length of the tool.";
         example book!("impeller --case full", "dialect" = "fagor-8070", "retract" = "");

@@ -1,16 +1,16 @@
 //! One turning program followed from its first block to its last.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
 use super::drawn::Drawn;
 use super::findings::{Faults, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
-use super::rules::{NoMotion, NothingCut};
+use super::rules::{FeedBeyondRapid, NoMotion, NothingCut, ToolCutsNothing};
 use super::setup::Given;
 use super::tables::Rows;
 use super::text::SheetProgram;
 use super::{Raised, Seen};
-use crate::finding::{Exit, Finding, Place, Raise};
+use crate::finding::{Exit, Finding, Place, Raise, Size};
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::Refused;
@@ -20,7 +20,7 @@ use crate::gcode::rules::lexis::MoreRefusals;
 use crate::gcode::word::NumberFormat;
 use crate::kind::{Duration, Proved};
 use crate::limits::FOLLOWED_MOTIONS;
-use crate::machine::axis::{Pose, Position};
+use crate::machine::axis::{Axis, Pose, Position};
 use crate::proof::account::Account;
 use crate::removal::turning::alarm::Cause;
 use crate::removal::turning::in_force::InForceWatch;
@@ -99,6 +99,10 @@ struct Following<'f, 'a> {
     given: &'f Given,
     in_force: InForceWatch,
     faults: Faults,
+    /// The tools that have moved at feed, with where they first did.
+    fed: BTreeMap<u32, Place>,
+    /// Those whose feed has been told to be faster than an axis.
+    too_fast: BTreeSet<u32>,
     /// The work offsets that are not known and have been told.
     without_zero: BTreeSet<u8>,
     /// Where following stopped to be judged.
@@ -152,6 +156,8 @@ pub(super) fn follow<'a>(
         given,
         in_force: InForceWatch::new(given.own.clone()),
         faults: Faults::default(),
+        fed: BTreeMap::new(),
+        too_fast: BTreeSet::new(),
         without_zero: BTreeSet::new(),
         last: lost.then_some(Place::File),
         unjudged: false,
@@ -218,6 +224,10 @@ impl<'a> Following<'_, 'a> {
             return self.break_off(too_much_work(file, motion, self.one.rows.len()));
         }
         self.judge(&mut step, &control, interpreter);
+        if !matches!(motion.kind, MotionKind::Rapid | MotionKind::Dwell(_)) {
+            self.fed.entry(control.tool).or_insert_with(|| at_line(file, motion.line));
+            self.see_feed(&step, file);
+        }
         let drawn = &mut self.one.drawn;
         let paths = if motion.kind == MotionKind::Rapid { &mut drawn.rapid } else { &mut drawn.feed };
         if step.way.len() > 1 {
@@ -249,6 +259,29 @@ impl<'a> Following<'_, 'a> {
         }
     }
 
+    /// A feed that an axis cannot follow, once for each tool. Of an arc the feed itself counts, for it goes along each axis in turn.
+    fn see_feed(&mut self, step: &Step, file: Option<&str>) {
+        let (motion, Some(seconds)) = (&step.motion, step.seconds.filter(|&seconds| seconds > 0.0)) else { return };
+        let by = motion.to.differences(&motion.from);
+        let [x, z] = self.one.simulation.setup().lathe.rapid;
+        let rates = [(Axis::X, x), (Axis::Z, z)];
+        let beyond = rates.into_iter().find_map(|(axis, rapid)| {
+            let way = match motion.kind {
+                MotionKind::Arc(arc, _) => arc.length(0.0),
+                _ => by[axis as usize].abs(),
+            };
+            let feed = way * 60.0 / seconds;
+            (feed > rapid * (1.0 + 1e-9)).then_some((axis, feed, rapid))
+        });
+        if let Some((axis, feed, rapid)) = beyond
+            && self.last.is_none()
+            && self.too_fast.insert(step.control.tool)
+        {
+            let [feed, rapid] = [feed, rapid].map(|value| Size { value, unit: "mm/min", decimals: 0 });
+            self.faults.told.push(FeedBeyondRapid { feed, axis: axis.letter(), rapid }.at(at_line(file, motion.line)));
+        }
+    }
+
     fn break_off(&mut self, limit: Finding) -> ControlFlow<()> {
         self.one.endless = true;
         self.faults.told.insert(0, limit);
@@ -272,7 +305,7 @@ impl<'a> Following<'_, 'a> {
         held: Option<Finding>,
         watch: &mut dyn FnMut(Seen<'_>),
     ) -> Followed<'a> {
-        let Following { mut one, given, mut faults, last, unjudged, .. } = self;
+        let Following { mut one, given, mut faults, fed, last, unjudged, .. } = self;
         let source = one.source;
         if faults.more > 0 {
             faults.told.push(MoreRefusals { count: faults.more }.at(Place::File));
@@ -288,6 +321,13 @@ impl<'a> Following<'_, 'a> {
         let in_air = all.volume + all.parted <= 0.0 && all.seconds > all.rapid_seconds;
         if in_air && last.is_none() && !one.endless {
             faults.told.push(NothingCut {}.at(Place::File));
+        }
+        let tools = &one.simulation.totals().tools;
+        let idle = |tool: &u32| tools.get(tool).is_some_and(|total| total.volume + total.parted <= 0.0);
+        for (tool, place) in fed.into_iter().filter(|(tool, _)| idle(tool)) {
+            if !in_air && last.is_none() && !one.endless {
+                faults.told.push(ToolCutsNothing { tool }.at(place));
+            }
         }
         if let Some(place) = last {
             one.lost = true;

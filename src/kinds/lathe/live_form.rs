@@ -140,7 +140,8 @@ fn rows() -> Vec<LiveRow> {
             "point",
             "live_point",
             t("Cómo lee el control X100", "How the control reads X100"),
-            "decimal_point&\"\"",
+            // Without what is in brackets: the cell is narrow.
+            "IFERROR(LEFT(decimal_point,FIND(\" (\",decimal_point)-1),decimal_point&\"\")",
         )
         .always()
         .unit(Unit::None)

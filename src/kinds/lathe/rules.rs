@@ -284,4 +284,20 @@ rules! {
         why "Un programa que corta en el aire no da alarmas, y la pieza no se hace.",
             "A program that cuts air raises no alarm, and the part is not made.";
         example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120", program: "G50 S2500|T0101|G97 S900 M3|M8|G0 X60. Z2.|G1 Z-20. F0.2|G0 X100. Z50.|M30", machine: &[] };
+    "L0231" ToolCutsNothing Caution { tool: u32 }
+        es "la herramienta T{tool} no arranca material en ningún movimiento de trabajo"
+        en "no cutting motion of tool T{tool} removes metal"
+        remedy "compruebe X y Z (y sus signos) de sus bloques y ciclos, y su corrector",
+            "check X and Z (and their signs) of its blocks and cycles, and its offset";
+        why "Una operación en el aire no da alarmas, y falta en la pieza.",
+            "An operation in air raises no alarm, and the part lacks it.";
+        example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120", program: "G50 S2500|T0101|G97 S900 M3|M8|G0 X48. Z2.|G1 Z-20. F0.2|G0 X100. Z50.|T0202|G0 X60. Z2.|G1 Z-10. F0.2|G0 X100. Z50.|M30", machine: &[] };
+    "L0232" FeedBeyondRapid Stop { feed: Size, axis: char, rapid: Size }
+        es "el avance movería el eje {axis} a {feed}, más rápido que su avance rápido de {rapid}"
+        en "the feed would move axis {axis} at {feed}, faster than its rapid rate of {rapid}"
+        remedy "compruebe F, y si es por vuelta (G99; Fagor G95) o por minuto (G98; Fagor G94)",
+            "check F, and whether it is per revolution (G99; Fagor G95) or per minute (G98; Fagor G94)";
+        why "El eje no llega a ese avance: la máquina se para o va más despacio, y ni tiempo ni viruta son los calculados.",
+            "The axis cannot feed so fast: the machine stops or goes slower, and neither time nor chip is what was computed.";
+        example blocks!("X46.|G1 Z-20. F60.|X54.|G0 Z2.");
 }

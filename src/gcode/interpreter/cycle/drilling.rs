@@ -10,7 +10,7 @@
 //! The lathe simulator's figure of G81 to G83: R is the absolute Z of the plane of retraction, P in ms, Q in µm. On other controls
 //! R counts from where the tool stands: [`HolePlane`] says which.
 
-use crate::finding::{Bare, Size};
+use crate::finding::Size;
 use crate::gcode::code::{Cycle, G};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
@@ -67,7 +67,7 @@ impl Reader<'_, '_> {
             return Err(Refused::of(&HoleDwellNegative {}, &[self.block.column(letter::P)]));
         }
         if r < bottom {
-            return Err(Refused::of(&HolePlaneBelowBottom { r: Bare::mm(r, 3), bottom: Bare::mm(bottom, 3) }, &[]));
+            return Err(Refused::of(&HolePlaneBelowBottom { r: Size::mm(r), bottom: Size::mm(bottom) }, &[]));
         }
         if cycle == Cycle::Peck && q <= 0.0 && self.block.has(letter::Q) {
             return Err(Refused::of(&PeckNotPositive {}, &[self.block.column(letter::Q)]));

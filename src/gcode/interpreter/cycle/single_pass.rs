@@ -151,9 +151,12 @@ impl Reader<'_, '_> {
         let start = [self.state.at.get(Axis::X), self.state.at.get(Axis::Z)];
         let across = usize::from(pass == SinglePassCycle::Radial);
         let infeed = end[across] - start[across];
-        if infeed * (infeed + taper) < 0.0 {
+        // What the inch leaves in the last digits is no way beyond the start.
+        if infeed * (infeed + taper) < 0.0 && (infeed + taper).abs() > 1e-9 {
+            let unit = self.state.modal.unit;
+            let said = |length: f64| Size { value: unit.from_mm(length), unit: unit.symbol(), decimals: 4 };
             return Err(Refused::of(
-                &PassBeginsBeyondStart { taper: Bare::mm(taper, 3), cycle: number, infeed: Size::mm(infeed.abs()) },
+                &PassBeginsBeyondStart { taper: Bare(said(taper)), cycle: number, infeed: said(infeed.abs()) },
                 &[self.block.column(letter::R)],
             )
             .hanging_on(doubt::LATHE));

@@ -1,7 +1,7 @@
 //! The rows of corners between two lines.
 
 use crate::finding::rule::rules;
-use crate::finding::{Bare, Example, Size};
+use crate::finding::{Example, Size};
 
 /// A program for a Fanuc lathe that stands in front of the turning bar, its blocks joined with `|`; the first of them is line 3.
 macro_rules! fanuc {
@@ -70,7 +70,7 @@ rules! {
         why "I, K y R sin coma solo valen en un ángulo recto entre los ejes.",
             "I, K and R without a comma work only at a right angle between the axes.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G1 X20. I-1.|Z-9.|M30", "3:9");
-    "G0613" CornerTooLong Stop alarm Fanuc 55 { taken: Size, shortest: Bare }
+    "G0613" CornerTooLong Stop alarm Fanuc 55 { taken: Size, shortest: Size }
         es "la esquina necesita {taken} de cada recta, y la más corta mide {shortest}"
         en "the corner needs {taken} of each line, and the shorter line is {shortest} long"
         remedy "disminuya el chaflán o el radio, o alargue las rectas",

@@ -28,7 +28,7 @@ rules! {
         remedy "dé un tiempo positivo", "give a positive time";
         why "El control no puede esperar un tiempo negativo.", "The control cannot wait for a negative time.";
         example Example::program("linuxcnc", "G21 G90 F100 S500 M3|G0 Z5|G82 X0 Y0 R2 Z-5 P-1|M2", "3:18");
-    "G0732" HolePlaneBelowBottom Stop { r: Bare, bottom: Bare }
+    "G0732" HolePlaneBelowBottom Stop { r: Size, bottom: Size }
         es "R ({r}) está por debajo del fondo ({bottom})"
         en "R ({r}) is below the bottom ({bottom})"
         remedy "ponga R por encima del fondo del agujero", "put R above the bottom of the hole";

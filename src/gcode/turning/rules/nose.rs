@@ -1,7 +1,7 @@
 //! The rows of the compensation of the nose.
 
 use crate::finding::rule::rules;
-use crate::finding::{Bare, Example, Size};
+use crate::finding::{Example, Size};
 
 rules! {
     /// The rows of this file.
@@ -78,7 +78,7 @@ rules! {
         why "Sin radio y orientación no se sabe dónde está el centro de la punta.",
             "Without radius and orientation nobody knows where the centre of the nose is.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G41 G0 X1.|M30", "3");
-    "G0780" NoseCutsContour Caution { radius: Bare, depth: Size, into: usize }
+    "G0780" NoseCutsContour Caution { radius: Size, depth: Size, into: usize }
         es "la punta, de radio {radius}, corta {depth} en el contorno de la línea {into}, aunque el control no da alarma"
         en "the nose, of radius {radius}, cuts {depth} into the contour of line {into}, though the control raises no alarm"
         remedy "use una punta de radio menor, o cambie el contorno",
@@ -102,7 +102,7 @@ rules! {
         why "La herramienta vuelve al punto programado por una recta.",
             "The tool returns to the programmed point along a straight line.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0101|M3 S500 F120.|G0 X40. Z5.|G42 G1 Z0.|Z-10.|G40 G2 X50. Z-15. R5.|G1 X60.|M30", at: "7", given: &[("--tools", "T1 D1.6 Q2")] };
-    "G0783" NoseInArc Stop { radius: Bare, arc: Bare }
+    "G0783" NoseInArc Stop { radius: Size, arc: Size }
         es "el radio de punta {radius} no cabe en el arco de radio {arc}"
         en "nose radius {radius} does not fit into the arc of radius {arc}"
         remedy "use una punta de radio {arc} o menor, o un arco mayor",
@@ -110,14 +110,14 @@ rules! {
         why "Por dentro de un arco menor que ella, la punta corta la pared.",
             "Inside a smaller arc the nose cuts into the wall.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0101|M3 S500 F120.|G0 X40. Z5.|G42 G1 X20. Z2.|Z-10.|G2 X21. Z-10.5 R0.5|G1 X30.|G40 X40.|M30", at: "7", given: &[("--tools", "T1 D1.6 Q2")] };
-    "G0784" NoseInCorner Stop { radius: Bare, turn: Size }
+    "G0784" NoseInCorner Stop { radius: Size, turn: Size }
         es "el radio de punta {radius} no cabe en el rincón, donde el contorno gira {turn}"
         en "nose radius {radius} does not fit into the corner, where the contour turns by {turn}"
         remedy "use una punta menor, o cambie el contorno", "use a smaller nose radius, or change the contour";
         why "La punta tocaría la otra pared antes de llegar al fondo.",
             "The nose would touch the other wall before it reaches the corner.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0101|M3 S500 F120.|G0 X40. Z5.|G42 G1 X20. Z10.|Z5.|Z0.|G3 X30. Z5. R5.|G1 X40.|G40 Z10.|M30", at: "8", given: &[("--tools", "T1 D1.6 Q2")] };
-    "G0785" NoseInShortPiece Stop { radius: Bare, length: Bare, taken: Bare, most: Bare }
+    "G0785" NoseInShortPiece Stop { radius: Size, length: Size, taken: Size, most: Size }
         es "el radio de punta {radius} no cabe: el tramo mide {length} y los rincones de sus extremos necesitan {taken}"
         en "nose radius {radius} does not fit: the element is {length} long and the corners at its ends need {taken}"
         remedy "use una punta de radio {most} o menor, o cambie el contorno",
@@ -148,7 +148,7 @@ rules! {
         why "Si no ve el movimiento siguiente, el control pone la punta en ángulo recto al final del anterior. rodete sigue como si lo viera.",
             "If it does not see the next motion, the control puts the nose at right angles to the end of the one before. rodete goes on as if it did.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0101|M3 S500 F120.|G0 X60. Z5.|G42 X40. Z2.|G1 Z-10.|M8|G4 U1.|X50.|G40 X60.|M30", at: "9", given: &[("--tools", "T1 D1.6 Q2")] };
-    "G0789" NoseTaken Note { offset: u32, radius: Bare, tip: u8, q: u8 }
+    "G0789" NoseTaken Note { offset: u32, radius: Size, tip: u8, q: u8 }
         es "corrector {offset}: punta de radio {radius}, número de punta {tip} en este control, Q{q} en una tabla de LinuxCNC"
         en "offset {offset}: nose radius {radius}, tip number {tip} on this control, Q{q} in a table of LinuxCNC"
         remedy "", "";

@@ -82,7 +82,7 @@ rules! {
         example book!("impeller", "splitters" = "no", "l_t" = "");
     "P1210" RestAtTheRoot Note { over: Size, height: Size, here: Size, width: Size, there: Size }
         es "en el rincón de cara y fondo queda material de hasta {height} de alto, al {here} % del camino del cubo al borde, y {width} de ancho, al {there} %; no cuenta lo que no pasa de {over}"
-        en "in the corner of face and floor a rest of up to {height} in height, at {here} % of the way from hub to rim, and {width} in width, at {there} %, stays; what is no thicker than {over} is not counted"
+        en "in the corner of face and floor up to {height} of metal is left in height, at {here} % of the way from hub to rim, and {width} in width, at {there} %; what is no thicker than {over} is not counted"
         remedy "una fresa de acabado menor deja menos", "a smaller finishing tool leaves less";
         why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");

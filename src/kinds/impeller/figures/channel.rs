@@ -128,7 +128,7 @@ fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
             t("desbaste del resto, con la fresa de acabado", "roughing of the rest, with the finishing tool"),
         ));
     }
-    legend.push((Ink::Thin, t("al pie, en el fondo", "at the foot, on the floor")));
+    legend.push((Ink::Thin, t("pie de los álabes, en el fondo", "foot of the blades, on the floor")));
     let s = shown(design.clear.as_ref().map_or(0.0, |asked| asked.cut.s), 3);
     Figure {
         key: "roughing",

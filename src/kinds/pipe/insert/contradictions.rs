@@ -53,7 +53,11 @@ impl Design {
             let place = at([EXPERT_BRANCH_R.key(), R.key(), D_BRANCH.key(), D_HEADER.key()]);
             findings.push(BranchLarger { r, R: Size::mm(self.R) }.at(place));
         } else if over > 1e-9 * self.R {
-            let (over, most) = (Size::mm(over), Size::mm(self.R - self.r));
+            // Where the wall can stay on the header too, as far as that: the curve alone is not the whole seat.
+            let outside = self.R - self.branch.D / 2.0;
+            let whole = self.contact != Contact::Outside && outside >= 0.0;
+            let most = if whole { outside.min(self.R - self.r) } else { self.R - self.r };
+            let (over, most) = (Size::mm(over), Size::mm((most * 1000.0 + 1e-6).floor() / 1000.0));
             let told = BranchOverhangs { over, r, e, R: Size::mm(self.R), most };
             findings.push(told.at(at([E.key(), D_BRANCH.key(), D_HEADER.key()])));
         } else if self.style == Style::Full

@@ -407,7 +407,11 @@ fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
             );
             // In a plane the torch cuts square to the curve, and takes no more.
             let kerf = if back > 0.0 { kerf } else { t("", "") };
-            return Some(GapsOfEnvelope { inner, outer, kerf }.at(at([CONTACT.key()])));
+            let beside = match wall_beside_header(design) {
+                Some(_) => t(" donde apoya en el tubo base", " where it rests on the header"),
+                None => t("", ""),
+            };
+            return Some(GapsOfEnvelope { beside, inner, outer, kerf }.at(at([CONTACT.key()])));
         }
         Contact::Inside => t("interior", "inside"),
         Contact::Outside => t("exterior", "outside"),

@@ -96,9 +96,9 @@ rules! {
         why "La envolvente necesita los dos radios de la pared, que salen del diámetro y del espesor.",
             "The envelope takes both radii of the wall, which come from diameter and wall thickness.";
         example book!("pipe-insert", "r" = "40");
-    "P2115" GapsOfEnvelope Note { inner: Text, outer: Text, kerf: Text }
-        es "el injerto asienta sin esmerilar; separación máxima al tubo base: borde interior {inner}, borde exterior {outer}{kerf}"
-        en "the branch seats without grinding; maximum gap to the header: inner edge {inner}, outer edge {outer}{kerf}"
+    "P2115" GapsOfEnvelope Note { beside: Text, inner: Text, outer: Text, kerf: Text }
+        es "el injerto asienta sin esmerilar{beside}; separación máxima al tubo base: borde interior {inner}, borde exterior {outer}{kerf}"
+        en "the branch seats without grinding{beside}; maximum gap to the header: inner edge {inner}, outer edge {outer}{kerf}"
         remedy "", "";
         why "Un corte a escuadra toca el tubo base en una sola línea de la pared; el resto queda separado y lo llena la soldadura.",
             "A square cut touches the header on one line of the wall only; the rest stands off, and the weld fills that gap.";

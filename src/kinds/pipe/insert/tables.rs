@@ -280,7 +280,7 @@ pub fn way(design: &Design, cut: &Cut) -> Table {
             "Path of the torch, with the kerf compensated",
         ),
         source: t(
-            "Deducido aquí: la curva a medio corte por el lado del sobrante, redondeada a 0.001",
+            "Deducido aquí: la curva a medio ancho de corte por el lado del sobrante, redondeada a 0.001",
             "Derived here: the curve half a kerf to the side of the waste, rounded to 0.001",
         ),
         index: Index::Point,

@@ -1,0 +1,93 @@
+//! What should be in force where a tool cuts: its length, a spindle that turns, a feed per revolution that can be one.
+//!
+//! A control asks for none of it, and cuts: each is a caution. Of a lathe the simulation of its workbook judges spindle and feed.
+
+use crate::finding::Size;
+use crate::gcode::code::M;
+use crate::gcode::in_force::Spindle;
+use crate::gcode::interpreter::library::Spot;
+use crate::gcode::interpreter::{Reader, doubt};
+use crate::gcode::motion::{FeedMode, MotionKind};
+use crate::gcode::rules::modes::{CutsBeforeSpindle, GreatFeedPerTurn, LengthNotInForce, LengthOfAnother, SpindleStopped};
+use crate::limits::GREATEST_FEED_PER_TURN;
+use crate::machine::axis::{Axis, Pose};
+
+/// What a program has said of its spindle.
+#[derive(Debug, Default)]
+pub(super) struct SpindleSeen {
+    /// M3, M4 or M5 has been programmed.
+    pub(super) said: bool,
+    /// S has been programmed.
+    speed: bool,
+    /// The first motion at feed before any of the three.
+    cut_before: Option<Spot>,
+}
+
+impl Reader<'_, '_> {
+    /// Sees the codes of the spindle in the block in hand.
+    pub(super) fn see_spindle(&mut self) {
+        let code = self.block.m(7).map(|(code, _)| code);
+        self.memory.spindle.speed |= self.state.modal.speed > 0.0;
+        self.memory.spindle.said |= matches!(code, Some(M::Spindle(_) | M::SpindleOff));
+        if matches!(code, Some(M::Spindle(_))) {
+            self.remark_cut_before_spindle();
+        }
+    }
+
+    /// A cut that came before the program's first M3 or M4, where there is one, or an S. A program that speaks of no spindle at all is
+    /// one of a machine without it, or with a switch for it.
+    fn remark_cut_before_spindle(&mut self) {
+        if let Some(spot) = self.memory.spindle.cut_before.take() {
+            self.memory.remarks.row(&CutsBeforeSpindle {}, spot, None);
+        }
+    }
+
+    /// The program has ended.
+    pub(super) fn end_spindle(&mut self) {
+        if self.memory.spindle.speed {
+            self.remark_cut_before_spindle();
+        }
+    }
+
+    /// Sees whether what a motion at feed needs is in force.
+    pub(super) fn see_cut(&mut self, kind: MotionKind, to: &Pose) {
+        let (MotionKind::Feed(feed) | MotionKind::Arc(_, feed)) = kind else { return };
+        let along = |axis: &Axis| to.get(*axis) != self.state.at.get(*axis);
+        if !Axis::ALL.iter().filter(|axis| !axis.rotary()).any(along) {
+            return;
+        }
+        let spot = self.block.spot;
+        if feed.mode == FeedMode::PerRevolution && feed.value > GREATEST_FEED_PER_TURN && !self.in_doubt(doubt::FEED) {
+            let row = GreatFeedPerTurn { feed: Size { value: feed.value, unit: "mm/rev", decimals: 3 } };
+            self.memory.remarks.row(&row, spot, None);
+        }
+        if self.memory.control.turns() {
+            return;
+        }
+        if self.state.modal.spindle == Spindle::Stopped && !self.in_doubt(doubt::SPINDLE) {
+            if !self.memory.spindle.said {
+                self.memory.spindle.cut_before.get_or_insert(spot);
+            } else if feed.mode != FeedMode::PerRevolution {
+                self.memory.remarks.row(&SpindleStopped {}, spot, None);
+            }
+        }
+        self.see_length(spot);
+    }
+
+    /// Sees whether the length in force is the tool's own, as the tool table has it.
+    fn see_length(&mut self, spot: Spot) {
+        let tool = self.state.modal.tool;
+        let Some(own) = self.memory.tools.get(&tool).map(|own| own.offset) else { return };
+        if self.state.frame.tool == own || self.in_doubt(doubt::TOOL) {
+            return;
+        }
+        match self.state.modal.length_of {
+            Some(other) if other != tool => {
+                self.memory.remarks.row(&LengthOfAnother { tool, other }, spot, None);
+            }
+            None if !self.state.modal.lengthened => self.memory.remarks.row(&LengthNotInForce { tool }, spot, None),
+            // G43.1 and G43.2 say lengths of the program's own.
+            _ => {}
+        }
+    }
+}
