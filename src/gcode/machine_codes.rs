@@ -33,7 +33,7 @@ pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], closin
     if closing && !codes.last().is_some_and(ends) {
         findings.push(EndMissing { key }.at(at([key])));
     }
-    if findings.is_empty() {
+    if findings.is_empty() && !codes.is_empty() {
         findings.extend(refused_block(dialect, codes).map(|fault| Finding::from(fault).placed(both())));
     }
     findings

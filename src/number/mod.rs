@@ -38,7 +38,9 @@ pub fn duration(seconds: f64) -> String {
         return String::new();
     }
     // Text is the one way from a float to a whole number that cannot wrap.
-    let Ok(hundredths) = format!("{:.0}", (seconds * 100.0 + 1e-6).floor()).parse::<u64>() else { return String::new() };
+    let Ok(hundredths) = format!("{:.0}", (seconds * 100.0 + 1e-6).floor()).parse::<u64>() else {
+        return String::new();
+    };
     let (total, tenth) = (hundredths / 100, hundredths / 10 % 10);
     match (total / 3600, total / 60 % 60, total % 60) {
         (0, 0, second) => format!("{second}.{:02} s", hundredths % 100),

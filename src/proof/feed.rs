@@ -19,6 +19,8 @@ use crate::proof::rules::{AxisTooFast, CutWithoutFeed, DecimalsAssumed, FeedWord
 use crate::proof::step::{Judge, Stage, Step};
 use crate::text::{Text, t};
 
+/// A motion that takes no longer than this, s, is over before a control begins its next block, at whatever F.
+const BLINK: f64 = 0.001;
 /// By what part rounding the F word may slow a motion before a person must judge it.
 const SLOWER: f64 = 0.05;
 
@@ -138,7 +140,7 @@ impl Judge for Feeds {
         if let Some(F) = self.of(step) {
             let greatest = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
             let wanted = (way * 60.0 / F).max(self.F_max.map_or(0.0, |F_max| greatest * 60.0 / F_max));
-            if wanted > 0.0 {
+            if wanted > BLINK {
                 self.rounded.take(seconds / wanted - 1.0, at);
             }
         }

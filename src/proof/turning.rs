@@ -14,6 +14,8 @@ use crate::text::{Text, t};
 
 /// The greatest step of C while a linear axis moves, degrees.
 pub const LIMIT: f64 = 180.0;
+/// What the sums of a control add to a step of 0.001°, degrees.
+const NOISE: f64 = 1e-6;
 
 /// Watches the steps of C.
 #[derive(Debug, Default)]
@@ -37,7 +39,8 @@ impl Judge for RotarySteps {
         let degrees = |value: f64, decimals| Text::same(format!("{}°", shown(value, decimals)));
         let asked =
             Question::new("turning", name, program).showing(degrees(self.greatest.value(), 3), degrees(LIMIT, 0));
-        vec![asked.within(&self.greatest, LIMIT, |found, place| {
+        // A step of half a turn itself, on the grid of programs, is none that is more.
+        vec![asked.within(&self.greatest, LIMIT + NOISE, |found, place| {
             let (step, line) = (Size { value: found.value(), unit: "°", decimals: 3 }, found.line());
             TurnJumps { step, line, program: program.title.clone() }.at(place)
         })]

@@ -9,10 +9,21 @@ use rodete::parameter::Value;
 
 use crate::common;
 
-fn outcome(changes: &[(&'static str, Value)]) -> Outcome {
+/// Changes with what makes a plan short beside them.
+fn quick(changes: &[(&'static str, Value)]) -> Vec<(&'static str, Value)> {
     let quick = [("splitters", Value::Choice("no")), ("c_s", Value::Real(0.1)), ("tol", Value::Real(0.03))];
     let quick = quick.into_iter().filter(|(key, _)| changes.iter().all(|change| change.0 != *key));
-    common::outcome("clear", &quick.chain(changes.iter().cloned()).collect::<Vec<_>>())
+    quick.chain(changes.iter().cloned()).collect()
+}
+
+fn outcome(changes: &[(&'static str, Value)]) -> Outcome {
+    common::outcome("clear", &quick(changes))
+}
+
+/// What a design is refused for; `None` where it is planned.
+fn refused(changes: &[(&'static str, Value)]) -> Option<Vec<String>> {
+    let refusal = kinds::run(&FORM, common::values("clear", changes), common::source()).err()?;
+    Some(refusal.findings.iter().map(|finding| finding.what.en.clone().into_owned()).collect())
 }
 
 fn told<'a>(outcome: &'a Outcome, words: &str) -> Option<&'a str> {
@@ -20,16 +31,21 @@ fn told<'a>(outcome: &'a Outcome, words: &str) -> Option<&'a str> {
 }
 
 /// A part on a long blank, in the order R, r, N, e, a_p, d_t, d_f, tol, and whether it has splitters.
-fn design(cells: [f64; 8], splitters: &'static str) -> Outcome {
+fn design(values: [f64; 8], splitters: &'static str) -> Outcome {
+    outcome(&cells(values, splitters))
+}
+
+/// The cells of such a part.
+fn cells(values: [f64; 8], splitters: &'static str) -> Vec<(&'static str, Value)> {
     let keys = ["R", "r", "N", "e", "a_p", "d_t", "d_f", "tol"];
     let whole = |value: f64| Value::Whole((1..100).find(|&whole| f64::from(whole) == value).expect("a whole number"));
     let mut changes: Vec<(&'static str, Value)> = keys
         .into_iter()
-        .zip(cells)
+        .zip(values)
         .map(|(key, value)| (key, if key == "N" { whole(value) } else { Value::Real(value) }))
         .collect();
     changes.extend([("splitters", Value::Choice(splitters)), ("L_b", Value::Real(80.0))]);
-    outcome(&changes)
+    changes
 }
 
 fn quantity(outcome: &Outcome, symbol: &str) -> Option<f64> {
@@ -173,6 +189,44 @@ fn the_largest_tool_for_a_rest_is_told_when_it_is_asked_for() {
 }
 
 #[test]
+fn the_largest_tool_for_a_rest_does_not_depend_on_the_one_that_is_given() {
+    let named = |d_f: f64| {
+        let asked = outcome(&[("h_r", Value::Real(0.4)), ("d_f", Value::Real(d_f))]);
+        let what = told(&asked, "left in the corner of face and floor").unwrap();
+        what.split("end mill is ").nth(1).unwrap().split(' ').next().unwrap().parse::<f64>().unwrap()
+    };
+    let d = named(6.0);
+    assert_eq!(named(2.0), d);
+    // It leaves no more, and one a tenth larger does.
+    let left = |d_f: f64| quantity(&outcome(&[("d_f", Value::Real(d_f))]), "root_height").unwrap();
+    assert!(left(d) <= 0.4 && left(d + 0.1) > 0.4, "{d} {} {}", left(d), left(d + 0.1));
+}
+
+#[test]
+fn the_tool_that_is_named_as_the_largest_that_passes_does_and_the_next_is_refused() {
+    // One that fits at the stations of a quick look alone; one tool for both jobs; and a deep hub.
+    for [R, r, N, e, a_p] in [[40.0, 32.0, 2.0, 5.0, 3.0], [30.0, 20.0, 3.0, 2.0, 4.0], [60.0, 27.0, 9.0, 1.5, 12.7]] {
+        let with = |d_t: f64| quick(&cells([R, r, N, e, a_p, d_t, d_t, 0.03], "no"));
+        let named = |d_t: f64| {
+            let whats = refused(&with(d_t))?;
+            let passes = whats.iter().find_map(|what| what.split("the largest that passes is ").nth(1));
+            passes.and_then(|rest| rest.split(' ').next()).map(|d| d.parse::<f64>().expect("a number"))
+        };
+        let d = named(0.7 * r).unwrap_or_else(|| panic!("{R} {:?}", refused(&with(0.7 * r))));
+        assert_eq!(named(d), None, "{R} {d} {:?}", refused(&with(d)));
+        assert!(named(d + 0.02).is_some(), "{R} {d} {:?}", refused(&with(d + 0.02)));
+    }
+}
+
+#[test]
+fn a_tool_that_passes_without_an_allowance_is_said_to() {
+    let one = |s_w: f64| refused(&quick(&[("d_t", Value::Real(6.5)), ("s_w", Value::Real(s_w))]));
+    let whats = one(0.3).expect("too wide with an allowance");
+    assert!(whats.iter().any(|what| what.ends_with("without an allowance (s_w = 0) it would pass")), "{whats:?}");
+    assert_eq!(one(0.0), None);
+}
+
+#[test]
 fn a_tool_that_does_not_fit_at_the_hub_cuts_as_far_as_it_fits_where_the_form_admits_it() {
     let wide = [("d_t", Value::Real(8.0)), ("partly", Value::Choice("yes"))];
     let two = outcome(&wide);
@@ -312,4 +366,13 @@ fn a_limit_that_is_just_reached_is_kept_and_one_a_thousandth_inside_is_not() {
         findings.iter().any(|finding| finding.code() == "V0008")
     };
     assert!(!refused(0.0) && refused(0.001));
+}
+
+#[test]
+fn a_link_that_turns_c_by_half_a_turn_is_no_jump() {
+    // From the rim of one lane to the hub of the next C turns by 180.000° here.
+    let cells = [("e", 1.476_558_294_125_187_6), ("a_p", 2.420_496_441_464_736_8), ("kappa", 0.706_141_311_410_926_1)];
+    let changes: Vec<_> = cells.into_iter().map(|(key, value)| (key, Value::Real(value))).collect();
+    let outcome = common::outcome("clear", &changes);
+    assert_eq!(End::of(&outcome.findings, false), End::Whole, "{:?}", outcome.findings);
 }

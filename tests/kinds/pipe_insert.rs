@@ -5,7 +5,7 @@ use crate::common::agreement;
 
 use common::rs274;
 use proptest::prelude::*;
-use rodete::finding::{Exit, Finding, Grade};
+use rodete::finding::{Exit, Finding, Grade, Place};
 use rodete::gcode::control::MILLING;
 use rodete::kind::method::Method;
 use rodete::kind::{Outcome, Provenance};
@@ -215,7 +215,7 @@ fn contradictions_are_refused_with_the_amount() {
         (
             vec![real("e", 20.0)],
             "the branch overhangs the header by 1.81 mm: r = 38.96 mm, e = 20 mm, R = 57.15 mm",
-            "choose an eccentricity of 18.19 mm at most",
+            "choose an eccentricity of 12.7 mm at most",
         ),
         (
             vec![choice("branch_size", "6")],
@@ -261,11 +261,16 @@ fn contradictions_are_refused_with_the_amount() {
             "end_codes holds M101, which turns the torch on",
             "write only codes that end the program, such as M30",
         ),
+        (vec![("torch_on", Value::Line("M6".to_owned()))], "M6 without a tool selected by T", "program T before M6"),
     ] {
         let findings = refused(&changes);
         assert_eq!(findings.len(), 1, "{findings:?}");
+        assert!(matches!(findings[0].place, Place::Parameters(_)), "{findings:?}");
         assert_eq!((findings[0].what.en.as_ref(), findings[0].remedy.en.as_ref()), (what, remedy));
     }
+    // With the eccentricity that is named the wall stays on the header, too.
+    let whole = outcome("square", &[real("e", 12.7)]);
+    assert!(whole.findings.iter().all(|finding| finding.code() != "P2122"), "{:?}", whole.findings);
     let narrow = refused(&[real("kerf", 20.0), real("theta", 35.0), choice("branch_size", "1/2")]);
     assert!(
         narrow[0].what.en.starts_with("the kerf of 20 mm is wider than the gap of the curve at φ = "),

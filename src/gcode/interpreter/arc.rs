@@ -16,9 +16,9 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Arc, MotionKind, Plane};
 use crate::gcode::rules::geometry::{
-    AbsoluteCentreHalf, ArcOfAnotherPlane, ArcOfNoRadius, ArcTwoForms, ArcWithoutCentre, CentreWordForeign, CentreWordOfOtherPlane,
-    EndOffCircle, HelixPitch, HelixPitchNotPositive, RadiiDiffer, RadiusNegative, RadiusOfFullCircle,
-    RadiusOfHalfCircle, RadiusTooSmall, RadiusWithoutEnd, TurnsNotWhole,
+    AbsoluteCentreHalf, ArcOfAnotherPlane, ArcOfNoRadius, ArcTwoForms, ArcWithoutCentre, CentreWordForeign,
+    CentreWordOfOtherPlane, EndOffCircle, HelixPitch, HelixPitchNotPositive, RadiiDiffer, RadiusNegative,
+    RadiusOfFullCircle, RadiusOfHalfCircle, RadiusTooSmall, RadiusWithoutEnd, TurnsNotWhole,
 };
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
@@ -214,8 +214,11 @@ impl Reader<'_, '_> {
         }
         if half - radius > LEAST || radius == 0.0 {
             let [radius, half] = [radius, half].map(|length| size(length, unit));
-            // The next that a program can say, which is no half circle: not every control takes one.
-            let least = Size { value: (half.value * 1000.0).floor() / 1000.0 + 0.001, ..half };
+            // Not every control takes a half circle: the next that a program can say is more than one.
+            let thousandths = half.value * 1000.0;
+            let more = self.memory.control.arcs.negative.refused();
+            let least = if more { thousandths.floor() + 1.0 } else { (thousandths - 1e-6).ceil() };
+            let least = Size { value: least / 1000.0, ..half };
             return Err(Refused::of(&RadiusTooSmall { radius, half, least }, &[column]));
         }
         let half_circle = half / radius > 1.0 - TINY;

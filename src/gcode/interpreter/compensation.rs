@@ -394,9 +394,10 @@ fn refusal(misfit: &Misfit) -> Box<Refused> {
         Misfit::Arc { radius, arc } => {
             Refused::of(&NoseInArc { radius: Size::length(radius, 4), arc: Size::length(arc, 4) }, &[])
         }
-        Misfit::Corner { radius, turn } => {
-            Refused::of(&NoseInCorner { radius: Size::length(radius, 4), turn: Size::degrees(turn.to_degrees(), 2) }, &[])
-        }
+        Misfit::Corner { radius, turn } => Refused::of(
+            &NoseInCorner { radius: Size::length(radius, 4), turn: Size::degrees(turn.to_degrees(), 2) },
+            &[],
+        ),
         Misfit::Short { radius, length, taken } => Refused::of(
             &NoseInShortPiece {
                 radius: Size::length(radius, 4),

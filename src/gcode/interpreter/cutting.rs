@@ -8,7 +8,9 @@ use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{FeedMode, MotionKind};
-use crate::gcode::rules::modes::{CutsBeforeSpindle, GreatFeedPerTurn, LengthNotInForce, LengthOfAnother, SpindleStopped};
+use crate::gcode::rules::modes::{
+    CutsBeforeSpindle, GreatFeedPerTurn, LengthNotInForce, LengthOfAnother, SpindleStopped,
+};
 use crate::limits::GREATEST_FEED_PER_TURN;
 use crate::machine::axis::{Axis, Pose};
 

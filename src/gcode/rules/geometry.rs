@@ -448,5 +448,5 @@ rules! {
         remedy "si el arco es de otro plano, prográmelo antes (G17, G18 o G19); si es una hélice, escriba también {missing}", "if the arc is in another plane, program that plane before it (G17, G18 or G19); if it is a helix, write {missing} too";
         why "Con el plano que haya quedado de antes, la fresa baja donde debía ir de lado.",
             "In a plane left over from before, the cutter plunges where it should go sideways.";
-        example Example::program("linuxcnc", "G21 G90 F100|G18|G3 X5 Y5 R5|M2", "3:9");
+        example Example::program("linuxcnc", "G21 G90 F100|G18|G3 X5 Y5 R5|M2", "3:7");
 }

@@ -1,7 +1,7 @@
 //! What is wrong with what is in force: feed, spindle, tool, modes.
 
-use crate::finding::{Example, Size};
 use crate::finding::rule::rules;
+use crate::finding::{Example, Size};
 
 rules! {
     /// The rows of this file.

@@ -17,6 +17,7 @@ use crate::gcode::interpreter::Refused;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::gcode::rules::lexis::MoreRefusals;
+use crate::gcode::rules::modes::GreatFeedPerTurn;
 use crate::gcode::word::NumberFormat;
 use crate::kind::{Duration, Proved};
 use crate::limits::FOLLOWED_MOTIONS;
@@ -135,6 +136,8 @@ pub(super) fn follow<'a>(
     simulation.repeat();
     watch(Seen::Begin(&program, source, &simulation));
     let stock = simulation.contours();
+    let mounted = simulation.setup().turret.tools.iter();
+    let slow = mounted.filter(|(_, tool)| tool.fed_slowly()).map(|(&place, _)| place).collect();
     let one = Followed {
         program,
         source,
@@ -154,7 +157,7 @@ pub(super) fn follow<'a>(
     let mut following = Following {
         one,
         given,
-        in_force: InForceWatch::new(given.own.clone()),
+        in_force: InForceWatch::new(given.own.clone(), slow),
         faults: Faults::default(),
         fed: BTreeMap::new(),
         too_fast: BTreeSet::new(),
@@ -312,7 +315,9 @@ impl<'a> Following<'_, 'a> {
         }
         one.files = (1..).map_while(|number| interpreter.file(number)).map(str::to_owned).collect();
         one.program.parts = source.whole(one.files.iter().map(String::as_str));
-        faults.told.extend(interpreter.remarks());
+        // Alarm 172 says it with the tool's own limits.
+        let told_apart = |one: &Finding| one.is(GreatFeedPerTurn::RULE);
+        faults.told.extend(interpreter.remarks().into_iter().filter(|one| !told_apart(one)));
         faults.told.extend(assumed(given, &source.main.text));
         if one.account.program.is_none() && last.is_none() && !one.endless && !one.uncut {
             faults.told.push(NoMotion {}.at(Place::File));

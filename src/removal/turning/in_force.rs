@@ -12,6 +12,8 @@ use crate::machine::axis::Axis;
 /// a few hundredths; roughing and large wiper inserts go up to 2 mm. A value far outside is F in the other unit, 0.2 in mm/min or
 /// 200 in mm per revolution. Our choice.
 const FEEDS: [f64; 2] = [0.001, 3.0];
+/// The greatest for drills and for blades that groove or part, mm: the largest drills take 0.6, blades 0.4. Our choice.
+const FED_SLOWLY: f64 = 1.0;
 
 /// Watches the offset of the tool and its feed over the steps of a program.
 #[derive(Clone, Debug, Default)]
@@ -22,15 +24,17 @@ pub struct InForceWatch {
     told: BTreeSet<(u32, u32)>,
     /// A feed per revolution with the spindle stopped was reported.
     stands: bool,
+    /// The places of drills and of blades that groove or part.
+    slow: BTreeSet<u32>,
     /// Tools with implausible feeds that were reported.
     fed: BTreeSet<(u32, u64)>,
 }
 
 impl InForceWatch {
-    /// With the offset of each tool's own, by its place in the turret.
+    /// With the offset of each tool's own, by its place in the turret, and the places of drills and of blades that groove or part.
     #[must_use]
-    pub fn new(own: BTreeMap<u32, u32>) -> Self {
-        Self { own, ..Self::default() }
+    pub fn new(own: BTreeMap<u32, u32>, slow: BTreeSet<u32>) -> Self {
+        Self { own, slow, ..Self::default() }
     }
 
     /// The tool's place and the offset in force, if it is not the tool's own.
@@ -82,10 +86,11 @@ impl InForceWatch {
             FeedMode::PerMinute if slow > 0.0 => [value / fast, value / slow],
             _ => return None,
         };
-        let [low, high] = FEEDS;
+        let [low, widest] = FEEDS;
+        let high = if self.slow.contains(&step.control.tool) { FED_SLOWLY } else { widest };
         let feed = if most < low { most } else { least };
         let implausible = step.cuts() && value > 0.0 && (most < low || least > high);
         (implausible && self.fed.insert((step.control.tool, value.to_bits())))
-            .then_some(Cause::ImplausibleFeed { feed, limits: FEEDS })
+            .then_some(Cause::ImplausibleFeed { feed, limits: [low, high] })
     }
 }

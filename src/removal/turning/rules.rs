@@ -297,7 +297,7 @@ rules! {
         remedy "Compruebe F, y si es por vuelta (G99; Fagor G95) o por minuto (G98; Fagor G94)",
             "Check F, and whether it is per revolution (G99; Fagor G95) or per minute (G98; Fagor G94)";
         why "Una F por minuto leída por vuelta es cientos de veces mayor.", "An F per minute read per revolution is hundreds of times too large.";
-        example blocks!("X46.|G1 Z-20. F60.|X54.|G0 Z2.");
+        example blocks!("X46.|G1 Z-20. F4.|X54.|G0 Z2.");
     "L0173" CoarseFeed Caution alarm Lathe 173 { feed: Size, most: Size }
         es "El avance por vuelta es demasiado grande para el radio de punta: deja surcos"
         en "The feed per revolution is too large for the nose radius: it leaves ridges"

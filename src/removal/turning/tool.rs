@@ -186,6 +186,12 @@ impl TurningTool {
         matches!(self.cutter, Cutter::Drill { .. } | Cutter::CentreDrill { .. })
     }
 
+    /// True for tools that are fed slowly: drills, and blades that groove or part.
+    #[must_use]
+    pub const fn fed_slowly(&self) -> bool {
+        self.axial() || matches!(self.cutter, Cutter::Groover { .. })
+    }
+
     /// The nose radius that nose-radius compensation counts on, mm; 0 for drills.
     #[must_use]
     pub const fn nose(&self) -> f64 {

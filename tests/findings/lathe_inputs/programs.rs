@@ -127,13 +127,13 @@ fn tools_and_offsets_that_do_not_fit_are_told() {
             "D37 arc too small",
             "G42 G0 X36.|G1 Z-10. F0.1|G2 X36.6 Z-10.3 R0.3|G1 X54.|G40 G0 X60.",
             3,
-            "stop 8 nose radius 0.8 does not fit into the arc of radius 0.3",
+            "stop 8 nose radius 0.8 mm does not fit into the arc of radius 0.3 mm",
         ),
         case(
             "D37 corner too small",
             "G42 G0 X50.|G1 Z-10. F0.1|X49.|Z-10.5|X50.|Z-20.|X54.|G40 G0 X60.",
             3,
-            "stop 9 nose radius 0.8 does not fit: the element is 0.5 long and the corners at its ends need 1.6",
+            "stop 9 nose radius 0.8 mm does not fit: the element is 0.5 mm long and the corners at its ends need 1.6 mm",
         ),
     ]);
 }

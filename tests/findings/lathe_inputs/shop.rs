@@ -81,7 +81,7 @@ fn a_hole_is_drilled_bored_and_threaded() {
 #[test]
 fn a_groove_is_cut_into_the_face() {
     clean(Book::new(&program(
-        "G21 G40 G97 G99|T0101|G50 S2500|G96 S180 M3|G0 X54. Z0. M8|G1 X-1.6 F0.15|G0 Z2.|X100. Z50.|T0707|G97 S500|\
+        "G21 G40 G97 G99|T0101|G50 S2500|G96 S180 M3|G0 X54. Z-0.5 M8|G1 X-1.6 F0.15|G0 Z2.|X100. Z50.|T0707|G97 S500|\
          G0 X40. Z2.|G74 R0.5|G74 X30. Z-6. P2500 Q2000 F0.05|G0 Z50.|X100. M9|M30",
     )));
 }

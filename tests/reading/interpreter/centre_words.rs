@@ -43,13 +43,23 @@ fn a_word_across_an_arc_that_may_be_a_pitch_is_refused() {
             "3 K does not belong to the plane G17; use I and J, or change the plane",
         ),
         (&FAGOR_8070, "G2 X10 Y0 I5 J0 K1", "3 K does not belong to the plane G17; use I and J, or change the plane"),
-        (&FAGOR_8055, "G2 X10 Y0 I5 J0 K0", "3 K0: K is the pitch of a helix in G17, above 0 (error 0054); take K out"),
+        (
+            &FAGOR_8055,
+            "G2 X10 Y0 I5 J0 K0",
+            "3 K0: K is the pitch of a helix in G17, above 0 (error 0054); take K out; \
+             if the arc is in another plane, program that plane before it (G17, G18 or G19)",
+        ),
         (
             &FAGOR_8055,
             "G2 X0 Y0 Z-6 I5 J0 K2",
             "3 K is the pitch of a helix in G17, which is not supported; \
-             write the helix turn by turn, with its Z and without K",
+             write the helix turn by turn, with its Z and without K; \
+             if the arc is in another plane, program that plane before it (G17, G18 or G19)",
         ),
+        // An arc of another plane than the one in force: what it says of its centre is not taken out.
+        (&FAGOR_8055, "G18 G2 X10 Y0 I5 J0", "3 J does not belong to the plane G18; use K and I, or change the plane"),
+        (&FAGOR_8055, "G18 G2 X10 Y10 I5 J5", "3 J does not belong to the plane G18; use K and I, or change the plane"),
+        (&FAGOR_8070, "G19 G2 Z10 X10 K5 I0", "3 I does not belong to the plane G19; use J and K, or change the plane"),
         // As LinuxCNC has it.
         (&LINUXCNC, "G2 X10 Y0 I5 J0 K0", "3 K does not belong to the plane G17; use I and J, or change the plane"),
     ] {

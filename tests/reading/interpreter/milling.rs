@@ -84,9 +84,9 @@ const BAD: [(&str, &str); 24] = [
         "the entry into compensation is 2.9 mm long; it must be longer than the radius 3 mm",
     ),
     ("G41.1 D6; G1 Z-1; X10; X20", "the entry into compensation is 0 mm long"),
-    ("G41.1 D6; G1 X10; X30; G3 X34 I2; G1 X50", "the cutter's radius 3 does not fit into the arc of radius 2"),
+    ("G41.1 D6; G1 X10; X30; G3 X34 I2; G1 X50", "the cutter's radius 3 mm does not fit into the arc of radius 2 mm"),
     ("G41.1 D6; G1 X10; X30; Y2; X10", "the corners need more length than the element before them has"),
-    ("G41.1 D6; G1 X10; G3 X2 I-4", "the cutter's radius 3 does not fit into the corner"),
+    ("G41.1 D6; G1 X10; G3 X2 I-4", "the cutter's radius 3 mm does not fit into the corner"),
     (
         "G20 F20; G1 X0 Y0; G41.1 D0.25; G1 X1; X2; G2 X2.1 Y-0.1 I-0.001 J-0.1; G40; G1 X5",
         "the corners need more length than the element before them has",

@@ -191,14 +191,17 @@ fn an_arc_as_entry_and_one_as_exit_are_refused_by_name() {
 #[test]
 fn a_nose_that_does_not_fit_is_refused_at_its_block_with_its_numbers() {
     let fault = refused(&format!("{HEAD}G42 G1 X20. Z2.\nZ-10.\nG2 X21. Z-10.5 R0.5\nG1 X30.\nG40 X40.\nM30\n"));
-    assert_eq!((fault.line, fault.what.en.as_ref()), (8, "nose radius 0.8 does not fit into the arc of radius 0.5"));
+    assert_eq!(
+        (fault.line, fault.what.en.as_ref()),
+        (8, "nose radius 0.8 mm does not fit into the arc of radius 0.5 mm")
+    );
     let fault = refused(&format!("{HEAD}G42 G1 X20. Z2.\nZ-10.\nX10.\nZ-11.5\nX20.\nZ-20.\nG40 X40.\nM30\n"));
     assert_eq!(fault.line, 9);
     assert_eq!(
         fault.what.en.as_ref(),
-        "nose radius 0.8 does not fit: the element is 1.5 long and the corners at its ends need 1.6"
+        "nose radius 0.8 mm does not fit: the element is 1.5 mm long and the corners at its ends need 1.6 mm"
     );
-    assert_eq!(fault.remedy.en.as_ref(), "use a nose radius of 0.75 or less, or change the contour");
+    assert_eq!(fault.remedy.en.as_ref(), "use a nose radius of 0.75 mm or less, or change the contour");
 }
 
 #[test]
@@ -382,5 +385,8 @@ fn g70_refuses_at_the_block_of_the_contour() {
     let contour = CONTOUR.replace("G2 X30. Z-25. R5.", "G2 X21. Z-20.5 R0.5");
     let text = format!("O1\nG21 G98 G97\nT0101\nM3 S500 F120.\nG0 X44. Z2.\nG70 P10 Q80\nM30\n{contour}");
     let fault = refused(&text);
-    assert_eq!((fault.line, fault.what.en.as_ref()), (13, "nose radius 0.8 does not fit into the arc of radius 0.5"));
+    assert_eq!(
+        (fault.line, fault.what.en.as_ref()),
+        (13, "nose radius 0.8 mm does not fit into the arc of radius 0.5 mm")
+    );
 }

@@ -141,8 +141,9 @@ impl Plan {
         let Rests { floor: mut look, root, unfinished } = draft.rests(floor_lanes, faces);
         let floor = draft.lean(&finish, &mut look);
         let floor = look.as_ref().map_or(floor, |look| look.with_nose(floor));
-        // Where nothing but ridges is left of the floor, the lanes beside have cut what one did not come to.
-        let ridges = cut.scallop + cut.tolerance;
+        // Where little more than ridges is left of the floor, the lanes beside have cut what one did not come to: how much it is, the
+        // rest of the floor tells.
+        let ridges = 2.0 * (cut.scallop + cut.tolerance);
         let is_cut = |v: [f64; 2]| finish_from == 0.0 && look.as_ref().is_some_and(|look| look.is_cut(v, ridges));
         let told = Told {
             gap: gap(part, job.N, cut.finish.d).width,
@@ -221,10 +222,11 @@ fn contacts_of(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<Contacts> {
     Some(Contacts::new(&down_to(&job.part, depth), job.N, lane, s))
 }
 
-/// The share of a channel that a tool alone, with nothing left on the walls, does not reach.
-fn uncut_by(job: &Job, tool: Tool) -> f64 {
-    let contacts = contacts_of(job, tool, job.part.a_p, 0.0);
-    contacts.map_or(1.0, |contacts| uncut::share(&job.part, &contacts, contacts.fits_from()))
+/// The share of a channel that a tool alone, with nothing left on the walls, does not reach; none where it passes then.
+fn uncut_by(job: &Job, tool: Tool) -> Option<f64> {
+    let Some(contacts) = contacts_of(job, tool, job.part.a_p, 0.0) else { return Some(1.0) };
+    let from = contacts.fits_from();
+    (from != Some(0.0)).then(|| uncut::share(&job.part, &contacts, from))
 }
 
 /// The contacts of a tool of the cut, where it fits: all the way, or, if the cut admits it, from a station on.
@@ -237,15 +239,53 @@ fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<(Contacts, f64), DoesN
         (_, from) => Err(DoesNotFit {
             tool: which,
             d: tool.d,
-            largest: largest(job, tool, depth, s),
+            largest: largest(job, cut, which),
             from,
             uncut: uncut_by(job, tool),
         }),
     }
 }
 
-/// The largest tool of a kind that fits with s on both walls, in whole hundredths.
-fn largest(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<f64> {
+/// The largest tool of a kind that passes as a tool of the cut, in whole hundredths: as both where it is both. What is told has passed
+/// as one of the form would.
+fn largest(job: &Job, cut: &Cut, which: Which) -> Option<f64> {
+    let tool = cut.tool(which);
+    let jobs: &[Which] = if cut.rough == cut.finish { &[Which::Rough, Which::Finish] } else { &[which] };
+    let passes = |hundredths: f64| {
+        let d = hundredths / 100.0;
+        let tool = Tool { d, r_c: corner(tool, d) };
+        jobs.iter().all(|&which| {
+            let contacts = contacts_of(job, tool, depth(job, cut, which), cut.allowance(which));
+            contacts.and_then(|contacts| contacts.fits_from()) == Some(0.0)
+        })
+    };
+    let least = jobs.iter().map(|&which| estimate(job, tool, depth(job, cut, which), cut.allowance(which)));
+    let first = least.collect::<Option<Vec<f64>>>()?.into_iter().fold(f64::INFINITY, f64::min);
+    let first = (first * 100.0).round();
+    // Longer and longer steps from there, until one tool passes and the other does not.
+    let (mut small, mut large, mut step) = (0.0, (tool.d * 100.0).ceil(), 1.0);
+    if passes(first) {
+        small = first;
+        while small + step < large && passes(small + step) {
+            (small, step) = (small + step, 2.0 * step);
+        }
+        large = large.min(small + step);
+    } else {
+        large = large.min(first);
+        while large > step && !passes(large - step) {
+            (large, step) = (large - step, 2.0 * step);
+        }
+        small = (large - step).max(small);
+    }
+    while large - small > 1.0 {
+        let middle = f64::midpoint(small, large).floor();
+        if passes(middle) { small = middle } else { large = middle }
+    }
+    (small > 0.0).then_some(small / 100.0)
+}
+
+/// About the largest tool of a kind that fits with s on both walls, in whole hundredths: by some stations alone.
+fn estimate(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<f64> {
     let part = &down_to(&job.part, depth);
     let torus = part.circle.torus;
     let width = gap(part, job.N, tool.d).width - 2.0 * s;

@@ -3,7 +3,7 @@
 use crate::finding::{Finding, Key, Place, Raise, Said, Size};
 use crate::kind::Shown;
 use crate::kinds::impeller::clear::asked::{Asked, rounding};
-use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
+use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
 use crate::kinds::impeller::clear::holder::Blank;
 use crate::kinds::impeller::clear::plan::Plan;
@@ -12,6 +12,7 @@ use crate::kinds::impeller::clear::root::largest;
 use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
 use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, ToolTold};
+use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters::{self as form, NUMBERS};
 use crate::kinds::impeller::part::{HUB, RIM};
@@ -27,6 +28,8 @@ const LEFT: f64 = 0.001;
 const THINNED: f64 = 4.0;
 /// Below this change of the feed nothing is said.
 const UNSAID: f64 = 0.02;
+/// The steps in which the largest finishing tool is sought.
+const STEPS_A_MM: f64 = 20.0;
 
 /// A finding with its value and the limit that the value misses.
 fn missed(found: Finding, value: impl Said, limit: impl Said) -> Finding {
@@ -103,13 +106,22 @@ pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
             )
         },
     );
-    let uncut = Size::number((why.uncut * 1000.0).floor() / 10.0, 1);
+    let alone = match why.uncut {
+        None => t("sin demasía (s_w = 0) pasaría", "without an allowance (s_w = 0) it would pass"),
+        Some(share) => {
+            let share = shown((share * 1000.0).floor() / 10.0, 1);
+            Text::new(
+                format!("aun sin demasía dejaría sin cortar al menos el {share} % de los canales"),
+                format!("even without an allowance it would leave at least {share} % of the channels uncut"),
+            )
+        }
+    };
     let key = match why.tool {
         Which::Rough => form::D_T.key(),
         Which::Finish => fields::D_F.key(),
     };
     let d = Size::mm(why.d);
-    let told = ToolDoesNotFit { tool: tool_name(why.tool), d, largest, uncut };
+    let told = ToolDoesNotFit { tool: tool_name(why.tool), d, largest, alone };
     let passes = why.largest.map(|d| Size { decimals: 2, ..Size::mm(d) });
     let limit = passes.map(|passes| passes.said(Language::En).into_owned());
     told.at(at([key, form::N.key(), form::E.key()])).with(d.said(Language::En), limit.unwrap_or_default())
@@ -125,6 +137,25 @@ pub(in crate::kinds::impeller) fn too_long(program: Text, blocks: u64) -> Option
             CLEAR_BLOCKS,
         )
     })
+}
+
+/// The largest flat finishing tool whose whole plan leaves no more in the corner than is allowed, in steps of 0.05 mm, sought between
+/// one that leaves as little by its passes along the faces alone and one that is known to leave more. The floor's passes take of the
+/// corner, too, so that a larger tool may do.
+fn by_plans(job: &Job, asked: &Asked, first: Option<f64>, too_large: Option<f64>) -> Option<f64> {
+    let (first, allowed) = (first?, asked.root?);
+    let keeps = |steps: f64| {
+        let cut = Cut { finish: Tool::flat(steps / STEPS_A_MM), ..asked.cut };
+        Plan::new(job, &cut).is_ok_and(|plan| plan.told.root.height <= allowed)
+    };
+    let (mut good, mut bad) =
+        ((first * STEPS_A_MM).floor(), (too_large.unwrap_or(asked.cut.rough.d) * STEPS_A_MM).ceil());
+    let from = good;
+    while bad - good > 1.0 {
+        let middle = f64::midpoint(good, bad).floor();
+        if keeps(middle) { good = middle } else { bad = middle }
+    }
+    Some(if good > from { good / STEPS_A_MM } else { first })
 }
 
 /// The tools, and the cells of their stick-outs.
@@ -248,7 +279,9 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     let (over, height, width) = (finely(root.over), at_most(root.height), at_most(root.width));
     let (here, there) = (share(root.v, 0), share(root.width_v, 0));
     if root.height > 0.0 || root.width > 0.0 {
-        findings.push(RestAtTheRoot { over, height, here, width, there }.at(at([fields::D_F.key()])));
+        findings.push(
+            RestAtTheRoot { over, height, here, thick: at_most(root.thick), width, there }.at(at([fields::D_F.key()])),
+        );
     }
     if let Some(v) = told.unfinished {
         findings.push(FacesUnfinished { share: share(v, 0) }.at(at([
@@ -260,7 +293,8 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     if let Some(allowed) = asked.root {
         // The ways are exact there; blocks leave them by the tolerance.
         let given = Some(asked.cut.finish).filter(|tool| tool.r_c == 0.0 && root.height <= allowed).map(|tool| tool.d);
-        let tool = largest(job, allowed, asked.cut.rough.d, asked.cut.scallop, given).map_or_else(
+        let first = largest(job, allowed, asked.cut.rough.d, asked.cut.scallop, given);
+        let tool = by_plans(job, asked, first, (root.height > allowed).then_some(asked.cut.finish.d)).map_or_else(
             || t("ninguna fresa deja tan poco", "no tool leaves as little"),
             |d| {
                 let d = shown(d, 2);
@@ -291,6 +325,14 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     } else if told.floor.most > 0.0 {
         findings.push(RidgesOfTheFloor { most, beside, share: here }.at(floor));
     }
+    let smaller = if told.finish_from > 0.0 {
+        t("use una herramienta menor, que quepa también en el cubo", "use a smaller tool, which fits at the hub, too")
+    } else {
+        t(
+            "otro diámetro de la herramienta, u otra c_s, da otras pasadas, que pueden llegar",
+            "another diameter of the tool, or another c_s, gives other passes, which may reach them",
+        )
+    };
     for by in [By::Blade, By::Ends] {
         let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by).collect();
         let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])));
@@ -299,7 +341,7 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
             let (count, what) = (left.len(), longest.cutting.name());
             let place = at([form::D_T.key(), fields::D_F.key(), form::SPLITTERS.key()]);
             findings.push(match by {
-                By::Ends => StretchesNotReached { count, what, from, to }.at(place),
+                By::Ends => StretchesNotReached { count, what, from, to, smaller: smaller.clone() }.at(place),
                 By::Blade | By::Splitter => PassesLeftOut { count, what, from, to }.at(place),
             });
         }

@@ -34,7 +34,7 @@ impl Draft<'_> {
         let (beside, over) = (self.beside(), self.cut.scallop + self.cut.tolerance);
         if self.full() {
             let (most, v) = (part.a_p, HUB);
-            let root = Root { over, height: most, v, width: most, width_v: v, above: most };
+            let root = Root { over, height: most, v, thick: most, width: most, width_v: v, above: most };
             return Rests { floor: None, root, unfinished: None };
         }
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());

@@ -48,6 +48,8 @@ const EDGE: f64 = 1e-6;
 const DOWN: f64 = 0.01;
 /// Steps along the floor, mm.
 const ALONG: f64 = 0.02;
+/// Halvings towards the half of the height.
+const HALF_WAY: u8 = 24;
 /// Halvings of the last step down a line.
 const HALVINGS: u8 = 4;
 /// Stations from which a tool's rest is known before there is a plan: at least, and at most.
@@ -64,6 +66,8 @@ pub struct Root {
     pub height: f64,
     /// v where that is.
     pub v: f64,
+    /// How thick it is there half-way up.
+    pub thick: f64,
     /// Along the floor, from the face.
     pub width: f64,
     /// v where that is.
@@ -134,8 +138,8 @@ pub fn nose_lines(part: &Part, v_s: f64, turn: f64) -> Vec<Line> {
 pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -> Root {
     let torus = part.circle.torus;
     let r_f = torus.r + part.a_p;
-    let mut root = Root { over, height: 0.0, v: HUB, width: 0.0, width_v: HUB, above: over };
-    let mut last = 0;
+    let mut root = Root { over, height: 0.0, v: HUB, thick: 0.0, width: 0.0, width_v: HUB, above: over };
+    let (mut last, mut highest) = (0, None);
     for line in lines {
         let turn = turn(line.turn);
         // How far inside of what is held a point is. The pose that has held the last place usually holds the next one.
@@ -176,6 +180,7 @@ pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -
         }
         if let Some(height) = height.filter(|height| *height > root.height) {
             root = Root { height, v: line.v, ..root };
+            highest = Some(line);
         }
         let foot = line.ruling.at(bottom);
         // Along the floor, out of the face.
@@ -204,7 +209,16 @@ pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -
             root = Root { width, width_v: line.v, ..root };
         }
     }
-    root
+    let thick = highest.map_or(0.0, |line| {
+        let (mut low, mut high) = (line.top, part.floor(&line.ruling, line.top));
+        for _ in 0..HALF_WAY {
+            let middle = f64::midpoint(low, high);
+            let below = part.a_p - part.depth(&line.ruling.at(middle)) < root.height / 2.0;
+            if below { high = middle } else { low = middle }
+        }
+        poses.apart(tool, &turn(line.turn)(&line.ruling.at(low)), part.a_p)
+    });
+    Root { thick, ..root }
 }
 
 /// The most that the poses of a tool leave along some lines higher above the floor than the corner; `None` where it is nowhere

@@ -56,9 +56,9 @@ rules! {
         remedy "intercambie las herramientas", "swap the tools";
         why "El desbaste dejaría sin metal que acabar lo que la de acabado no alcanza.", "Roughing goes where the finishing tool cannot follow.";
         example book!("impeller", "d_t" = "3", "d_f" = "6");
-    "P1206" ToolDoesNotFit Stop { tool: Text, d: Size, largest: Text, uncut: Size }
-        es "{tool} de {d} no pasa entre los álabes: {largest}; aun sin demasía dejaría sin cortar al menos el {uncut} % de los canales"
-        en "{tool} of {d} does not pass between the blades: {largest}; even without an allowance it would leave at least {uncut} % of the channels uncut"
+    "P1206" ToolDoesNotFit Stop { tool: Text, d: Size, largest: Text, alone: Text }
+        es "{tool} de {d} no pasa entre los álabes: {largest}; {alone}"
+        en "{tool} of {d} does not pass between the blades: {largest}; {alone}"
         remedy "use una herramienta menor, menos álabes o álabes más delgados; con partly = sí se corta hasta donde cabe", "use a smaller tool, fewer blades, or thinner blades; with partly = yes it cuts as far as it fits";
         why "Una herramienta más ancha que el canal corta los dos álabes.", "A tool wider than the channel cuts into both blades.";
         example book!("impeller", "N" = "6");
@@ -80,9 +80,9 @@ rules! {
         remedy "mida el voladizo al montar la herramienta, o escriba l_t, l_f y d_h para que rodete lo compruebe", "measure the stick-out when you set the tool, or fill in l_t, l_f and d_h to have it checked";
         why "Cuenta el bruto, no las mordazas ni el plato.", "The blank is counted, clamps and chuck are not.";
         example book!("impeller", "splitters" = "no", "l_t" = "");
-    "P1210" RestAtTheRoot Note { over: Size, height: Size, here: Size, width: Size, there: Size }
-        es "en el rincón de cara y fondo queda material de hasta {height} de alto, al {here} % del camino del cubo al borde, y {width} de ancho, al {there} %; no cuenta lo que no pasa de {over}"
-        en "in the corner of face and floor up to {height} of metal is left in height, at {here} % of the way from hub to rim, and {width} in width, at {there} %; what is no thicker than {over} is not counted"
+    "P1210" RestAtTheRoot Note { over: Size, height: Size, here: Size, thick: Size, width: Size, there: Size }
+        es "en el rincón de cara y fondo queda material de hasta {height} de alto, al {here} % del camino del cubo al borde (a media altura, {thick} de grueso), y {width} de ancho, al {there} %; no cuenta lo que no pasa de {over}"
+        en "in the corner of face and floor up to {height} of metal is left in height, at {here} % of the way from hub to rim ({thick} thick half-way up), and {width} in width, at {there} %; what is no thicker than {over} is not counted"
         remedy "una fresa de acabado menor deja menos", "a smaller finishing tool leaves less";
         why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");
@@ -150,8 +150,8 @@ rules! {
         es "para que queden {height} como mucho en el rincón de cara y fondo: {tool}; la fresa de acabado dada deja hasta {left}"
         en "for at most {height} left in the corner of face and floor: {tool}; the finishing tool given leaves up to {left}"
         remedy "escriba en d_f ese diámetro o uno menor, o una h_r mayor", "write that diameter or a smaller one in d_f, or a larger h_r";
-        why "Se prueban fresas frontales con sus pasadas junto a las caras de los álabes. Alrededor de la nariz de un álabe intermedio puede quedar más.",
-            "Flat end mills are tried with their passes along the blades' faces. Round the nose of a splitter more may be left.";
+        why "Se prueban fresas frontales con todas sus pasadas, de 0.05 en 0.05 mm.",
+            "Flat end mills are tried with all of their passes, in steps of 0.05 mm.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "h_r" = "0.4");
     "P1222" FloorAboveRidges Caution { most: Size, wanted: Size, beside: Size, share: Size }
         es "en el fondo quedan unos {most} al {share} % del camino del cubo al borde, a más de {beside} de las caras: más que la cresta c_s de {wanted} y la tolerancia"
@@ -180,12 +180,12 @@ rules! {
         why "La regla publicada pide un tercio más que la herramienta; de un corte clear rodete comprueba cada pasada con los álabes vecinos.",
             "The published rule asks for a third more than the tool; of a clear cut rodete checks each pass against the neighbouring blades.";
         example book!("impeller", "splitters" = "no");
-    "P1226" StretchesNotReached Caution { count: usize, what: Text, from: Size, to: Size }
+    "P1226" StretchesNotReached Caution { count: usize, what: Text, from: Size, to: Size, smaller: Text }
         es "tramos que no se cortan porque a la herramienta le cierran el paso por los dos extremos: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
         en "stretches not cut because the tool is shut off at both ends: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
-        remedy "use una herramienta menor, que quepa también en el cubo; quite a mano lo que quede", "use a smaller tool, which fits at the hub, too; remove by hand what is left";
-        why "Una pasada entra por el cubo o por el borde; con partly = sí no entra por el cubo, y el álabe intermedio cierra el paso desde el borde.",
-            "A pass comes in at the hub or at the rim; with partly = yes none comes in at the hub, and a splitter shuts the way from the rim.";
+        remedy "{smaller}; quite a mano lo que quede", "{smaller}; remove by hand what is left";
+        why "Una pasada entra por el cubo o por el borde. Junto a un álabe intermedio pueden cerrarse los dos; con partly = sí no entra por el cubo.",
+            "A pass comes in at the hub or at the rim. Beside a splitter both may be shut; with partly = yes none comes in at the hub.";
         example book!("impeller", "r" = "18", "e" = "1", "d_f" = "", "T_f" = "", "D_f" = "", "c_s" = "0.1", "tol" = "0.02", "partly" = "yes");
     "P1227" HolderThinnerThanTool Caution { holder: Size, tool: Text, d: Size }
         es "d_h = {holder} es menor que el diámetro de {tool}, {d}: si d_h es el del mango, el portaherramientas que hay encima queda sin comprobar"

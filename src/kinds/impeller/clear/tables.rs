@@ -177,8 +177,8 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
     let mut list = vec![
         quantity(
             "d_t_max",
-            "Mayor fresa de desbaste que pasa entre los álabes hasta el fondo",
-            "Largest roughing tool that passes between the blades down to the floor",
+            "Mayor fresa de desbaste según la separación de las caras hasta el fondo",
+            "Largest roughing tool by the gap of the faces down to the floor",
             (told.gap - 2.0 * asked.cut.s).max(0.0),
             mm,
             ["separación de las caras hasta el fondo − 2·s_w", "gap of the faces down to the floor − 2·s_w"],
