@@ -4,19 +4,21 @@ use crate::finding::{Finding, Key, Raise};
 use crate::gcode::code::G;
 use crate::gcode::control::Control;
 use crate::gcode::fields::DIALECT;
-use crate::gcode::interpreter::{Interpreter, Refused, Setting};
+use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::rules::codes::{
-    EndMissing, EndsTooSoon, MachineCodeNotKnown, NoMachineCode, NotInRetract, RetractInProgram, RetractWithoutZ,
-    SpindleCode,
+    CodesRefused, EndMissing, EndsTooSoon, MachineCodeNotKnown, NoMachineCode, NotInRetract, RetractInProgram,
+    RetractWithoutZ, SpindleCode,
 };
 use crate::gcode::word::{Number, Retract, Word};
 use crate::parameter::at;
+use crate::text::Text;
 
 /// What is wrong with the codes of a parameter: one that is no M code, that the control does not know, or that ends the
 /// program where it must not. With `closing` the last one must end it. What the control refuses of them in one block, as they are
-/// written, is told with the parameter: the program's line would not say which cell it came from.
+/// written, is told with the parameter: the program's line would not say which cell it came from. `tooled` where the program calls a tool
+/// before them.
 #[must_use]
-pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], closing: bool) -> Vec<Finding> {
+pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], closing: bool, tooled: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
     let both = || at([key, DIALECT.key()]);
     for word in codes {
@@ -34,20 +36,22 @@ pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], closin
         findings.push(EndMissing { key }.at(at([key])));
     }
     if findings.is_empty() && !codes.is_empty() {
-        findings.extend(refused_block(dialect, codes).map(|fault| Finding::from(fault).placed(both())));
+        findings.extend(refused_block(dialect, codes, tooled).map(|why| CodesRefused { key, why }.at(both())));
     }
     findings
 }
 
-/// What the control refuses of a block by itself.
-fn refused_block(control: &'static Control, words: &[Word]) -> Option<Refused> {
+/// What the control refuses of a block, behind one that calls a tool or without any.
+fn refused_block(control: &'static Control, words: &[Word], tooled: bool) -> Option<Text> {
     let shown = |word: &Word| match word.number {
         Number::Whole(number) => Some(format!("{}{number}", word.letter)),
         Number::Size(_) | Number::Feed(_) => None,
     };
     let block: Vec<String> = words.iter().filter_map(shown).collect();
     let setting = Setting { part: true, ..Setting::new(control) };
-    Interpreter::over(block.join(" ").as_bytes(), setting).find_map(Result::err).map(|fault| *fault)
+    let tool = if tooled { "T1\n" } else { "" };
+    let text = format!("{tool}{}", block.join(" "));
+    Interpreter::over(text.as_bytes(), setting).find_map(Result::err).map(|fault| fault.message())
 }
 
 /// G53, in tenths.

@@ -3,7 +3,7 @@
 use crate::finding::{Finding, Grade, Place, Raise};
 use crate::gcode::interpreter::{Interpreter, Refused};
 use crate::gcode::program::Program;
-use crate::gcode::rules::modes::{NoFeed, NoSpeedLimit};
+use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, NoSpeedLimit, SpindleStopped};
 use crate::proof::Judged;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::{ChecksPassed, MemoryExceeded};
@@ -36,8 +36,8 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refus
         let found = Finding::from(refused.clone());
         return asked.unless(Some(|place| of_program(found, place))).apart();
     }
-    // Of feeds and of the limit of the speed their judges speak.
-    let theirs = [NoFeed::RULE, NoSpeedLimit::RULE];
+    // Of feeds, of the limit of the speed and of the spindle their judges speak, or the kind itself.
+    let theirs = [NoFeed::RULE, NoSpeedLimit::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE];
     let own = |remark: &Finding| remark.grade >= Grade::Caution && !theirs.iter().any(|rule| remark.is(rule));
     let remark = text.remarks().into_iter().find(own);
     asked.seen(lines).unless(remark.map(|remark| move |place| of_program(remark, place))).apart()

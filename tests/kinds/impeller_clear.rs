@@ -197,6 +197,10 @@ fn the_largest_tool_for_a_rest_does_not_depend_on_the_one_that_is_given() {
     };
     let d = named(6.0);
     assert_eq!(named(2.0), d);
+    // The roughing tool's own diameter is tried, too.
+    let wide = outcome(&[("h_r", Value::Real(3.0)), ("d_f", Value::Real(2.0))]);
+    let what = told(&wide, "left in the corner of face and floor").unwrap();
+    assert!(what.contains("end mill is 6 mm"), "{what}");
     // It leaves no more, and one a tenth larger does.
     let left = |d_f: f64| quantity(&outcome(&[("d_f", Value::Real(d_f))]), "root_height").unwrap();
     assert!(left(d) <= 0.4 && left(d + 0.1) > 0.4, "{d} {} {}", left(d), left(d + 0.1));

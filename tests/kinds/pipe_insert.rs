@@ -261,7 +261,16 @@ fn contradictions_are_refused_with_the_amount() {
             "end_codes holds M101, which turns the torch on",
             "write only codes that end the program, such as M30",
         ),
-        (vec![("torch_on", Value::Line("M6".to_owned()))], "M6 without a tool selected by T", "program T before M6"),
+        (
+            vec![("torch_on", Value::Line("M62".to_owned()))],
+            "the control does not take the codes of torch_on: digital output without a number P",
+            "keep in torch_on only M codes that the control takes together in one block and without other words",
+        ),
+        (
+            vec![("torch_on", Value::Line("M6".to_owned()))],
+            "the control does not take the codes of torch_on: M6 without a tool selected by T",
+            "keep in torch_on only M codes that the control takes together in one block and without other words",
+        ),
     ] {
         let findings = refused(&changes);
         assert_eq!(findings.len(), 1, "{findings:?}");

@@ -7,7 +7,7 @@ use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 /// The control that the beginning of a program and its file's ending (without the dot) tell.
 ///
 /// The header of a program that rodete wrote names it. `.ngc` is LinuxCNC. A first line `%name,MX--,` is a Fagor 8055, or 8055 T
-/// where a block has G96 with S, or where one has G95 and none has Y; `%number-name` is a Fagor 8070. An M code from M10 to M18
+/// where a block has G96 with S, or where one has G95 and none as far as the end has Y; `%number-name` is a Fagor 8070. An M code from M10 to M18
 /// or M20 to M29, which LinuxCNC does not have and a machine's builder gives a Fagor (clamps of rotary axes), is a Fagor
 /// 8055. A Fanuc lathe of system A is told by a T of place and offset, `T0101`, or `T101` in a text without M6; by `G50 S`; and by
 /// G71, G72 or G73 with P, Q and U or W; by G28 or G30 with U or W; and by G92 with F, a thread. U and W alone tell nothing: they are
@@ -82,17 +82,18 @@ fn surface_speed(line: &str) -> bool {
     has(&code, "G", "96") && word(&code, 'S')
 }
 
-/// True where a program feeds per revolution and has no word of Y.
+/// True where a program feeds per revolution and has no word of Y, as far as its end.
 fn turns_without_y(text: &str) -> bool {
-    let mut per_turn = false;
+    let (mut per_turn, mut ends) = (false, false);
     for line in text.lines().skip_while(|line| line.trim().is_empty()).skip(1) {
         let code = code(line);
         if word(&code, 'Y') {
             return false;
         }
         per_turn |= has(&code, "G", "95");
+        ends |= has(&code, "M", "30") || has(&code, "M", "2");
     }
-    per_turn
+    per_turn && ends
 }
 
 /// True where a line has G50 and S, the limit of the spindle's speed of a Fanuc lathe.
@@ -182,7 +183,8 @@ mod tests {
             ("(RODETE 0.1.0 - DIALECT FAGOR-8070)\nG71\n", "nc", "fagor-8070"),
             ("%0001-A,MX--,\r\nG71\r\nN40 G96 S300 M4\r\n", "nc", "fagor-8055-t"),
             ("%0001-A,MX--,\r\nG71\r\n;G96 S300\r\nS960\r\n", "nc", "fagor-8055"),
-            ("%0001-A,MX--,\r\nG71 G95 F.2\r\nG1 X20 Z-5\r\n", "nc", "fagor-8055-t"),
+            ("%0001-A,MX--,\r\nG71 G95 F.2\r\nG1 X20 Z-5\r\nM30\r\n", "nc", "fagor-8055-t"),
+            ("%0001-A,MX--,\r\nG71 G95 F.2\r\nG1 X20 Z-5\r\n", "nc", "fagor-8055"),
             ("%0001-Y1,MX--,\r\nG71 G95 F.2\r\nG1 X20 Y0\r\n", "nc", "fagor-8055"),
             ("%\nG21\nM30\n%\n", "nc", "linuxcnc"),
             ("O0001\nN10 G50 S2500\nN20 T0101 M41\n", "nc", "fanuc-lathe-a"),

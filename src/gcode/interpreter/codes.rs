@@ -117,7 +117,11 @@ impl Reader<'_, '_> {
                 self.state.modal.spindle = Spindle::Stopped
             }
             Some((code @ (M::SaveState(_) | M::ForgetState | M::RestoreState), _)) => self.context_code(code)?,
-            Some((M::SpindleOrient, _)) => self.orient_words()?,
+            Some((M::SpindleOrient, _)) => {
+                self.orient_words()?;
+                // It holds the spindle until M3, M4 or M5.
+                self.state.modal.spindle = Spindle::Stopped;
+            }
             _ => {}
         }
         if let Some((M::Coolant(on), _)) = self.block.m(8)

@@ -131,6 +131,8 @@ impl Reader<'_, '_> {
         if (state.tool == none) != (now == none) {
             let tool = if state.tool == none { none } else { self.offset_of(self.state.modal.tool) };
             self.reframe(ActiveOffsets { tool, ..self.state.frame });
+            self.state.modal.lengthened = state.tool != none;
+            self.state.modal.length_of = self.state.modal.lengthened.then_some(self.state.modal.tool);
         }
         if self.state.frame.tool != state.tool {
             self.remark_context(&RestoreOfLength {});
@@ -176,8 +178,8 @@ mod tests {
 
     #[test]
     fn what_comes_back_otherwise_than_it_was_kept_is_told() {
-        assert_eq!(cautions("G21 G90\nF100.5 S500\nM70\nG91\nF3\nM72\nG1 X1\nM2\n"), Vec::<String>::new());
-        let rounded = cautions("G20 G90\nF1.23 S99.6\nM70\nM72\nG1 X1\nM2\n");
+        assert_eq!(cautions("G21 G90\nF100.5 S500 M3\nM70\nG91\nF3\nM72\nG1 X1\nM2\n"), Vec::<String>::new());
+        let rounded = cautions("G20 G90\nF1.23 S99.6 M3\nM70\nM72\nG1 X1\nM2\n");
         assert_eq!(rounded.len(), 2, "{rounded:?}");
         assert!(rounded[0].starts_with("F1.23 comes back as F1.2:"), "{rounded:?}");
         assert!(rounded[1].starts_with("S99.6 comes back as S100:"), "{rounded:?}");

@@ -93,3 +93,70 @@ impl Reader<'_, '_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::control::LINUXCNC;
+    use crate::gcode::interpreter::{Interpreter, Setting, ToolOffset, Tools};
+    use crate::machine::axis::Axis;
+
+    /// The codes of what is remarked of a program, over a table of T1, 50 mm long, T2, 80 mm, and T3 without a length.
+    fn remarked(program: &str) -> Vec<&'static str> {
+        let tool = |length: f64| {
+            let mut tool = ToolOffset::default();
+            tool.offset.set(Axis::Z, length);
+            tool
+        };
+        let mut setting = Setting::new(&LINUXCNC);
+        setting.tools = Some(Tools::from([(1, tool(50.0)), (2, tool(80.0)), (3, tool(0.0))]));
+        let mut interpreter = Interpreter::over(program.as_bytes(), setting);
+        assert!(interpreter.by_ref().all(|motion| motion.is_ok()), "{program}");
+        interpreter.remarks().iter().map(|finding| finding.code()).filter(|code| code.starts_with("G05")).collect()
+    }
+
+    #[test]
+    fn a_tool_of_the_table_cuts_with_its_own_length_or_it_is_told() {
+        for (blocks, told) in [
+            ("T1 M6|M3|G43|G0 Z5|G1 Z-2", &[][..]),
+            ("T1 M6|M3|G43 H0|G0 Z5|G1 Z-2", &[]),
+            ("T3 M6|M3|G0 Z5|G1 Z-2", &[]),
+            ("T1 M6|M3|G43.1 Z12|G0 Z5|G1 Z-2", &[]),
+            ("T1 M6|M3|G0 Z5|G1 Z-2", &["G0528"]),
+            ("T1 M6|M3|G43|G0 Z5|G49|G1 Z-2", &["G0528"]),
+            ("T1 M6|M3|G0 Z5|G81 X9 R2 Z-3", &["G0528"]),
+            ("T1 M6|M3|G43 H2|G0 Z5|G1 Z-2", &["G0529"]),
+            ("T1 M6|M3|G43|G0 Z5|T2 M6|M3|G1 Z-2", &["G0529"]),
+            ("T1 M6|M3|G43|G0 Z5|T2 M6|M3|G43|G1 Z-2", &[]),
+            ("T1 M6|M3|G43.1 Z50|G0 Z5|T2 M6|M3|G1 Z-2", &["G0529"]),
+            ("T1 M6|M3|G43|G0 Z5|T2 M6|M3|G43.2 H1|G1 Z-2", &["G0529"]),
+            ("T1 M6|M3|G43|G43.2 H3|G0 Z5|G1 Z-2", &[]),
+            // M72 gives back whether a length is taken up.
+            ("T1 M6|M3|M70|G43 H1|G0 Z50|M72|G1 Z-2", &["G0528"]),
+            ("T1 M6|M3|G43|M70|G49|M72|G1 Z-2", &[]),
+            ("T1 M6|M3|G43|M70|G49|M72|T2 M6|M3|G1 Z-2", &["G0529"]),
+        ] {
+            let program = format!("G21 G90 G98 S900 F100\n{}\nM2\n", blocks.replace('|', "\n"));
+            assert_eq!(remarked(&program), told, "{blocks}");
+        }
+    }
+
+    #[test]
+    fn a_cut_asks_for_a_spindle_that_turns() {
+        for (blocks, told) in [
+            ("S900 M3|G1 X1", &[][..]),
+            ("G1 X1", &[]),
+            ("M3|G0 X1|M5|G0 X2|M3|G1 X3", &[]),
+            ("S900|G1 X1", &["G0530"]),
+            ("G1 X1|M3|G1 X2", &["G0530"]),
+            ("S900 M3|G1 X1|M5|G1 X2", &["G0531"]),
+            ("S900 M3|G1 X1|M19 R0|G1 X2", &["G0531"]),
+            ("S900 M3|G1 X1|T1 M6|G43|G1 X2", &["G0531"]),
+            ("S900 M3|G1 X1|M5|G1 A90", &[]),
+            ("S900 M3|G95 F12|G1 X1", &["G0532"]),
+            ("S900 M3|G95 F6|G1 X1", &[]),
+        ] {
+            let program = format!("G21 G90 F100\n{}\nM2\n", blocks.replace('|', "\n"));
+            assert_eq!(remarked(&program), told, "{blocks}");
+        }
+    }
+}

@@ -58,7 +58,12 @@ impl Reader<'_, '_> {
             return Ok(());
         }
         let selected = self.state.modal.selected;
-        self.state.modal.tool = selected.unwrap_or(self.state.modal.tool);
+        let before = self.state.modal.tool;
+        self.state.modal.tool = selected.unwrap_or(before);
+        // A length of the program's own was for the tool that was in the spindle.
+        if self.state.modal.lengthened && before != self.state.modal.tool {
+            self.state.modal.length_of.get_or_insert(before);
+        }
         match self.memory.control.change {
             ToolChange::Routine => {}
             ToolChange::Selected if selected.is_none() => {
@@ -86,7 +91,7 @@ impl Reader<'_, '_> {
         let column = self.block.g_column(Group::ToolLength);
         let H = self.block.get(letter::H);
         let axes = AXES.into_iter().any(|axis| self.block.has(axis));
-        let mut length_of = None;
+        let mut length_of = if code == G::ToolLengthAdded { self.state.modal.length_of } else { None };
         let tool = match (code, H) {
             (G::ToolLengthOff, _) => Pose::default(),
             (G::ToolLength, H) => {

@@ -2,6 +2,7 @@
 
 use crate::finding::Key;
 use crate::finding::rule::{book, rules};
+use crate::text::Text;
 
 rules! {
     /// The rows of machine codes and of the block that takes the tool away.
@@ -62,4 +63,10 @@ rules! {
         remedy "deje M3 o M4 en start_codes, uno de los dos, y ningún otro código del husillo en ninguna celda", "leave M3 or M4 in start_codes, one of the two, and no other spindle code in any cell";
         why "La fresa cortaría parada o girando al revés.", "The cutter would cut at a standstill or turning backwards.";
         example book!("impeller", "coolant" = "M5");
+    "C1010" CodesRefused Stop { key: Key, why: Text }
+        es "el control no admite los códigos de {key}: {why}"
+        en "the control does not take the codes of {key}: {why}"
+        remedy "deje en {key} solo códigos M que el control admita juntos en un bloque y sin más palabras", "keep in {key} only M codes that the control takes together in one block and without other words";
+        why "Los códigos de la celda van juntos en un bloque del programa.", "The codes of the cell stand together in one block of the program.";
+        example book!("pipe-insert", "torch_on" = "M62");
 }

@@ -156,7 +156,7 @@ mod tests {
         let whole = broken(lines, Edge::Round(5.0), None).unwrap().unwrap();
         assert_eq!(whole.to, [20.0, -5.0]);
         let trouble = broken(lines, Edge::Chamfer(5.001), None).unwrap_err();
-        assert_eq!(trouble.what.en, "the corner needs 5.001 mm of each line, and the shorter line is 5 long");
+        assert_eq!(trouble.what.en, "the corner needs 5.001 mm of each line, and the shorter line is 5 mm long");
         assert_eq!(
             broken([[0.0; 2], [0.0; 2], [1.0, 0.0]], Edge::Chamfer(0.5), None).unwrap_err().rule,
             CornerLineWithoutLength::RULE

@@ -191,9 +191,9 @@ impl Design {
         findings.extend(refused);
         findings.extend(refused_spindle(form::COOLANT.key(), &self.coolant, false));
         findings.extend(refused_spindle(form::START_CODES.key(), &self.start_codes, true));
-        findings.extend(refused_codes(self.control, form::COOLANT.key(), &self.coolant, false));
-        findings.extend(refused_codes(self.control, form::START_CODES.key(), &self.start_codes, false));
-        findings.extend(refused_codes(self.control, form::END_CODES.key(), &self.end_codes, true));
+        findings.extend(refused_codes(self.control, form::COOLANT.key(), &self.coolant, false, true));
+        findings.extend(refused_codes(self.control, form::START_CODES.key(), &self.start_codes, false, true));
+        findings.extend(refused_codes(self.control, form::END_CODES.key(), &self.end_codes, true, true));
         if self.clear.is_some() {
             return;
         }

@@ -1,6 +1,7 @@
 //! One turning program followed from its first block to its last.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::ControlFlow;
 
 use super::drawn::Drawn;
@@ -14,7 +15,7 @@ use crate::finding::{Exit, Finding, Place, Raise, Size};
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::Refused;
-use crate::gcode::motion::{Motion, MotionKind};
+use crate::gcode::motion::{Arc, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::gcode::rules::lexis::MoreRefusals;
 use crate::gcode::rules::modes::GreatFeedPerTurn;
@@ -22,6 +23,7 @@ use crate::gcode::word::NumberFormat;
 use crate::kind::{Duration, Proved};
 use crate::limits::FOLLOWED_MOTIONS;
 use crate::machine::axis::{Axis, Pose, Position};
+use crate::number::trig;
 use crate::proof::account::Account;
 use crate::removal::turning::alarm::Cause;
 use crate::removal::turning::in_force::InForceWatch;
@@ -186,6 +188,22 @@ pub(super) fn follow<'a>(
     following.ended(&interpreter, held, watch)
 }
 
+/// The greatest part of the feed along an arc that an axis of its plane takes: all of it where the arc runs along the axis, else that of
+/// one of its ends.
+fn greatest_part(arc: &Arc, motion: &Motion, axis: Axis) -> f64 {
+    let [first, second, _] = arc.plane.axes();
+    let [a, b] = [(first, 0), (second, 1)].map(|(axis, at)| motion.from.get(axis) - arc.centre[at]);
+    // The arc runs along its first axis where it is a quarter of a turn away from it, seen from the centre.
+    let shift = if axis == first { FRAC_PI_2 } else { 0.0 };
+    let from = trig::atan2(b, a) - shift;
+    let to = from + arc.sweep;
+    if (from / PI).floor() != (to / PI).floor() {
+        1.0
+    } else {
+        trig::sin_cos(from).1.abs().max(trig::sin_cos(to).1.abs())
+    }
+}
+
 impl<'a> Following<'_, 'a> {
     /// What blocks without a motion have put in force.
     fn stood(&mut self, interpreter: &mut Interpreter<'_>, watch: &mut dyn FnMut(Seen<'_>)) {
@@ -262,7 +280,7 @@ impl<'a> Following<'_, 'a> {
         }
     }
 
-    /// A feed that an axis cannot follow, once for each tool. Of an arc the feed itself counts, for it goes along each axis in turn.
+    /// A feed that an axis cannot follow, once for each tool.
     fn see_feed(&mut self, step: &Step, file: Option<&str>) {
         let (motion, Some(seconds)) = (&step.motion, step.seconds.filter(|&seconds| seconds > 0.0)) else { return };
         let by = motion.to.differences(&motion.from);
@@ -270,7 +288,7 @@ impl<'a> Following<'_, 'a> {
         let rates = [(Axis::X, x), (Axis::Z, z)];
         let beyond = rates.into_iter().find_map(|(axis, rapid)| {
             let way = match motion.kind {
-                MotionKind::Arc(arc, _) => arc.length(0.0),
+                MotionKind::Arc(arc, _) => arc.length(0.0) * greatest_part(&arc, motion, axis),
                 _ => by[axis as usize].abs(),
             };
             let feed = way * 60.0 / seconds;

@@ -140,8 +140,7 @@ fn rows() -> Vec<LiveRow> {
             "point",
             "live_point",
             t("Cómo lee el control X100", "How the control reads X100"),
-            // Without what is in brackets: the cell is narrow.
-            "IFERROR(LEFT(decimal_point,FIND(\" (\",decimal_point)-1),decimal_point&\"\")",
+            "decimal_point&\"\"",
         )
         .always()
         .unit(Unit::None)

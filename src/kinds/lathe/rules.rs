@@ -295,8 +295,8 @@ rules! {
     "L0232" FeedBeyondRapid Stop { feed: Size, axis: char, rapid: Size }
         es "el avance movería el eje {axis} a {feed}, más rápido que su avance rápido de {rapid}"
         en "the feed would move axis {axis} at {feed}, faster than its rapid rate of {rapid}"
-        remedy "compruebe F, y si es por vuelta (G99; Fagor G95) o por minuto (G98; Fagor G94)",
-            "check F, and whether it is per revolution (G99; Fagor G95) or per minute (G98; Fagor G94)";
+        remedy "compruebe F y S (en una rosca, baje S), y si F es por vuelta (G99; Fagor G95) o por minuto (G98; Fagor G94)",
+            "check F and S (of a thread, lower S), and whether F is per revolution (G99; Fagor G95) or per minute (G98; Fagor G94)";
         why "El eje no llega a ese avance: la máquina se para o va más despacio, y ni tiempo ni viruta son los calculados.",
             "The axis cannot feed so fast: the machine stops or goes slower, and neither time nor chip is what was computed.";
         example blocks!("X46.|G1 Z-20. F60.|X54.|G0 Z2.");

@@ -148,8 +148,9 @@ fn by_plans(job: &Job, asked: &Asked, first: Option<f64>, too_large: Option<f64>
         let cut = Cut { finish: Tool::flat(steps / STEPS_A_MM), ..asked.cut };
         Plan::new(job, &cut).is_ok_and(|plan| plan.told.root.height <= allowed)
     };
-    let (mut good, mut bad) =
-        ((first * STEPS_A_MM).floor(), (too_large.unwrap_or(asked.cut.rough.d) * STEPS_A_MM).ceil());
+    let mut good = (first * STEPS_A_MM).floor();
+    // No finishing tool is wider than the roughing tool, which is tried itself.
+    let mut bad = too_large.map_or((asked.cut.rough.d * STEPS_A_MM).floor() + 1.0, |d| (d * STEPS_A_MM).ceil());
     let from = good;
     while bad - good > 1.0 {
         let middle = f64::midpoint(good, bad).floor();

@@ -268,10 +268,10 @@ impl Design {
             (HOLD_OFF.key(), &self.hold_off),
         ];
         for (key, codes) in lists {
-            findings.extend(refused_codes(self.control, key, codes, false));
+            findings.extend(refused_codes(self.control, key, codes, false, false));
         }
         findings.extend(opposed(&lists));
-        findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true));
+        findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true, false));
         findings.extend(on_at_end(&self.torch_on, &self.end_codes));
         findings
     }

@@ -89,10 +89,10 @@ impl Design {
             }
             _ => {}
         }
-        findings.extend(refused_codes(self.control, TORCH_ON.key(), &self.torch_on, false));
-        findings.extend(refused_codes(self.control, TORCH_OFF.key(), &self.torch_off, false));
+        findings.extend(refused_codes(self.control, TORCH_ON.key(), &self.torch_on, false, false));
+        findings.extend(refused_codes(self.control, TORCH_OFF.key(), &self.torch_off, false, false));
         findings.extend(opposed(&[(TORCH_ON.key(), &self.torch_on), (TORCH_OFF.key(), &self.torch_off)]));
-        findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true));
+        findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true, false));
         findings.extend(on_at_end(&self.torch_on, &self.end_codes));
         findings
     }
