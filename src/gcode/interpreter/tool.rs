@@ -61,7 +61,7 @@ impl Reader<'_, '_> {
         let before = self.state.modal.tool;
         self.state.modal.tool = selected.unwrap_or(before);
         // A length of the program's own was for the tool that was in the spindle.
-        if self.state.modal.lengthened && before != self.state.modal.tool {
+        if self.state.modal.lengthened && before != 0 && before != self.state.modal.tool {
             self.state.modal.length_of.get_or_insert(before);
         }
         match self.memory.control.change {

@@ -293,9 +293,10 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
     }
     if let Some(allowed) = asked.root {
         // The ways are exact there; blocks leave them by the tolerance.
-        let given = Some(asked.cut.finish).filter(|tool| tool.r_c == 0.0 && root.height <= allowed).map(|tool| tool.d);
+        let flat = Some(asked.cut.finish).filter(|tool| tool.r_c == 0.0).map(|tool| tool.d);
+        let (given, too_large) = if root.height <= allowed { (flat, None) } else { (None, flat) };
         let first = largest(job, allowed, asked.cut.rough.d, asked.cut.scallop, given);
-        let tool = by_plans(job, asked, first, (root.height > allowed).then_some(asked.cut.finish.d)).map_or_else(
+        let tool = by_plans(job, asked, first, too_large).map_or_else(
             || t("ninguna fresa deja tan poco", "no tool leaves as little"),
             |d| {
                 let d = shown(d, 2);
