@@ -141,9 +141,8 @@ impl Plan {
         let Rests { floor: mut look, root, unfinished } = draft.rests(floor_lanes, faces);
         let floor = draft.lean(&finish, &mut look);
         let floor = look.as_ref().map_or(floor, |look| look.with_nose(floor));
-        // Where little more than ridges is left of the floor, the lanes beside have cut what one did not come to: how much it is, the
-        // rest of the floor tells.
-        let ridges = 2.0 * (cut.scallop + cut.tolerance);
+        // Where nothing but ridges is left of the floor, the lanes beside have cut what one did not come to.
+        let ridges = cut.scallop + cut.tolerance;
         let is_cut = |v: [f64; 2]| finish_from == 0.0 && look.as_ref().is_some_and(|look| look.is_cut(v, ridges));
         let told = Told {
             gap: gap(part, job.N, cut.finish.d).width,
