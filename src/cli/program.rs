@@ -93,7 +93,7 @@ pub(super) struct Shared<'a> {
     workbook: Option<Given>,
     /// The language of that workbook.
     pub(super) language: Option<Language>,
-    unit: LengthUnit,
+    pub(super) unit: LengthUnit,
     settled: Vec<Finding>,
     /// The parameter file and the tool table.
     consulted: Vec<Consulted>,

@@ -20,6 +20,7 @@ pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
     verdict(workbook, |verdict| {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
         let (bytes, mut filled) = read(workbook, kinds, verdict)?;
+        verdict.put_in = filled.put_in;
         filled.findings.extend(filled.stale.take().into_iter().chain(filled.astray.take()));
         if filled.stamped {
             filled.findings.extend(stamp::others(&bytes)?);

@@ -128,7 +128,9 @@ fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> S
         (Exit::Done, None) if !writes => {
             let word =
                 if workbook.contains(char::is_whitespace) { format!("\"{workbook}\"") } else { workbook.to_owned() };
-            Text::new(format!("{}rodete build {word}", cautions.es), format!("{}rodete build {word}", cautions.en))
+            let into = if verdict.put_in { " --into" } else { "" };
+            let [es, en] = [cautions.es, cautions.en].map(|first| format!("{first}rodete build {word}{into}"));
+            Text::new(es, en)
         }
         (Exit::Refused, _) if !verdict.findings.iter().any(in_cells) => {
             t("siga las sugerencias de arriba", "follow the hints above")

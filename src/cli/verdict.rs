@@ -18,6 +18,8 @@ pub(super) struct Ending {
     pub(super) schema: Option<&'static str>,
     /// The language that it is in, where that is known.
     pub(super) language: Option<Language>,
+    /// Results were put into it before.
+    pub(super) put_in: bool,
     /// How its work ended.
     pub(super) exit: Exit,
     /// Derived values.
@@ -38,6 +40,7 @@ impl Ending {
             sha256: None,
             schema: None,
             language: None,
+            put_in: false,
             exit: Exit::Done,
             quantities: Vec::new(),
             findings: Vec::new(),

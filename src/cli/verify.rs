@@ -9,18 +9,20 @@ use super::args::Verify;
 use super::locale::spoken;
 use super::made_from;
 use super::program::{Consulted, Shared, told_from};
-use super::rules::NothingMoves;
+use super::rules::{NothingMoves, UnitNotSaid};
 use super::terminal::Terminal;
 use super::turning::is_workbook;
 use super::verdict::{Ending, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::gcode::code::G;
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::tools_headed;
 use crate::gcode::interpreter::{Bytes, Interpreter, Refused, Rotary, findings};
 use crate::gcode::motion::{FeedMode, Motion, MotionKind};
 use crate::limits::LISTED_REFUSALS;
 use crate::machine::axis::{Axis, Pose};
+use crate::machine::length_unit::LengthUnit;
 use crate::number::shown;
 use crate::proof::account::{Account, Extents, drift};
 use crate::store::{Sum, Summed};
@@ -38,6 +40,8 @@ struct Read {
     account: Account,
     net: [f64; 9],
     lines: usize,
+    /// The program is in inches.
+    inch: bool,
     /// A block was rejected: what follows it is not what the control does.
     rejected: bool,
     /// What was read beside it.
@@ -101,6 +105,7 @@ fn read(path: &Path, arguments: &Verify, shared: &Shared<'_>, terminal: &mut Ter
         account: Account::default(),
         net: [0.0; 9],
         lines: 0,
+        inch: false,
         rejected: false,
         consulted: Vec::new(),
     };
@@ -153,6 +158,10 @@ fn follow(
     if read.account.program.is_none() && total == 0 {
         remarks.push(NothingMoves {}.at(Place::File));
     }
+    read.inch = interpreter.unit() == Some(LengthUnit::Inch);
+    if interpreter.unit().is_none() && read.account.program.is_some() && total == 0 {
+        remarks.push(unit_not_said(dialect, shared.unit));
+    }
     read.verdict.findings = findings(faults, total, remarks);
     drop(interpreter);
     read.verdict.sha256 = sum.take();
@@ -198,6 +207,16 @@ fn read_through(
     }
     terminal.out(&canon);
     (faults, total)
+}
+
+/// The note on a program that leaves its unit to the control, which is read in one.
+fn unit_not_said(control: &Control, unit: LengthUnit) -> Finding {
+    let code = |unit: G| control.codes.names(unit).into_iter().next().unwrap_or_default();
+    let told = match unit {
+        LengthUnit::Millimetre => t("mm", "mm"),
+        LengthUnit::Inch => t("pulgadas", "inches"),
+    };
+    UnitNotSaid { unit: told, metric: code(G::Millimetre), inch: code(G::Inch) }.at(Place::File)
 }
 
 /// X as the lathe's program has it, a diameter, in what is reported in sum; canonical motions have radii.
@@ -365,6 +384,13 @@ fn summary(read: &Read, dialect: &Control, name: &str, language: Language) -> St
         );
         text.push_str(&format!("  {why}\n"));
     } else if let (Some(program), Some(machine)) = (&account.program, &account.machine) {
+        if read.inch {
+            let told = word(
+                "el programa está en pulgadas; aquí todo está en mm",
+                "the program is in inches; all lengths here are in mm",
+            );
+            text.push_str(&format!("  {told}\n"));
+        }
         for axis in Axis::ALL {
             let (program, machine) = (program.of(axis), machine.of(axis));
             if read.told(axis) {

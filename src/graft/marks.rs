@@ -3,13 +3,11 @@
 use crate::escape::excerpt;
 use crate::text::{Text, t};
 use crate::workbook::address::cell;
-use crate::workbook::names::quoted;
+use crate::workbook::names::{MARK, quoted};
 
 use super::book::Name;
 use super::sheet::Title;
 
-/// How the hidden name begins that leads to a sheet.
-const SHEET: &str = "rodete_sheet_";
 /// How the one begins that says what stands in its first cell.
 const TITLE: &str = "rodete_title_";
 /// Characters of a title that are kept: a text in a formula has 255 at most.
@@ -33,7 +31,7 @@ pub fn marks(names: &[Name]) -> Vec<Mark> {
     let globals = || names.iter().filter(|one| one.sheet.is_none());
     globals()
         .filter_map(|one| {
-            let slug = one.name.to_lowercase().strip_prefix(SHEET)?.to_owned();
+            let slug = one.name.to_lowercase().strip_prefix(MARK)?.to_owned();
             let title = format!("{TITLE}{slug}");
             let title = globals().find(|one| one.name.eq_ignore_ascii_case(&title));
             Some(Mark {
@@ -49,7 +47,7 @@ pub fn marks(names: &[Name]) -> Vec<Mark> {
 /// The names that mark a sheet.
 pub fn names(slug: &str, sheet: &str, title: &Title) -> [Name; 2] {
     let hidden = |name: String, formula| Name { name, sheet: None, hidden: true, formula };
-    [hidden(format!("{SHEET}{slug}"), format!("{}!$A$1", quoted(sheet))), hidden(format!("{TITLE}{slug}"), said(title))]
+    [hidden(format!("{MARK}{slug}"), format!("{}!$A$1", quoted(sheet))), hidden(format!("{TITLE}{slug}"), said(title))]
 }
 
 /// What stands in a first cell as a formula: the beginning of a text, 1 for the result of a formula, else 0.

@@ -3,9 +3,10 @@
 //! [`Fields::of`] is the only way from the values of a workbook to what a design is made of. It proves that every value that
 //! the form requires is there, and that each is of its field's type; [`Fields::get`] then gives it as that type.
 
+use std::collections::BTreeSet;
 use std::marker::PhantomData;
 
-use crate::finding::{CellPlace, Exit, Finding, Key, Raise, Refusal};
+use crate::finding::{CellPlace, Exit, Finding, Key, Place, Raise, Refusal};
 use crate::parameter::list::{List, Row};
 use crate::parameter::rules::{Missing, Mistyped};
 use crate::parameter::{Choice, FieldKind, Form, Parameter, Value, Values, at};
@@ -219,8 +220,8 @@ impl<T: Typed, P: Presence> Field<T, P> {
         meaning: Text,
         note: Text,
     ) -> Self {
-        let row =
-            Parameter { key, name, meaning, unit, kind, required: P::REQUIRED, read: true, admits: T::admits, note };
+        let (required, admits) = (P::REQUIRED, T::admits);
+        let row = Parameter { key, name, meaning, unit, kind, required, read: true, admits, note, given_by: None };
         Self { row, usual, presence: PhantomData }
     }
 
@@ -228,6 +229,13 @@ impl<T: Typed, P: Presence> Field<T, P> {
     #[must_use]
     pub const fn unread(mut self) -> Self {
         self.row.read = false;
+        self
+    }
+
+    /// The same for what another cell gives where its own is empty.
+    #[must_use]
+    pub const fn given_by(mut self, key: &'static str) -> Self {
+        self.row.given_by = Some(key);
         self
     }
 
@@ -413,9 +421,18 @@ impl Fields {
         self.values.language
     }
 
-    /// The finding with its parameters turned into the cells they came from.
+    /// The finding with its parameters turned into the cells they came from: of one whose cell is empty, that which gives it.
     #[must_use]
-    pub fn locate(&self, finding: Finding) -> Finding {
+    pub fn locate(&self, mut finding: Finding) -> Finding {
+        if let Place::Parameters(keys) = &mut finding.place {
+            for key in keys.iter_mut().filter(|key| !self.values.values.contains_key(key.name())) {
+                let giver = self.form.parameter(key.name()).and_then(|row| row.given_by);
+                let giver = giver.and_then(|giver| self.form.parameter(giver));
+                *key = giver.filter(|giver| self.values.values.contains_key(giver.key)).map_or(*key, Parameter::key);
+            }
+            let mut seen = BTreeSet::new();
+            keys.retain(|key| seen.insert(*key));
+        }
         self.values.locate(finding)
     }
 

@@ -80,6 +80,8 @@ pub struct Parameter {
     pub admits: fn(&Value) -> bool,
     /// A note on the allowed range, for column E and the input message.
     pub note: Text,
+    /// The key of the cell that gives the value where its own is empty: what is found of it is looked for there.
+    pub given_by: Option<&'static str>,
 }
 
 impl Parameter {

@@ -4,7 +4,7 @@
 //! in UTF-16 for an empty one. Whatever it relies on is therefore looked at here first, with this module's own walk over
 //! the same parts.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::escape::{excerpt, printable};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
@@ -25,6 +25,8 @@ pub struct Gated<'a> {
     pub sheets: Vec<SheetEntry>,
     /// What the workbook's defined names stand for, by the names in lower case.
     pub names: BTreeMap<String, String>,
+    /// The places of the sheets that have names of their own.
+    pub own: BTreeSet<usize>,
     /// Parts that the reader gets in place of those of the package.
     pub plain: Vec<(String, Vec<u8>)>,
     /// How many shared texts there are.
@@ -42,7 +44,7 @@ pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
     signature(bytes)?;
     let mut package = Package::open(bytes)?;
     format(&mut package)?;
-    let Listing { folder, sheets, names, plain } = listing::sheets(&mut package)?;
+    let Listing { folder, sheets, names, own, plain } = listing::sheets(&mut package)?;
     let strings = shared_tables::strings(&mut package, &format!("{folder}sharedStrings.xml"))?;
     shared_tables::styles(&mut package, &format!("{folder}styles.xml"))?;
     structure(&mut package, &format!("{folder}theme/theme1.xml"), limits::ATTRIBUTE, |_, _| Ok(()))?;
@@ -50,7 +52,7 @@ pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
     if package.has_ending("vbaproject.bin") {
         notes.push(MacrosNotRead {}.at(Place::File));
     }
-    Ok(Gated { package, sheets, names, plain, strings, notes })
+    Ok(Gated { package, sheets, names, own, plain, strings, notes })
 }
 
 /// Judges the first bytes.

@@ -3,10 +3,10 @@
 //! Names and targets are resolved as calamine resolves them, so that both look at the same parts. A target may go through
 //! folders with `./` and `../`, which calamine does not follow: it gets the same package with plain targets.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use quick_xml::escape::{escape, resolve_xml_entity};
-use quick_xml::events::Event;
+use quick_xml::events::{BytesStart, Event};
 
 use crate::escape::excerpt;
 use crate::finding::{Exit, Place, Raise, Refusal};
@@ -48,6 +48,8 @@ pub struct Listing {
     pub sheets: Vec<SheetEntry>,
     /// What the workbook's defined names stand for, by the names in lower case; those of one sheet alone are left out.
     pub names: BTreeMap<String, String>,
+    /// The places, among the sheets, of those that have defined names of their own, as a copy of a sheet has; not those of Excel itself.
+    pub own: BTreeSet<usize>,
     /// The parts of relationships with plain targets, by name, where a target has `./` or `../` in it; else empty.
     pub plain: Vec<(String, Vec<u8>)>,
 }
@@ -147,10 +149,11 @@ pub fn sheets(package: &mut Package<'_>) -> Result<Listing, Refusal> {
     let relations = relations(package, &folder, &workbook)?;
     let part = format!("{folder}{workbook}");
     let mut sheets = Vec::new();
-    let (mut names, mut open) = (BTreeMap::new(), None);
+    let (mut names, mut open, mut own) = (BTreeMap::new(), None, BTreeSet::new());
     structure(package, &part, limits::ATTRIBUTE, |_, event| {
         defined(event, &mut open, &mut names);
         let Event::Start(start) = event else { return Ok(()) };
+        own.extend(of_sheet(start));
         if start.local_name().as_ref() != "sheet" {
             return Ok(());
         }
@@ -210,7 +213,14 @@ pub fn sheets(package: &mut Package<'_>) -> Result<Listing, Refusal> {
             relationships(listed.map(|(one, target)| (one.id.as_str(), one.kind.as_str(), target.as_str()))),
         ));
     }
-    Ok(Listing { folder, sheets, names, plain })
+    Ok(Listing { folder, sheets, names, own, plain })
+}
+
+/// The place of the sheet to which alone a defined name belongs.
+fn of_sheet(start: &BytesStart<'_>) -> Option<usize> {
+    let named = start.local_name().as_ref() == "definedName";
+    let name = attribute(start, "name").filter(|name| named && !name.starts_with("_xlnm."));
+    name.and_then(|_| raw(start, "localSheetId")?.parse().ok())
 }
 
 /// Follows a defined name of the workbook through its events; `open` is the one that is being read.

@@ -38,6 +38,7 @@ pub mod offsets_table;
 mod open;
 pub mod package;
 pub mod page;
+mod passed_over;
 mod placed;
 pub mod program_sheet;
 mod raw_value;

@@ -20,6 +20,9 @@ pub struct Present {
     pub written: Written,
 }
 
+/// How the hidden name begins that leads to a sheet which was put into somebody's workbook.
+pub const MARK: &str = "rodete_sheet_";
+
 /// What a sheet is called in marks and in names of parts: letters, digits and `_`.
 #[must_use]
 pub fn slug(key: &str) -> String {

@@ -56,6 +56,7 @@ const fn real(key: &'static str, meaning: Text, most: f64) -> Parameter {
         read: true,
         admits: f64::admits,
         note: t("", ""),
+        given_by: None,
     }
 }
 
@@ -98,6 +99,7 @@ const fn mark(key: &'static str) -> Parameter {
         read: true,
         admits: bool::admits,
         note: t("", ""),
+        given_by: None,
     }
 }
 

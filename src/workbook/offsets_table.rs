@@ -181,10 +181,10 @@ impl Reading<'_> {
                 },
             }
         }
-        self.labels(twice, unknown);
         let lost = |column: &Column| found.iter().all(|(other, _)| other != column);
         let lost: Vec<_> =
             Column::all().filter(lost).map(|one| one.parameter(self.unit, self.language).symbol()).collect();
+        self.labels(twice, unknown, &lost);
         self.kept(&lost);
         found
     }
@@ -226,11 +226,11 @@ impl Reading<'_> {
                 },
             }
         }
-        self.labels(twice, unknown);
+        let lost: Vec<_> = Row::all().filter(|row| !found.contains_key(row)).map(Row::name).collect();
+        self.labels(twice, unknown, &lost);
         if found.is_empty() {
             self.stop(vec![(head, 0)], &NoSystems {});
         }
-        let lost: Vec<_> = Row::all().filter(|row| !found.contains_key(row)).map(Row::name).collect();
         self.kept(&lost);
         found
     }
@@ -294,11 +294,24 @@ impl Reading<'_> {
     }
 
     /// Refuses labels given twice, and mentions those that are not known.
-    fn labels(&mut self, twice: Vec<(String, Vec<address::Position>)>, unknown: Vec<(String, address::Position)>) {
+    fn labels(
+        &mut self,
+        twice: Vec<(String, Vec<address::Position>)>,
+        unknown: Vec<(String, address::Position)>,
+        lost: &[&'static str],
+    ) {
         for (label, cells) in twice {
             self.stop(cells, &HeadingTwice { heading: excerpt(&label, SHOWN) });
         }
+        let squeezed = |label: &str| fold(label).split_whitespace().collect::<String>();
+        let mistyped = |label: &str| {
+            lost.iter().copied().find(|name| strsim::damerau_levenshtein(&squeezed(label), &squeezed(name)) <= 1)
+        };
         for (label, cell) in unknown.into_iter().take(LISTED_SYMBOLS) {
+            if let Some(name) = mistyped(&label) {
+                self.stop(vec![cell], &LabelMistyped { label: excerpt(&label, SHOWN), name });
+                continue;
+            }
             let row = HeadingUnknown { heading: excerpt(&label, SHOWN) };
             self.table.findings.push(row.at(Place::Cells(vec![self.sheet.place(cell)])));
         }

@@ -24,6 +24,7 @@ use super::gate::{Gated, gate};
 use super::guard::Written;
 use super::list_rows;
 use super::listing::{self, SheetEntry};
+use super::passed_over;
 use super::rules::form::*;
 use super::sheet_cells::{Content, SheetCells};
 use super::stamp;
@@ -51,6 +52,8 @@ pub struct Filled {
     pub stale: Option<Finding>,
     /// The names by which its formulas do not find the inputs any more.
     pub astray: Option<Finding>,
+    /// Sheets of an earlier build were put into it, which is somebody's own.
+    pub put_in: bool,
     /// The files that the workbook named when its programs were verified.
     pub files: Vec<NamedFile>,
     /// What the cells of the form and of its lists hold as they stand.
@@ -74,6 +77,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     let mut written = Written::default();
     let mut exit = Exit::Refused;
     let mut first = Some(sheet);
+    let mut read = Vec::new();
     for (index, described) in form.sheets.iter().enumerate() {
         let found = if index == 0 {
             Some(entry.clone())
@@ -100,6 +104,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
                 }
             },
         };
+        read.push(entry.name.clone());
         findings.extend(hidden(&entry));
         findings.append(&mut sheet.survey.findings);
         if exit == Exit::Refused {
@@ -114,6 +119,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     }
     for list in form.lists {
         for entry in list_sheets(list, &book.gated.sheets, language, &mut findings)? {
+            read.push(entry.name.clone());
             match book.read(&entry, list_rows::COLUMNS) {
                 Ok(mut sheet) => {
                     findings.extend(hidden(&entry));
@@ -136,6 +142,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
             }
         }
     }
+    findings.extend(passed_over::cautions(&mut book, form, language, &read));
     if let Some(earlier) = earlier {
         let keys =
             earlier.renamed.iter().map(|(key, _)| *key).chain(form.schema_parameter().map(Parameter::key)).collect();
@@ -150,9 +157,9 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         }
         return Err(refusal(exit, findings));
     }
-    let Verified { stale, astray, files } = verified::read(&mut book, form, &values, &written)?;
+    let Verified { stale, astray, put_in, files } = verified::read(&mut book, form, &values, &written)?;
     let (stamped, varied) = (stamp::is_named(&book.gated.names), sweep_sheet::may_be(&book.gated.sheets, language));
-    Ok(Filled { form, values, findings, stale, astray, files, written, stamped, varied })
+    Ok(Filled { form, values, findings, stale, astray, put_in, files, written, stamped, varied })
 }
 
 /// The sheet that a form begins with, read.
@@ -480,7 +487,7 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Option<Languag
 }
 
 /// The rows of every symbol in column A.
-fn rows_by_symbol(sheet: &SheetCells) -> BTreeMap<&str, Vec<u32>> {
+pub(super) fn rows_by_symbol(sheet: &SheetCells) -> BTreeMap<&str, Vec<u32>> {
     let mut rows: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
     for &row in sheet.rows.keys() {
         if let Some(symbol) = sheet.text((row, sheet.columns.symbol)) {

@@ -1,17 +1,19 @@
 //! Numbers typed as text: what was probably meant, said as a hint and never taken as the value.
 
 use crate::finding::Raise;
+use crate::number::decimal;
+use crate::parameter::FieldKind;
 use crate::table::Unit;
 use crate::text::{Text, t};
 
 use super::rules::value::*;
 
-/// What is told of a text that stands where a number must: `name` is the parameter's, `unit` its unit.
+/// What is told of a text that stands where a number of that kind must: `name` is the parameter's, `unit` its unit.
 #[must_use]
-pub fn told(name: Text, text: &str, shown: String, unit: Unit) -> Box<dyn Raise> {
+pub fn told(name: Text, text: &str, shown: String, unit: Unit, kind: &FieldKind) -> Box<dyn Raise> {
     let (plain, foreign) = plain(text);
     let plain = plain.trim();
-    if foreign.is_none() && strict(plain) {
+    if foreign.is_none() && strict(plain) && !grouped(plain) {
         return Box::new(NumberFormattedAsText { name, text: shown, number: plain.to_owned() });
     }
     let none = t("", "");
@@ -30,8 +32,8 @@ pub fn told(name: Text, text: &str, shown: String, unit: Unit) -> Box<dyn Raise>
     let typed_unit = suffix.chars().any(|character| character.is_alphabetic() || "°\"'%/″”“′".contains(character));
     let factor = match suffix {
         _ if !typed_unit => Some(1.0),
-        // No cell of a form counts in per cent.
-        "%" => Some(0.01),
+        // No cell of a form counts in per cent, and of millimetres or degrees there is none.
+        "%" => unit.label().is_empty().then_some(0.01),
         suffix => super::unit::in_this(unit, suffix),
     };
     // Before inches a mark is that of feet, and not between thousands.
@@ -59,8 +61,26 @@ pub fn told(name: Text, text: &str, shown: String, unit: Unit) -> Box<dyn Raise>
             let [one, other] = [one, other].map(|number| counted(number, factor));
             Box::new(NumberOfTwoReadings { name, text: shown, one, other, sign })
         }
-        None => Box::new(NotANumber { name, text: shown, sign }),
+        None => Box::new(NotANumber { name, text: shown, example: example(kind), sign }),
     }
+}
+
+/// A number that the cell takes.
+fn example(kind: &FieldKind) -> String {
+    let (min, max, usual): (_, _, &[f64]) = match *kind {
+        FieldKind::Whole { min, max } => (f64::from(min), f64::from(max), &[12.0, 2.0, 1.0, 120.0]),
+        FieldKind::Real { min, max } => (min, max, &[12.5, 1.5, 0.5, 0.05, 0.005, 125.0]),
+        _ => return String::new(),
+    };
+    decimal(usual.iter().copied().find(|one| (min..=max).contains(one)).unwrap_or(max))
+}
+
+/// A point before three digits, which may stand between thousands, too.
+fn grouped(text: &str) -> bool {
+    let parts = text.trim_start_matches(['+', '-']).split_once('.');
+    parts.is_some_and(|(whole, digits)| {
+        (1..=3).contains(&whole.len()) && !whole.starts_with('0') && digits.len() == 3 && digits.parse::<u16>().is_ok()
+    })
 }
 
 /// What a text may mean as a number.
@@ -80,6 +100,9 @@ fn strict(text: &str) -> bool {
 
 fn read(text: &str) -> Option<Reading> {
     let text = text.trim();
+    if grouped(text) {
+        return Some(Reading::Either(text.to_owned(), text.replace('.', "")));
+    }
     if strict(text) {
         return Some(Reading::One(text.to_owned()));
     }
@@ -169,10 +192,31 @@ fn name(character: char) -> Text {
 mod tests {
     use super::*;
 
+    const REAL: FieldKind = FieldKind::Real { min: -1e9, max: 1e9 };
+
+    #[test]
+    fn the_example_is_a_number_that_the_cell_takes() {
+        for (kind, example) in [
+            (REAL, "12.5"),
+            (FieldKind::Real { min: 0.0005, max: 1.0 }, "0.5"),
+            (FieldKind::Real { min: 0.001, max: 0.01 }, "0.005"),
+            (FieldKind::Whole { min: 1, max: 9999 }, "12"),
+            (FieldKind::Whole { min: 1, max: 4 }, "2"),
+            (FieldKind::Whole { min: 500, max: 600 }, "600"),
+        ] {
+            let remedy = told(Text::same("R"), "many", String::new(), Unit::One, &kind).remedy().en;
+            let hinted = format!("type a number, such as {example}, with the decimal sign of your spreadsheet");
+            assert_eq!(remedy, hinted);
+        }
+    }
+
     #[test]
     fn the_hint_names_the_number_that_was_meant() {
         for (text, unit, hinted) in [
-            ("12.5", Unit::Millimetre, "set the cell's format to General instead of text and retype 12.5"),
+            ("12.5", Unit::Millimetre, "set the cell's format to General if it is Text, and retype 12.5"),
+            ("0.125", Unit::Millimetre, "set the cell's format to General if it is Text, and retype 0.125"),
+            // As typed into a spreadsheet that has the comma before decimals: two or two thousand.
+            ("2.000", Unit::MillimetrePerMinute, "type the number 2.000 or 2000, whichever is meant"),
             ("1,5", Unit::Millimetre, "type the number 1.5"),
             ("-0,25", Unit::Millimetre, "type the number -0.25"),
             ("1 234,5", Unit::Millimetre, "type the number 1234.5"),
@@ -208,10 +252,8 @@ mod tests {
                 "type the number 12 (the text has the character U+200B, an invisible character)",
             ),
         ] {
-            let remedy = told(Text::same("R"), text, String::new(), unit).remedy().en;
-            // A text that is a number already says nothing of signs.
-            let sign = if hinted.starts_with("set ") { "" } else { ", with the decimal sign of your spreadsheet" };
-            assert_eq!(remedy, format!("{hinted}{sign}"), "{text:?}");
+            let remedy = told(Text::same("R"), text, String::new(), unit, &REAL).remedy().en;
+            assert_eq!(remedy, format!("{hinted}, with the decimal sign of your spreadsheet"), "{text:?}");
         }
     }
 
@@ -278,11 +320,11 @@ mod tests {
             ("10 %", Unit::One, "0.1, with the decimal sign of your spreadsheet and without a unit"),
             ("-2,5%", Unit::One, "-0.025, with the decimal sign of your spreadsheet and without a unit"),
         ] {
-            let remedy = told(Text::same("R"), text, String::new(), unit).remedy().en;
+            let remedy = told(Text::same("R"), text, String::new(), unit, &REAL).remedy().en;
             assert_eq!(remedy, format!("type the number {hinted}"), "{text:?}");
         }
-        for other in ["12 furlong", "5' 3\""] {
-            let other = told(Text::same("R"), other, String::new(), Unit::Millimetre);
+        for other in ["12 furlong", "5' 3\"", "5 %"] {
+            let other = told(Text::same("R"), other, String::new(), Unit::Millimetre, &REAL);
             assert_eq!(other.remedy().en, "convert it, and type the number alone; the unit of the cell: mm");
         }
     }

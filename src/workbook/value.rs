@@ -191,7 +191,7 @@ impl Reading<'_> {
         let (name, shown) = (named(self.parameter), excerpt(text, SHOWN));
         match &self.parameter.kind {
             FieldKind::Real { .. } | FieldKind::Whole { .. } => {
-                let row = typed_number::told(name, text, shown.clone(), self.parameter.unit);
+                let row = typed_number::told(name, text, shown.clone(), self.parameter.unit, &self.parameter.kind);
                 self.stop(&*row, shown);
                 None
             }

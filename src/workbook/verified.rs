@@ -11,6 +11,7 @@ use super::address::{self, Position};
 use super::book::Book;
 use super::guard::{self, Written};
 use super::listing::SheetEntry;
+use super::names::MARK;
 use super::rules::form::{InputsChanged, NamesAstray};
 use super::stamp;
 
@@ -24,6 +25,8 @@ pub(super) struct Verified {
     pub(super) stale: Option<Finding>,
     /// The names that do not lead to the inputs.
     pub(super) astray: Option<Finding>,
+    /// Its sheets were put into a workbook of somebody's own.
+    pub(super) put_in: bool,
     /// The files that the workbook named then.
     pub(super) files: Vec<NamedFile>,
 }
@@ -45,10 +48,11 @@ pub(super) fn read(
         None => entry.name.starts_with(guard::SHEET),
     };
     let sheets: Vec<SheetEntry> = book.gated.sheets.iter().filter(named).cloned().collect();
-    let mut verified = Verified::default();
+    let put_in = book.gated.names.keys().any(|name| name.starts_with(MARK));
+    let mut verified = Verified { put_in, ..Verified::default() };
     for entry in sheets {
         let sheet = book.read(&entry, guard::COLUMNS)?;
-        let stale = guard::stale(&sheet, form, values, written).map(|stale| values.locate(changed(stale)));
+        let stale = guard::stale(&sheet, form, values, written).map(|stale| values.locate(changed(stale, put_in)));
         verified.stale = stale.or(verified.stale);
         let astray = astray(&guard::astray(&sheet, form, values, &book.gated.names));
         verified.astray = astray.map(|astray| values.locate(astray)).or(verified.astray);
@@ -66,7 +70,7 @@ fn astray(lost: &[&'static Parameter]) -> Option<Finding> {
 }
 
 /// The caution on what was changed.
-fn changed(guard::Stale { inputs, lists, files }: guard::Stale) -> Finding {
+fn changed(guard::Stale { inputs, lists, files }: guard::Stale, put_in: bool) -> Finding {
     let symbols = inputs.iter().map(|key| key.name().to_owned());
     let listed = lists.iter().map(|(sheet, cells)| list_told(sheet, cells));
     let inputs_told = symbols.chain(listed).collect::<Vec<_>>().join(", ");
@@ -77,7 +81,7 @@ fn changed(guard::Stale { inputs, lists, files }: guard::Stale) -> Finding {
         (true, false) => Place::Cells(cells),
         (true, true) => Place::File,
     };
-    InputsChanged { inputs: inputs_told, programs }.at(place)
+    InputsChanged { inputs: inputs_told, programs, into: if put_in { " --into" } else { "" } }.at(place)
 }
 
 /// The sheet of a list with the first cells of it that were changed.

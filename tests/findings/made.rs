@@ -290,6 +290,11 @@ fn made(key: &str) -> Option<Vec<u8>> {
         "other-sheet" => sound().replace(list, "name=\"DATA\"", "name=\"Sheet1\"").zip(),
         "case" => sound().replace(list, "name=\"DATA\"", "name=\"Data\"").zip(),
         "second-case" => sound().replace(list, "name=\"CALIBRATION\"", "name=\"Calibration\"").zip(),
+        "copied-form" => {
+            let parts = sound();
+            let (copy, data) = (part(&parts, "CALIBRATION"), parts.text(DATA));
+            parts.put(&copy, data).replace(list, "name=\"CALIBRATION\"", "name=\"DATA (2)\"").zip()
+        }
         "two-sheets" => sound().replace(list, "name=\"CALIBRATION\"", "name=\"DATOS\"").zip(),
         "symbols" => {
             let cell = |row| {
@@ -347,6 +352,7 @@ fn made_offsets(key: &str) -> Option<(Vec<u8>, LengthUnit)> {
         "offsets-inactive" => offsets(&[("L6", "no")]),
         "offsets-active" => offsets(&[("L7", "yes")]),
         "offsets-left" => offsets(&[("A14", "")]),
+        "offsets-mistyped" => offsets(&[("A7", "G 55")]),
         "offsets-millimetres" => offsets(&[]),
         _ => return None,
     };

@@ -271,7 +271,7 @@ proptest! {
         if let [stop] = stops[..] {
             // Upright the torch gives its tilt way, and may come too near: so it must, then.
             prop_assert_eq!(outcome.exit(), Exit::Refused, "{:?}", outcome.findings);
-            prop_assert!(stop.what.en.starts_with("the distance of the torch from the pipe falls to "), "{:?}", outcome.findings);
+            prop_assert!(stop.what.en.starts_with("the distance of the torch from the pipe falls "), "{:?}", outcome.findings);
             let told = row(&outcome, "Distance of the torch");
             let found = nearest_on_the_way(&design);
             prop_assert!(told - 1e-4 <= found && found <= told + 0.1, "{found} {told}");

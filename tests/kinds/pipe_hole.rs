@@ -29,6 +29,13 @@ use rodete::text::Language;
 fn values(changes: &[(&'static str, Value)]) -> Values {
     let mut values = Values { language: Language::En, ..Values::default() };
     values.values.extend(CASES[0].values(Language::En));
+    for (measured, nominal) in
+        [("D_branch", ["branch_size", "branch_schedule"]), ("D_header", ["header_size", "header_schedule"])]
+    {
+        if changes.iter().any(|(key, _)| *key == measured) {
+            nominal.iter().for_each(|key| drop(values.values.remove(key)));
+        }
+    }
     values.values.extend(changes.iter().cloned());
     values
 }
@@ -223,12 +230,12 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
         (
             vec![real("gamma", 45.0)],
             "at α = 0° the torch is at 45° to the pipe and needs a height of 8.829 mm; D_max is 8 mm",
-            "choose a smaller groove angle γ, a slimmer torch, a smaller g0, or a larger D_max",
+            "choose γ = 41°, a slimmer torch, a smaller g0, or a larger D_max",
         ),
         (
             vec![real("gamma", 60.0), real("theta", 60.0)],
             "at α = 0° the torch is at ",
-            "choose a smaller groove angle γ, a slimmer torch, a smaller g0, or a larger D_max",
+            "choose γ = 35°, a slimmer torch, a smaller g0, or a larger D_max",
         ),
         (
             vec![choice("branch_size", "6")],
@@ -520,11 +527,83 @@ fn a_torch_not_lit_for_the_cut_or_not_put_out_after_it_is_caught() {
     }
 }
 
+/// The stops of a design, refused or judged.
+fn stops(changes: &[(&'static str, Value)]) -> Vec<Finding> {
+    let findings = run(changes).map_or_else(|refusal| refusal.findings, |outcome| outcome.findings);
+    findings.into_iter().filter(|finding| finding.grade == Grade::Stop).collect()
+}
+
+/// The number that a remedy names behind some words.
+fn named(finding: &Finding, words: &str) -> Option<f64> {
+    let rest = finding.remedy.en.split(words).nth(1)?;
+    let end = rest.find(|one: char| !(one.is_ascii_digit() || "-.".contains(one))).unwrap_or(rest.len());
+    rest[..end].trim_end_matches('.').parse().ok()
+}
+
+/// The design with another value of one key.
+fn with(design: &[(&'static str, Value)], key: &'static str, value: f64) -> Vec<(&'static str, Value)> {
+    let kept = design.iter().filter(|(one, _)| *one != key).cloned();
+    kept.chain([real(key, value)]).collect()
+}
+
+#[test]
+fn the_groove_angle_and_the_eccentricity_that_a_refusal_names_let_the_torch_round() {
+    let mut both = 0;
+    for (gamma, e, theta) in [
+        (0.0, 30.0, 90.0),
+        (10.0, 31.5, 90.0),
+        (60.0, 31.5, 90.0),
+        (60.0, 0.0, 60.0),
+        (0.0, -31.0, 75.0),
+        (75.0, 0.0, 90.0),
+    ] {
+        let design = [real("gamma", gamma), real("e", e), real("theta", theta)];
+        let found = stops(&design);
+        let [refused] = &found[..] else { panic!("{gamma} {e}: {found:?}") };
+        assert!(["P3009", "P3010"].contains(&refused.code()), "{refused:?}");
+        let [angle, eccentricity] = ["γ = ", "e = "].map(|words| named(refused, words));
+        assert!(angle.is_some(), "{refused:?}");
+        for (key, value) in [("gamma", angle), ("e", eccentricity)] {
+            let Some(value) = value else { continue };
+            let again = stops(&with(&design, key, value));
+            assert!(again.iter().all(|one| !one.code().starts_with("P30")), "{gamma} {e}: {key} {value}: {again:?}");
+            assert_eq!(value.is_sign_negative(), key == "e" && e < 0.0);
+        }
+        both += u8::from(eccentricity.is_some());
+    }
+    assert!(both > 1);
+    // At the side of the header a smaller angle makes it worse.
+    let side = &stops(&[real("gamma", 10.0), real("e", 31.5)])[0];
+    assert!(named(side, "γ = ").is_some_and(|angle| angle > 10.0), "{side:?}");
+}
+
+#[test]
+fn the_lead_in_and_the_safe_height_that_a_torch_too_near_asks_for_do() {
+    let pipe = |branch: [f64; 2], header: [f64; 2], e: f64| {
+        let mut design = vec![real("D_branch", branch[0]), real("t_branch", branch[1]), real("D_header", header[0])];
+        design.extend([real("t_header", header[1]), real("e", e), real("theta", 60.0), real("gamma", 20.0)]);
+        design
+    };
+    let joints = [
+        (pipe([60.3, 4.0], [168.3, 20.0], 32.33), "lead_in", "a lead-in of "),
+        (pipe([88.9, 4.0], [323.9, 20.0], 94.56), "lead_in", "a lead-in of "),
+        (vec![real("Z_s", 1.0)], "Z_s", "a Z_s of "),
+        (vec![real("Z_s", 1.0), real("gamma", 45.0), real("D_max", 40.0)], "Z_s", "a Z_s of "),
+    ];
+    for (design, key, words) in joints {
+        let found = stops(&design);
+        let [near] = &found[..] else { panic!("{design:?}: {found:?}") };
+        assert_eq!(near.code(), "V0302");
+        let value = named(near, words).unwrap_or_else(|| panic!("{near:?}"));
+        assert_eq!(stops(&with(&design, key, value)), [], "{value}");
+        let too_much = if key == "Z_s" { value - 0.2 } else { value + 0.2 };
+        assert_eq!(stops(&with(&design, key, too_much)).len(), 1, "{key} {too_much}");
+    }
+}
+
 /// g0 less the tolerance of the arcs may be nothing: a torch 2 mm inside the pipe passed.
 #[test]
 fn a_large_tolerance_of_arcs_does_not_let_the_torch_come_near() {
-    let made = run(&[("Z_s", Value::Real(1.0)), ("arc_tolerance", Value::Real(5.0))]);
-    let findings = made.map_or_else(|refusal| refusal.findings, |outcome| outcome.findings);
-    let stops = findings.iter().filter(|finding| finding.grade == Grade::Stop);
-    assert_eq!(stops.map(Finding::code).collect::<Vec<_>>(), ["V0302"]);
+    let stops = stops(&[real("Z_s", 1.0), real("arc_tolerance", 5.0)]);
+    assert_eq!(stops.iter().map(Finding::code).collect::<Vec<_>>(), ["V0302"]);
 }

@@ -112,6 +112,7 @@ use crate::gcode::rules::flow::{
 use crate::gcode::rules::lexis::{MoreRefusals, Utf16};
 use crate::gcode::turning::rules::FirstBlockUnused;
 use crate::machine::axis::Pose;
+use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::{VarFile, required};
 use crate::machine::work_offset::{ACTIVE, ActiveOffsets, G92_FIRST, G92_SWITCH, Offsets};
 
@@ -154,6 +155,7 @@ struct Memory<'a> {
     first_blocks: Vec<(TurningCycle, Spot)>,
     /// A comment has ended the program.
     aborted: bool,
+    /// The program has said its unit.
     unit_said: bool,
     spindle: SpindleSeen,
     repeated: u64,
@@ -265,6 +267,12 @@ impl<'a> Interpreter<'a> {
         let at = frame.to_program(&memory.setting.start.machine);
         let (block, in_force) = (Block::at(Spot::default()), InForce::default());
         Self { memory, line: Vec::new(), block, state: State { modal, frame, at }, in_force }
+    }
+
+    /// The unit that the program has said last; `None` where it has said none, and is read in that of the machine.
+    #[must_use]
+    pub fn unit(&self) -> Option<LengthUnit> {
+        self.memory.unit_said.then_some(self.state.modal.unit)
     }
 
     /// What is worth saying about the program as far as it has been read.

@@ -37,7 +37,8 @@ pub(in crate::kinds) static D_BRANCH: Field<f64, Optional> = Field::real(
     DIAMETER,
     t("Diámetro exterior del injerto", "Outside diameter of the branch"),
     t("Vacío si se da el tamaño nominal", "Empty if the nominal size is given"),
-);
+)
+.given_by("branch_size");
 pub(in crate::kinds) static T_BRANCH: Field<f64, Optional> = Field::real(
     "t_branch",
     "branch_wall_t",
@@ -48,7 +49,8 @@ pub(in crate::kinds) static T_BRANCH: Field<f64, Optional> = Field::real(
         "Menor que el radio; vacío si se da el tamaño nominal",
         "Less than the radius; empty if the nominal size is given",
     ),
-);
+)
+.given_by("branch_schedule");
 pub(in crate::kinds) static HEADER_SIZE: Field<&'static Size, Optional> = Field::of_list(
     "header_size",
     "header_size",
@@ -73,7 +75,8 @@ pub(in crate::kinds) static D_HEADER: Field<f64, Optional> = Field::real(
     DIAMETER,
     t("Diámetro exterior del tubo base", "Outside diameter of the header"),
     t("Vacío si se da el tamaño nominal", "Empty if the nominal size is given"),
-);
+)
+.given_by("header_size");
 pub(in crate::kinds) static T_HEADER: Field<f64, Optional> = Field::real(
     "t_header",
     "header_wall_t",
@@ -84,7 +87,8 @@ pub(in crate::kinds) static T_HEADER: Field<f64, Optional> = Field::real(
         "Menor que el radio; vacío si se da el tamaño nominal",
         "Less than the radius; empty if the nominal size is given",
     ),
-);
+)
+.given_by("header_schedule");
 
 /// The sizes of both pipes.
 pub(super) const PIPES: &[&Parameter] = &[

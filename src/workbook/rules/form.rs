@@ -113,10 +113,10 @@ rules! {
         remedy "", "";
         why "rodete nombra los primeros y no lee el valor de ninguno.", "rodete names the first ones and reads the value of none.";
         example made!("symbols", "un libro con 21 filas de símbolos desconocidos", "a workbook with 21 rows of unknown symbols");
-    "W0519" InputsChanged Caution { inputs: String, programs: String }
+    "W0519" InputsChanged Caution { inputs: String, programs: String, into: &'static str }
         es "datos cambiados desde que se hicieron los programas: {inputs}; no valen ya: {programs}"
         en "inputs changed since the programs were made: {inputs}; out of date: {programs}"
-        remedy "vuelva a generar con \"rodete build\"", "build again with \"rodete build\"";
+        remedy "vuelva a generar con \"rodete build{into}\"", "build again with \"rodete build{into}\"";
         why "Los programas de la carpeta cortan la pieza de los datos anteriores.",
             "The programs in the folder cut the part of the earlier inputs.";
         example made!("changed-results", "un libro de resultados con R cambiado", "a results workbook with R changed");
@@ -135,6 +135,14 @@ rules! {
         why "rodete lee los datos por su símbolo; las hojas de resultados los leen por estos nombres.",
             "rodete reads the inputs by their symbols; the sheets of results read them by these names.";
         example made!("lost-name", "un libro de resultados sin el nombre thickness_e", "a results workbook without the name thickness_e");
+    "W0522" SheetPassedOver Caution { name: String, like: &'static str }
+        es "rodete no lee la hoja \"{name}\", que está hecha como \"{like}\""
+        en "rodete does not read the sheet \"{name}\", which is laid out like \"{like}\""
+        remedy "si es la que vale, llámela \"{like}\"; si no, bórrela o guárdela en otro libro",
+            "if it is the one that counts, name it \"{like}\"; if not, delete it or keep it in another workbook";
+        why "rodete lee las hojas por su nombre: lo que se cambia en una copia no llega a ningún programa, y la línea de la copia habla de la hoja leída.",
+            "rodete reads sheets by their names: what is changed on a copy gets into no program, and the line on the copy speaks of the sheet that is read.";
+        example made!("copied-form", "un libro con la hoja DATA (2), copia de DATA", "a workbook with the sheet DATA (2), a copy of DATA");
     "W0601" HeadingsMissing Stop { first: Text }
         es "falta la fila de títulos, que empieza por \"{first}\" en la columna A"
         en "the row of headings, which begins with \"{first}\" in column A, is missing"

@@ -95,4 +95,12 @@ rules! {
         remedy "", "";
         why "rodete no borra lo que la hoja no nombra.", "rodete does not clear what the sheet does not name.";
         example made!("offsets-left", "una hoja OFFSETS sin la fila G59.3", "a sheet OFFSETS without the row G59.3");
+    "W0714" LabelMistyped Stop { label: String, name: &'static str }
+        es "\"{label}\" no es de esta tabla, a la que le falta {name}"
+        en "\"{label}\" does not belong to this table, which lacks {name}"
+        remedy "escriba {name} si es lo que quiere decir; si no, llámelo de otra manera o bórrelo",
+            "write {name} if that is what is meant; if not, give it another name or delete it";
+        why "Los valores junto a un nombre mal escrito no llegarían al archivo, y la máquina se movería con el cero de antes.",
+            "The values beside a mistyped name would not get into the file, and the machine would move with the zero of before.";
+        example made!("offsets-mistyped", "una hoja OFFSETS con G 55 en la columna A", "a sheet OFFSETS with G 55 in column A");
 }

@@ -65,8 +65,8 @@ rules! {
     "W0409" NumberFormattedAsText Stop { name: Text, text: String, number: String }
         es "{name} es el texto \"{text}\", no un número"
         en "{name} is the text \"{text}\", not a number"
-        remedy "dé a la celda formato General, en lugar de texto, y escriba de nuevo {number}",
-            "set the cell's format to General instead of text and retype {number}";
+        remedy "dé a la celda formato General, si lo tiene de texto, y escriba de nuevo {number}, con el signo decimal de su hoja de cálculo",
+            "set the cell's format to General if it is Text, and retype {number}, with the decimal sign of your spreadsheet";
         why "Un texto no es un número aunque lo parezca: la hoja de cálculo tampoco lo usa como número.",
             "A text is not a number even if it looks like one: the spreadsheet does not treat it as one either.";
         example book!("impeller", "R" = "'12.5");
@@ -83,14 +83,14 @@ rules! {
         en "{name} is the text \"{text}\", not a number"
         remedy "escriba el número {one} o {other}, según lo que quiera decir{sign}, con el signo decimal de su hoja de cálculo",
             "type the number {one} or {other}, whichever is meant{sign}, with the decimal sign of your spreadsheet";
-        why "La coma separa decimales en unos países y millares en otros.",
-            "The comma separates decimals in some countries and thousands in others.";
+        why "La coma y el punto separan decimales en unos países y millares en otros.",
+            "Comma and point separate decimals in some countries and thousands in others.";
         example book!("impeller", "R" = "'1,234");
-    "W0412" NotANumber Stop { name: Text, text: String, sign: Text }
+    "W0412" NotANumber Stop { name: Text, text: String, example: String, sign: Text }
         es "{name} es el texto \"{text}\", no un número"
         en "{name} is the text \"{text}\", not a number"
-        remedy "escriba un número, como 12.5{sign}, con el signo decimal de su hoja de cálculo",
-            "type a number, such as 12.5{sign}, with the decimal sign of your spreadsheet";
+        remedy "escriba un número, como {example}{sign}, con el signo decimal de su hoja de cálculo",
+            "type a number, such as {example}{sign}, with the decimal sign of your spreadsheet";
         why "Con un texto no se puede calcular.", "A text cannot be used in a calculation.";
         example book!("impeller", "R" = "'0x10");
     "W0413" HiddenCharacters Caution { name: Text, text: String }

@@ -53,7 +53,7 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "R",
             &sound().string("R", "12.5"),
             "R (Torus radius, axis to the centre of the meridian) is the text \"12.5\", not a number",
-            "set the cell's format to General instead of text and retype 12.5",
+            "set the cell's format to General if it is Text, and retype 12.5, with the decimal sign of your spreadsheet",
         ),
         value("B3 comma", "e", &sound().string("e", "1,5"), "is the text \"1,5\", not a number", "type the number 1.5"),
         value("B4 groups", "R", &sound().string("R", "1 234,5"), "not a number", "type the number 1234.5"),

@@ -259,6 +259,15 @@ fn lead_in(onto: &TorchAxes, station: &Station, way: f64) -> TorchAxes {
     TorchAxes { X: moved.X, Z: moved.Z, A: near(moved.A, onto.A), ..*onto }
 }
 
+/// Where the torch pierces and where it meets the curve, with a lead-in of that length; `None` where there is no such place.
+#[must_use]
+pub fn way_in(design: &Design, lead: f64) -> Option<[Place; 2]> {
+    let groove = design.groove();
+    let first = groove.at(0.0)?;
+    let onto = machine_axes(&first, groove.beside, None);
+    Some([on_grid(&lead_in(&onto, &first, lead)).ok()?, on_grid(&onto).ok()?])
+}
+
 /// The way round the hole.
 ///
 /// # Errors

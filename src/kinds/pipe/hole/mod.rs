@@ -21,7 +21,7 @@ pub mod station;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Grade, Raise, Rule, Said, Size};
+use crate::finding::{Finding, Grade, Key, Place, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
@@ -31,7 +31,7 @@ use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Shown, Wants, out_of_format};
 use crate::kinds;
-use crate::kinds::pipe::form::{D_HEADER, DIALECT};
+use crate::kinds::pipe::form::{D_HEADER, DIALECT, E, THETA};
 use crate::kinds::pipe::hole::bounds::too_high;
 use crate::kinds::pipe::hole::cut::{Cut, NoWay, TooHigh, UPRIGHT, cut};
 use crate::kinds::pipe::hole::design::Design;
@@ -50,12 +50,15 @@ use crate::kinds::pipe::{self, account, scene, sizes};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
-use crate::parameter::{Case, Form, at};
+use crate::parameter::{Case, FieldKind, Form, at};
 use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
 use crate::text::{Language, Text, t};
+
+/// Halvings after which the greatest eccentricity is known to a tenth of a millimetre.
+const HALVINGS: u8 = 16;
 
 /// The kind.
 #[derive(Debug)]
@@ -243,17 +246,50 @@ fn no_room(error: OutOfFormat) -> Vec<Finding> {
 /// The refusal of a place where the torch would have to be too high.
 fn height_refused(design: &Design, place: &TooHigh) -> Finding {
     let alpha = Size::degrees(place.alpha.to_degrees(), 2);
-    let keys = at([GAMMA.key(), D_MAX.key(), G0.key()]);
+    let other = other_angle(design);
+    let eccentric = (design.e != 0.0).then_some(E.key());
+    let keys = |joint: &[Key], torch: &[Key]| {
+        Place::Parameters(joint.iter().copied().chain(eccentric).chain(torch.iter().copied()).collect())
+    };
     match place.sigma_o {
         Some(sigma) => {
             // Rounded up: typed, it is taken.
             let height = (place.D * 1000.0 - 1e-6).ceil() / 1000.0;
-            let (height, most) = (Size::mm(height), Size::mm(design.D_max));
-            let told = TorchTooHigh { alpha, sigma: Size::degrees(sigma.to_degrees(), 2), height, most };
-            told.at(keys).with(height.said(Language::En), most.said(Language::En))
+            let (height, most) = (Size::mm(height), Size { decimals: 6, ..Size::mm(design.D_max) });
+            let sigma = Size::degrees(sigma.to_degrees(), 2);
+            let told = TorchTooHigh { alpha, sigma, height, most, other };
+            told.at(keys(&[GAMMA.key()], &[D_MAX.key(), G0.key()]))
+                .with(height.said(Language::En), most.said(Language::En))
         }
-        None => TorchLiesDown { alpha }.at(keys),
+        None => TorchLiesDown { alpha, other }.at(keys(&[GAMMA.key(), THETA.key()], &[])),
     }
+}
+
+/// The groove angle next to the given one, in whole degrees, at which the torch goes round the hole, and the eccentricity up to
+/// which it does, each with a comma behind it; empty where there is none. On the side of an eccentric branch the pipes meet at more
+/// than 90°, and a larger groove angle raises the torch there.
+fn other_angle(design: &Design) -> Text {
+    let goes = |design: &Design| too_high(design).is_none() && cut(design).is_ok();
+    let FieldKind::Real { min, max } = GAMMA.row.kind else { return t("", "") };
+    let near = |step: u8| [f64::from(step), -f64::from(step)].map(|by| (design.gamma + by).round());
+    let mut angles = (1..=80).flat_map(near).filter(|gamma| (min..=max).contains(gamma) && *gamma != design.gamma);
+    let gamma = angles.find(|&gamma| goes(&Design { gamma, ..design.clone() }));
+    let with = |e: f64| goes(&Design { e: e.copysign(design.e), ..design.clone() });
+    let e = (design.e != 0.0 && with(0.0)).then(|| {
+        let (mut good, mut bad) = (0.0, design.e.abs());
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(good, bad);
+            if with(middle) { good = middle } else { bad = middle }
+        }
+        (good * 10.0).floor() / 10.0
+    });
+    let e = e.filter(|&e| with(e)).map(|e| Size::mm(if e == 0.0 { 0.0 } else { e.copysign(design.e) }));
+    let [es, en] = [Language::Es, Language::En].map(|language| {
+        let gamma = gamma.map(|gamma| format!("γ = {}, ", Size::degrees(gamma, 0).said(language)));
+        let e = e.map(|e| format!("e = {}, ", e.said(language)));
+        format!("{}{}", gamma.unwrap_or_default(), e.unwrap_or_default())
+    });
+    Text::new(es, en)
 }
 
 /// Derived lengths, angles and times.

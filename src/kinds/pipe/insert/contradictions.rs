@@ -4,7 +4,7 @@ use crate::finding::{Finding, Raise, Size};
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::program::Style;
 use crate::kinds::pipe::dimensions::solid;
-use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, END_CODES, TORCH_OFF, TORCH_ON};
+use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, END_CODES, THETA, TORCH_OFF, TORCH_ON};
 use crate::kinds::pipe::insert::cut::{finest, half_step};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::parameters::{
@@ -64,14 +64,16 @@ impl Design {
             && let Some((least, phi)) = self.outline().tighter_than(self.kerf / 2.0)
         {
             let (kerf, gap) = (Size::mm(self.kerf), Size::mm(2.0 * least));
-            findings.push(KerfBeyondGap { kerf, phi: Size::number(phi.to_degrees(), 1), gap }.at(at([KERF.key()])));
+            findings.push(
+                KerfBeyondGap { kerf, phi: Size::number(phi.to_degrees(), 1), gap }.at(at([KERF.key(), THETA.key()])),
+            );
         }
         if findings.is_empty() && self.style == Style::Full && self.mode == Mode::Rotary {
             findings.extend(self.way_beside_the_curve());
         }
         // Half a kerf w takes ρ asin(w/ρ) along the wall; up to w = ρ/2 that is w to a twentieth.
         let bore = self.branch.D / 2.0 - self.branch.t;
-        if self.style == Style::Full && self.mode == Mode::Rotary && bore > 0.0 && self.kerf > bore {
+        if self.style == Style::Full && self.mode == Mode::Rotary && bore > 0.0 && self.kerf > bore + 1e-9 {
             let (kerf, bore) = (Size::mm(self.kerf), Size::mm(bore));
             findings.push(KerfBeyondBore { kerf, bore }.at(at([KERF.key(), D_BRANCH.key()])));
         }

@@ -68,7 +68,7 @@ use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::number::shown;
 use crate::parameter::field::Fields;
-use crate::parameter::{Case, Form, at};
+use crate::parameter::{Case, FieldKind, Form, at};
 use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
@@ -429,6 +429,15 @@ fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
     (rest.inside.most > SEATED).then(|| caution.at(at([CONTACT.key(), THETA.key(), E.key()])))
 }
 
+/// A distance Z of at least so much, or what else to choose where the form takes none as long.
+fn least_distance(least: f64) -> Text {
+    if matches!(Z.row.kind, FieldKind::Real { max, .. } if least > max) {
+        return t("un ángulo θ más cerca de 90°", "an angle θ nearer to 90°");
+    }
+    let [es, en] = [Language::Es, Language::En].map(|language| Size::mm(least).said(language).into_owned());
+    Text::new(format!("Z de {es} como mínimo"), format!("Z of {en} at least"))
+}
+
 /// The wall of a branch whose bore meets the header but whose outside passes its side. A branch of the header's own size ends at it.
 fn wall_beside_header(design: &Design) -> Option<Finding> {
     let outside = design.branch.D / 2.0;
@@ -482,8 +491,9 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
     findings.extend(kinds::rules::corners_between_blocks(design.control).map(|one| one.graded(Grade::Note)));
     let below = -design.template().extent()[0];
     if below > SEATED / 2.0 {
-        let told = CurveBehindEdge { below: Size::mm(below), least: Size::mm(design.Z + below) };
-        findings.push(told.at(at([Z.key()])));
+        let least = ((design.Z + below) * 1000.0 - 1e-6).ceil() / 1000.0;
+        let told = CurveBehindEdge { below: Size::mm(below), other: least_distance(least) };
+        findings.push(told.at(at([Z.key(), THETA.key()])));
     }
     match design.style {
         Style::Annex => {

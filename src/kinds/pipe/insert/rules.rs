@@ -22,7 +22,7 @@ rules! {
     "P2103" KerfBeyondGap Stop { kerf: Size, phi: Size, gap: Size }
         es "el corte de {kerf} es más ancho que el hueco de la curva en φ = {phi}°: {gap}"
         en "the kerf of {kerf} is wider than the gap of the curve at φ = {phi}°: {gap}"
-        remedy "elija un corte más fino, u otros tubos", "choose a finer kerf, or other pipes";
+        remedy "elija un corte más fino, un ángulo θ más cerca de 90° u otros tubos", "choose a finer kerf, an angle θ nearer to 90°, or other pipes";
         why "La trayectoria paralela a la curva se cruzaría consigo misma y cortaría la pieza.",
             "The path parallel to the curve would cross itself and cut into the part.";
         example book!("pipe-insert", "kerf" = "20", "theta" = "35", "branch_size" = "1/2 in");
@@ -117,10 +117,10 @@ rules! {
         why "La entrada es recta y a escuadra con la curva en φ = 0; en un tubo que gira, y con e distinta de 0, rodea el tubo.",
             "The lead-in is straight and square to the curve at φ = 0; on a turning pipe, and with e other than 0, it goes round the pipe.";
         example book!("pipe-insert", "branch_size" = "1/2 in", "header_size" = "2 in", "theta" = "30", "e" = "20", "Z" = "200", "lead_in" = "30");
-    "P2118" CurveBehindEdge Caution { below: Size, least: Size }
+    "P2118" CurveBehindEdge Caution { below: Size, other: Text }
         es "la curva pasa {below} más allá del borde de la plantilla: si el tubo o la chapa acaban en ese borde, el injerto sale en dos trozos"
         en "the curve goes {below} beyond the edge of the template: if the pipe or the sheet ends at that edge, the branch comes out in two pieces"
-        remedy "elija Z de {least} como mínimo", "choose Z of {least} at least";
+        remedy "elija {other}", "choose {other}";
         why "Entre el borde de la plantilla, que es el cero, y la curva queda el injerto.",
             "The branch is what stays between the edge of the template, which is the zero, and the curve.";
         example book!("pipe-insert", "theta" = "120");

@@ -14,13 +14,11 @@
 //! Between two poses all of these leave what runs evenly from the one to the other by no more than an eighth of their second
 //! derivative, as jets enclose it. Motions are parted until that decides.
 
+mod clearance;
 mod crossing;
 pub mod rules;
 
-use crate::kinds::pipe::hole::parameters::{ARC_TOLERANCE, F_MAX, G0, GAMMA, LEAD_IN, Z_S};
-use std::f64::consts::FRAC_PI_2;
-
-use nalgebra::Vector3;
+use crate::kinds::pipe::hole::parameters::{F_MAX, GAMMA, H};
 
 use crate::finding::{Raise, Size};
 use crate::gcode::motion::{Motion, MotionKind};
@@ -29,18 +27,19 @@ use crate::gcode::word::Distance;
 use crate::kinds::pipe::hole::cut::{Cut, Follows, Leg, Place, axes, off};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::program::{AXES, distance};
+use crate::kinds::pipe::hole::proof::clearance::Clearance;
+pub use crate::kinds::pipe::hole::proof::clearance::clearance;
 use crate::kinds::pipe::hole::proof::crossing::Crossing;
-use crate::kinds::pipe::hole::proof::rules::{BevelOff, CutSlows, NotItsTime, SwingsAtOnce, TorchTooNear};
+use crate::kinds::pipe::hole::proof::rules::{BevelOff, CutSlows, NotItsTime, SwingsAtOnce};
 use crate::kinds::pipe::hole::station::Groove;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::torch::{TorchAxes, TorchPose};
 use crate::number::grid::Milli;
 use crate::number::jet::{Jet, Vector, bow, cross, difference};
 use crate::number::root::golden;
 use crate::number::shown;
-use crate::number::trig::{asin, atan2, sin_cos};
+use crate::number::trig::{asin, sin_cos};
 use crate::proof::agreement::Agreement;
-use crate::proof::check::{At, Check, Extreme, Question, mm, up};
+use crate::proof::check::{At, Check, Extreme, Question, mm};
 use crate::proof::enclosed::{Enclosed, Remedy, bound};
 use crate::proof::feed::{feed_word, timely};
 use crate::proof::rollover::Rollover;
@@ -57,45 +56,13 @@ fn rounding(design: &Design) -> f64 {
 /// for a groove angle (AWS D1.1, −5°).
 const BEVEL: f64 = 1.0;
 
+/// Below which part of the wall a groove is a thin one.
+const THIN: f64 = 0.1;
+
 /// Looks that a program may take at its cut, and at the torch's clearance, beyond the first at each motion.
 const WORK: u32 = 100_000;
 /// What the arithmetic of a look may lose.
 const ARITHMETIC: f64 = 1e-9;
-
-/// How far behind the tip the discs are between which the torch lies, and their radii. The body counts up to a body's width
-/// behind the taper.
-fn discs(design: &Design) -> [[f64; 2]; 3] {
-    let (r_g, R_g, shoulder) = (design.r_g, design.R_g, design.torch().shoulder());
-    [[0.0, r_g], [shoulder, R_g], [shoulder + 2.0 * R_g, R_g]]
-}
-
-/// How far each disc of a torch in a pose is from the pipe's axis, seen along a direction across it, less the pipe's radius.
-fn along(design: &Design, pose: &TorchPose, direction: f64) -> [f64; 3] {
-    let (sin, cos) = sin_cos(direction);
-    let u = Vector3::new(0.0, sin, cos);
-    let (middle, up, aside) = (u.dot(&pose.tip), u.dot(&pose.axis), u.cross(&pose.axis).norm());
-    discs(design).map(|[behind, radius]| middle + behind * up - radius * aside - design.R_o())
-}
-
-fn least(of: [f64; 3]) -> f64 {
-    of[0].min(of[1]).min(of[2])
-}
-
-/// The least distance of a torch in a pose from a pipe of radius R_o about the x axis, and the direction in which it is: none
-/// of its points is nearer.
-fn nearest(design: &Design, pose: &TorchPose) -> (f64, f64) {
-    let over = atan2(pose.tip.y, pose.tip.z);
-    let span = [over - FRAC_PI_2, over + FRAC_PI_2];
-    let (found, direction) = golden(span, 32, |direction| -least(along(design, pose, direction)));
-    (-found, direction)
-}
-
-/// The least distance of a torch in a pose from a pipe of radius R_o about the x axis: tip, taper and body, the body up to a
-/// body's width behind the taper.
-#[must_use]
-pub fn clearance(design: &Design, pose: &TorchPose) -> f64 {
-    nearest(design, pose).0
-}
 
 /// The deviation along the curve, to be drawn: α in degrees and mm.
 pub type Curve = Vec<[f64; 2]>;
@@ -191,13 +158,20 @@ impl Judge for BeamOnRoot<'_> {
             ),
         );
         let name = t("Bisel: error máximo de ángulo", "Bevel: maximum angle error");
-        let angle = degrees(errors.at_most(1)) + self.crossing.opening().to_degrees();
+        let opening = self.crossing.opening().to_degrees();
+        let angle = degrees(errors.at_most(1)) + opening;
+        // Over a land nearly as high as the wall a groove is hardly there, and every angle opens it.
+        let design = self.design;
+        let thin = 2.0 * opening > angle && design.header.t - design.h < THIN * design.header.t;
+        let (key, other) = match thin {
+            true => (H.key(), t("un talón h menor", "a smaller land h")),
+            false => (GAMMA.key(), t("otro ángulo de bisel", "another groove angle")),
+        };
         let most = (angle * 1e3 - 1e-6).ceil() / 1e3;
         let value = Text::same(format!("≤ {}°", shown(most, 3)));
         let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
-        let asked = errors.put(asked.of_parameters([GAMMA.key()]), 1);
-        let bevel = asked
-            .holds(angle <= BEVEL, |place| BevelOff { angle: Size { value: most, unit: "°", decimals: 2 } }.at(place));
+        let asked = errors.put(asked.of_parameters([key]), 1);
+        let bevel = asked.holds(angle <= BEVEL, |place| BevelOff { angle: Size::degrees(most, 2), other }.at(place));
         vec![beam, branch, bevel, self.crossing.check(program)]
     }
 }
@@ -234,55 +208,6 @@ impl BeamOnRoot<'_> {
                 let wider = 0.25 * (high - low) + 1e-9;
                 look(f64::midpoint(one.part, other.part), [low - wider, high + wider], 20)
             },
-        );
-    }
-}
-
-/// Holds the torch's way against the pipe.
-struct Clearance<'a> {
-    design: &'a Design,
-    /// The clearance, negative, so that the least is the worst.
-    near: Enclosed<1>,
-    rapids: usize,
-}
-
-impl Judge for Clearance<'_> {
-    fn see(&mut self, step: &Step<'_>) {
-        self.rapids += usize::from(matches!(step.stage, Stage::Positioning));
-        // The first two come from where the machine stood, high above the pipe or on the way there.
-        if !matches!(step.stage, Stage::Still) && (step.at_work() || self.rapids > 2) {
-            self.look(&step.motion);
-        }
-    }
-
-    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = t("Distancia de la antorcha al tubo", "Distance of the torch from the pipe");
-        // A distance below the least that could be ruled out is none to count on.
-        let (least, limit) = (-self.near.at_most(0), clear_limit(self.design));
-        let down = -up(-least);
-        let asked = Question::new("clearance", name, program);
-        let asked = asked.showing(Text::same(format!("≥ {}", mm(down))), Text::same(mm(limit)));
-        let asked = self
-            .near
-            .put(asked.of_parameters([G0.key(), Z_S.key(), LEAD_IN.key(), ARC_TOLERANCE.key()]), 0)
-            .measuring(least);
-        vec![asked.holds(least >= limit, |place| {
-            let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
-            TorchTooNear { distance: size(down), g0: size(self.design.g0) }.at(place)
-        })]
-    }
-}
-
-impl Clearance<'_> {
-    /// Holds the torch's way along a motion against the pipe. The pipe is round: only height, tilt and swing count.
-    fn look(&mut self, motion: &Motion) {
-        let design = self.design;
-        self.near.take(
-            At::motion(motion),
-            &[0.0, 1.0].map(|part| Near::at(design, motion, part)),
-            |near| [-near.clear],
-            |one, other| [one.over(design, motion, other)],
-            |one, other| Near::at(design, motion, f64::midpoint(one.part, other.part)),
         );
     }
 }
@@ -383,43 +308,6 @@ impl CutSpeed<'_> {
     }
 }
 
-/// A look at the torch's clearance.
-#[derive(Clone, Copy, Debug)]
-struct Near {
-    /// What part of the motion lies before it.
-    part: f64,
-    /// The torch, over a pipe that is not turned.
-    pose: TorchPose,
-    /// The direction in which it is nearest.
-    direction: f64,
-    /// How near.
-    clear: f64,
-}
-
-impl Near {
-    fn at(design: &Design, motion: &Motion, part: f64) -> Self {
-        // The pipe is round: how it is turned does not count.
-        let pose = TorchAxes { A: 0.0, ..axes(place(motion, part)) }.pose();
-        let (clear, direction) = nearest(design, &pose);
-        Self { part, pose, direction, clear }
-    }
-
-    /// What the clearance, negative, nowhere exceeds between two looks: along one direction the middle of a disc, and the
-    /// torch's axis up to its turns' square, run evenly from the one to the other.
-    fn over(&self, design: &Design, motion: &Motion, other: &Self) -> f64 {
-        let direction = f64::midpoint(self.direction, other.direction);
-        let by = motion.to.differences(&motion.from);
-        let turns = (by[Axis::B as usize].abs() + by[Axis::C as usize].abs()).to_radians() * (other.part - self.part);
-        let bends = turns * turns / 8.0;
-        let (here, there) = (along(design, &self.pose, direction), along(design, &other.pose, direction));
-        let clear: [f64; 3] = std::array::from_fn(|disc| {
-            let [behind, radius] = discs(design)[disc];
-            here[disc].min(there[disc]) - (behind + radius) * bends
-        });
-        ARITHMETIC - least(clear)
-    }
-}
-
 /// A look at the cut.
 #[derive(Clone, Copy, Debug)]
 struct Look {
@@ -463,11 +351,6 @@ fn degrees(chord: f64) -> f64 {
     2.0 * asin((chord / 2.0).clamp(0.0, 1.0)).to_degrees()
 }
 
-/// What the torch must keep clear by, mm: g0 less what arcs and rounding take, and half of it however large their tolerance is.
-fn clear_limit(design: &Design) -> f64 {
-    (design.g0 - design.arc_tolerance - rounding(design)).max(design.g0 / 2.0)
-}
-
 /// The checks that must be answered.
 pub const CHECKS: &[&str] = &[
     "agreement",
@@ -492,12 +375,11 @@ pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec
     let errors = Enclosed::new([1e-3 * design.arc_tolerance, 1e-5], limits, WORK);
     let groove = design.groove();
     let crossing = Crossing::new(groove, BEVEL.to_radians());
-    let near = Enclosed::new([1e-3], [-clear_limit(design)], WORK);
     let back = retract(design, cut).len();
     vec![
         Box::new(Agreement::of_the_torch(HELD, cut.legs.len() + back, back)),
         Box::new(BeamOnRoot { design, cut, groove, errors, crossing, curve }),
-        Box::new(Clearance { design, near, rapids: 0 }),
+        Box::new(Clearance::new(design, cut)),
         Box::new(Swing { cut, tilt: [f64::INFINITY, f64::NEG_INFINITY], turn: Extreme::nothing() }),
         Box::new(CutSpeed {
             design,

@@ -1,21 +1,22 @@
 //! What the judges of a hole's program say beside the common rows: V0301 to V0399.
 
 use crate::finding::{Example, Size};
+use crate::text::Text;
 
 crate::finding::rule::rules! {
     /// The rows of this room.
     RULES;
-    "V0301" BevelOff Caution { angle: Size }
+    "V0301" BevelOff Caution { angle: Size, other: Text }
         es "el bisel se desvía hasta {angle}"
         en "the bevel is off by up to {angle}"
-        remedy "elija otro ángulo de bisel", "choose another groove angle";
+        remedy "elija {other}", "choose {other}";
         why "Los procedimientos de soldadura dan una tolerancia de pocos grados al bisel. Cuenta también lo que el ancho de corte de los chorros vecinos quita de más donde casi se cruzan.",
             "Welding procedures allow a tolerance of only a few degrees on the groove angle. What the kerf of neighbouring beams takes off where they nearly cross counts, too.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "B29.910", to: "B35.910" };
-    "V0302" TorchTooNear Stop { distance: Size, g0: Size }
-        es "la distancia de la antorcha al tubo baja a {distance} (negativa: entra en él); el mínimo es g0 = {g0}"
-        en "the distance of the torch from the pipe falls to {distance} (negative: inside it); the minimum is g0 = {g0}"
-        remedy "elija un g0 o una Z_s mayor, o una entrada más corta", "choose a larger g0 or Z_s, or a shorter lead-in";
+    "V0302" TorchTooNear Stop { whence: Text, distance: Size, g0: Size, other: Text }
+        es "la distancia de la antorcha al tubo baja {whence} a {distance} (negativa: entra en él); el mínimo es g0 = {g0}"
+        en "the distance of the torch from the pipe falls {whence} to {distance} (negative: inside it); the minimum is g0 = {g0}"
+        remedy "elija {other}", "choose {other}";
         why "Si la antorcha toca el tubo, se dobla y pierde el arco.",
             "A torch that touches the pipe bends and loses its arc.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "X51.853 Z89.142", to: "X51.853 Z86.142" };
