@@ -15,6 +15,18 @@ pub enum Spindle {
     CounterClockwise,
 }
 
+impl Spindle {
+    /// The word that makes it so.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::Stopped => "M5",
+            Self::Clockwise => "M3",
+            Self::CounterClockwise => "M4",
+        }
+    }
+}
+
 /// What S means.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Speed {

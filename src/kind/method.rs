@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use std::sync::LazyLock;
 
 use super::live_form::LiveForm;
-use super::measure::{Limits, Measure, Suggested};
+use super::measure::{From, Limits, Measure, Suggested};
 use super::rules::NotNumbered;
 use super::{
     Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Wants, not_finite, staging,
@@ -13,6 +13,7 @@ use super::{
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule};
 use crate::gcode::control::Control;
+use crate::gcode::fields::RAPID_LINEAR;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
@@ -24,8 +25,8 @@ use crate::proof::step::{Judge, Plan};
 use crate::proof::verification::Verification;
 use crate::proof::{self, Judged};
 use crate::scene::part::Part;
-use crate::table::{Quantity, Table};
-use crate::text::Text;
+use crate::table::{Quantity, Table, Unit};
+use crate::text::{Text, t};
 
 /// Programs, and what there is to say of the design and of them before they are proved.
 #[derive(Debug)]
@@ -55,8 +56,13 @@ pub trait Method: Send + Sync + 'static {
     const RULES: &'static [&'static [&'static Rule]] = &[];
     /// How the proof goes, for the table of the checks.
     const PROVED: Text;
-    /// What designs of it are compared by.
-    const MEASURES: &'static [Measure] = &[];
+    /// What designs of it are compared by; the time of all its programs, where it says nothing else.
+    const MEASURES: &'static [Measure] = &[Measure::of_programs(
+        "time_s",
+        Unit::Second,
+        From::Time(Self::FORM.programs),
+        t("Duración de los programas", "Time of the programs"),
+    )];
     /// What a new workbook suggests to vary.
     const SUGGESTED: &'static Suggested = &Suggested::NOTHING;
 
@@ -190,6 +196,11 @@ pub fn judged<M: Method>(
     proof::of(text, setting, plan, judges, M::due(design, program), M::rapids(design, program))
 }
 
+/// True where the rates of rapid motions are known of a program, or where the rates of the form are not its machine's.
+fn rated<M: Method>(design: &M::Design, program: &Program) -> bool {
+    program.control.turns() || M::rapids(design, program).linear.is_some()
+}
+
 /// The programs of a design. Their blocks have no numbers where those would exceed what the control reads, and that is told.
 fn written<M: Method>(design: &M::Design, model: &M::Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
     let mut written = M::programs(design, model, origin)?;
@@ -292,6 +303,11 @@ impl<M: Method> Kind for Of<M> {
         let Written { programs, mut findings } = written::<M>(&design, &model, &origin).map_err(refused)?;
         findings.extend(M::shortfalls(&design, &model));
         let (mut memo, mut verification) = (M::memo(&design, &model, wants), Verification::default());
+        debug_assert!(
+            fields.values().found(&RAPID_LINEAR).is_none() || programs.iter().any(|one| rated::<M>(&design, one)),
+            "{} asks for rapid rates, and its Method::rapids gives none: the report would say that the form does not",
+            M::FORM.kind
+        );
         let mut accounts = Vec::new();
         for program in &programs {
             let judged = judged::<M>(&design, &model, &mut memo, program, program);

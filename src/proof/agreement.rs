@@ -15,6 +15,7 @@ use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
 use crate::proof::rules::NotAsPlanned;
 use crate::proof::step::{Judge, Planned, Run, SAME, Stage, Step, Time};
+use crate::proof::three_axes::Route;
 use crate::text::{Text, t};
 
 /// How far the tip may be from the plan, mm.
@@ -67,6 +68,12 @@ impl Agreement {
     #[must_use]
     pub const fn of_the_torch(axes: &'static [Axis], planned: usize, rapid: usize) -> Self {
         Self::new(By::Axes(axes), planned, rapid)
+    }
+
+    /// The judge of a program that should run a route: every axis of every motion, rapid moves too.
+    #[must_use]
+    pub const fn along(route: &Route) -> Self {
+        Self::new(By::Axes(&Axis::ALL), route.motions(), 0)
     }
 
     /// The judge, where the number of rapid moves to the start is known.

@@ -79,6 +79,8 @@ pub struct Feeds {
     without: Option<At>,
     /// Passes whose name ends so are run at this part of F.
     slower: Option<(&'static str, f64)>,
+    /// What rounding the F words costs is asked, too.
+    rounding: bool,
 }
 
 impl Feeds {
@@ -96,7 +98,17 @@ impl Feeds {
             rounded: nothing,
             without: None,
             slower: None,
+            rounding: true,
         }
+    }
+
+    /// The judge of programs of three axes with F along the path, mm/min, and the greatest speed of an axis, mm/min. What
+    /// rounding costs is not asked: such an F word has three decimals on every control.
+    #[must_use]
+    pub const fn of_three_axes(F: Option<f64>, F_max: Option<f64>) -> Self {
+        let mut feeds = Self::new(Rotary { L: 0.0 }, F, F_max);
+        feeds.rounding = false;
+        feeds
     }
 }
 
@@ -178,7 +190,10 @@ impl Judge for Feeds {
                 TipTooFast { speed, line: found.line(), program: program.title.clone(), limit }.at(place)
             }),
         };
-        let mut checks = vec![by_axis, tip, feed_word(program, &self.rounded)];
+        let mut checks = vec![by_axis, tip];
+        if self.rounding {
+            checks.push(feed_word(program, &self.rounded));
+        }
         if let Some(at) = self.without {
             let name = t("Movimiento de corte sin avance", "Cutting motion without feed");
             let asked = Question::new("feed", name, program).showing(none, Text::same("")).at(Some(at)).seen(1);

@@ -13,6 +13,7 @@
 //! | [`turning`] | does C run on without a jump |
 //! | [`rollover`] | does it make the same motions whatever the rotary axes of the machine are |
 //! | [`feed`] | is no axis, and the tip, faster than it may be |
+//! | [`three_axes`] | is every rapid move above the clearance plane, does the spindle turn in every cut |
 //! | [`arcs`] | how well do the radii of an arc agree |
 //! | [`torch`] | does the torch burn in the cut only |
 //! | [`text`] | are characters, numbers and lines such as the control takes them |
@@ -32,6 +33,7 @@ pub mod rollover;
 pub mod rules;
 pub mod step;
 pub mod text;
+pub mod three_axes;
 pub mod torch;
 pub mod travel;
 pub mod turning;

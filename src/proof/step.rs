@@ -113,6 +113,14 @@ impl<'a> Plan<'a> {
         Self { begin: Begin::Position { start, found, away }, moves: moves.peekable() }
     }
 
+    /// The moves of a program from its first motion on, rapid moves too; that begins at zero in each axis.
+    #[must_use]
+    pub fn from_zero(moves: impl Iterator<Item = Planned<'a>> + 'a) -> Self {
+        let moves: Box<dyn Iterator<Item = Planned<'a>> + 'a> = Box::new(moves);
+        let begin = Begin::Position { start: Pose::default(), found: true, away: None };
+        Self { begin, moves: moves.peekable() }
+    }
+
     /// The moves of a torch from where it pierces: what is rapid before the first other motion brings it there.
     #[must_use]
     pub fn from_the_pierce(moves: impl Iterator<Item = Planned<'a>> + 'a) -> Self {

@@ -23,13 +23,14 @@ struct AxisRange {
 
 /// Holds a program against the travel of its axes.
 #[derive(Debug)]
-pub struct Axes([AxisRange; 4]);
+pub struct Axes(Vec<AxisRange>);
 
 impl Axes {
-    /// The judge for the travel of four axes.
+    /// The judge for the travel of some axes, of each in turn.
     #[must_use]
-    pub fn new(axes: [AxisTravel; 4]) -> Self {
-        Self(axes.map(|travel| AxisRange { travel, ends: None, left: None, seen: 0 }))
+    pub fn new(axes: impl IntoIterator<Item = AxisTravel>) -> Self {
+        let run = |travel| AxisRange { travel, ends: None, left: None, seen: 0 };
+        Self(axes.into_iter().map(run).collect())
     }
 }
 

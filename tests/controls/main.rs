@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod linuxcnc;
+mod lists;
 mod page;
 mod pipe_rollover;
 mod programs;

@@ -1,17 +1,19 @@
 //! What is written for a control is what the same control reads: plans by chance, over every control that rodete writes for.
 
 use proptest::prelude::*;
-use rodete::gcode::control::{ALL, Control, Rotary, Written};
+use rodete::gcode::code::{Cycle, G};
+use rodete::gcode::control::{ALL, Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC, Rotary, Writing, Written};
 use rodete::gcode::feed_word::FeedWord;
-use rodete::gcode::in_force::{InForce, Speed, Spindle};
-use rodete::gcode::interpreter::{Interpreter, Setting};
-use rodete::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
+use rodete::gcode::in_force::{Compensation, InForce, Speed, Spindle};
+use rodete::gcode::interpreter::{Interpreter, Setting, ToolOffset};
+use rodete::gcode::motion::{Feed, FeedMode, Motion, MotionKind, Plane};
 use rodete::gcode::program::Program;
 use rodete::gcode::word::{Distance, NumberFormat, Word};
 use rodete::gcode::writer::Writer;
 use rodete::geometry::torus::Torus;
 use rodete::kinds::impeller::blank::BlankTurning;
 use rodete::machine::axis::{Axis, Position};
+use rodete::machine::length_unit::LengthUnit;
 use rodete::number::grid::Milli;
 
 /// One step of a plan; places in thousandths of mm and of degrees.
@@ -28,6 +30,8 @@ enum Step {
 #[derive(Debug)]
 enum Made {
     Rapid(Vec<f64>),
+    /// An arc in XY: the place and the seconds.
+    Arc(Vec<f64>, f64),
     /// The place and the seconds of its F word, no fewer than those of the plan.
     Feed(Vec<f64>, f64),
     /// The seconds, and what the word may be off.
@@ -50,6 +54,29 @@ fn axes(control: &Control) -> &'static [Axis] {
     if control.turns() { &[Axis::X, Axis::Z] } else { &[Axis::X, Axis::Y, Axis::Z, Axis::A] }
 }
 
+/// What another program may have left in force, which the safety block must end: the block that does so on a control, where the
+/// control knows the code.
+const SPOILT: [(G, &str); 10] = [
+    (G::Inch, ""),
+    (G::Incremental, ""),
+    (G::WorkOffset(2), ""),
+    (G::Plane(Plane::ZX), ""),
+    (G::Plane(Plane::YZ), ""),
+    (G::Feed(FeedMode::PerRevolution), ""),
+    (G::Feed(FeedMode::InverseTime), ""),
+    (G::Feed(FeedMode::Seconds), ""),
+    (G::Compensation(Compensation::Left), " D1"),
+    (G::Cycle(Cycle::Drill), " X0 Y0 Z-1 R1 F100"),
+];
+
+/// The block that leaves something in force; `None` where the control does not know its code. Of a lathe's program the safety
+/// block says unit, dimensions and feed: zero, plane and nose are said with the tool.
+fn spoils(control: &Control, (code, words): (G, &str)) -> Option<String> {
+    let turned = matches!(code, G::Inch | G::Incremental | G::Feed(_));
+    let name = control.codes.names(code).into_iter().next()?;
+    (turned || !control.turns()).then(|| format!("{name}{words}"))
+}
+
 struct Text {
     text: String,
     made: Vec<Made>,
@@ -61,11 +88,20 @@ fn write(written: Written, plan: &[Step], distance: Distance) -> Text {
     let mut writer = Writer::new(written, Vec::new());
     let (mut made, mut tool) = (Vec::new(), None);
     writer.safety();
+    let mut at = [0; 4];
+    if !control.turns() {
+        // 60° of a radius of 10 mm at 10 mm a second; in another plane another arc, or none.
+        let [X, Y, Z, R] = [('X', 6_000), ('Y', 8_000), ('Z', 0), ('R', 10_000)]
+            .map(|(letter, size)| Word::size(letter, Milli::new(size)));
+        writer.rapid([Word::size('X', Milli::new(0)), Word::size('Y', Milli::new(0)), Z]);
+        writer.block([Word::whole('G', 2), X, Y, R, Word::whole('F', 600)]);
+        made.extend([Made::Rapid(vec![0.0; 4]), Made::Arc(vec![6.0, 8.0, 0.0, 0.0], std::f64::consts::FRAC_PI_3)]);
+        at = [6_000, 8_000, 0, 0];
+    }
     if distance == Distance::Incremental {
         writer.distance(distance);
     }
     writer.begin_feed();
-    let mut at = [0; 4];
     // The last tool is seen in force in a motion behind it.
     for step in plan.iter().chain([&Step::Rapid([1_000; 4])]) {
         match *step {
@@ -126,6 +162,91 @@ fn near(one: f64, other: f64) -> bool {
     (one - other).abs() <= 1e-6 * (1.0 + one.abs())
 }
 
+/// Writes a plan and reads it back after a block that leaves something in force.
+///
+/// # Errors
+/// Where the control reads something else than was written.
+fn reads_back(written: Written, plan: &[Step], distance: Distance, spoilt: (G, &str)) -> Result<(), String> {
+    let control = written.control;
+    let Text { text, made, tool } = write(written, plan, distance);
+    let before = spoils(control, spoilt).map(|block| block + control.text.end_of_line).unwrap_or_default();
+    let text = before.clone() + &text;
+    let left = if before.is_empty() { "nothing" } else { before.trim_end() };
+    let wrong = |what: String| Err(format!("{} after {left}: {what}\n{text}", control.name));
+    // Absolute words of a counting plan are true where the axes count.
+    let rotary = if distance == Distance::Incremental { control.rotary.delivered } else { Rotary::Linear };
+    let tools = (1..=99).map(|T| (T, ToolOffset { diameter: 4.0, ..ToolOffset::default() }));
+    let setting = Setting { rotary, tools: Some(tools.collect()), ..Setting::new(control) };
+    let mut interpreter = Interpreter::over(text.as_bytes(), setting);
+    let mut motions = Vec::new();
+    while let Some(motion) = interpreter.next() {
+        let motion = match motion {
+            Ok(motion) => motion,
+            Err(found) => return wrong(format!("{found:?}")),
+        };
+        if !before.is_empty() && motion.line == 1 {
+            continue;
+        }
+        let InForce { unit, system, compensation, .. } = *interpreter.in_force();
+        if (unit, system, compensation) != (LengthUnit::Millimetre, 1, Compensation::Off) {
+            return wrong("the safety block does not end it".to_owned());
+        }
+        motions.push(motion);
+    }
+    if motions.len() != made.len() {
+        return wrong(format!("{} motions of {}", motions.len(), made.len()));
+    }
+    for (motion, made) in motions.iter().zip(&made) {
+        let place =
+            |wanted: &[f64]| axes(control).iter().zip(wanted).all(|(&axis, &wanted)| near(wanted, motion.to.get(axis)));
+        let lasts = |seconds: f64| motion.seconds.is_some_and(|read| near(seconds, read));
+        let agrees = match (motion.kind, made) {
+            (MotionKind::Rapid, Made::Rapid(to)) => place(to),
+            (MotionKind::Feed(_), Made::Feed(to, seconds)) | (MotionKind::Arc(..), Made::Arc(to, seconds)) => {
+                place(to) && lasts(*seconds)
+            }
+            (MotionKind::Dwell(read), Made::Dwell(seconds, off)) => (read - seconds).abs() <= *off,
+            _ => false,
+        };
+        if !agrees {
+            return wrong(format!("{motion:?} is not {made:?}"));
+        }
+    }
+    if let Some((T, D)) = tool {
+        let InForce { tool, offset, .. } = *interpreter.in_force();
+        if tool != T || !(offset == 0 || offset == D) {
+            return wrong(format!("tool {tool}, offset {offset} in the place of T{T} D{D}"));
+        }
+    }
+    Ok(())
+}
+
+/// A safety block without one of its codes leaves in force what that code ends.
+#[test]
+fn a_safety_block_that_lacks_a_code_does_not_read_back() {
+    let plan = [Step::Rapid([5_000, 6_000, 7_000, 0]), Step::Feed([8_000, 9_000, 0, 0], 3.0)];
+    for (control, wanted) in [
+        (&LINUXCNC, [("G20", 21), ("G91", 90), ("G55", 54), ("G18", 17), ("G95", 94), ("G41", 40)].as_slice()),
+        (&FAGOR_8055, &[("G70", 71), ("G91", 90), ("G55", 54), ("G18", 17), ("G95", 94)]),
+        (&FAGOR_8070, &[("G70", 71), ("G91", 90), ("G55", 54), ("G18", 17), ("G95", 94), ("G93", 94)]),
+        (&FAGOR_8055_T, &[("G70", 71), ("G91", 90)]),
+    ] {
+        let whole = Written::of(control).expect("rodete writes for it");
+        for &(left, code) in wanted {
+            let spoilt = SPOILT
+                .into_iter()
+                .find(|&spoilt| spoils(control, spoilt).is_some_and(|block| block.split(' ').next() == Some(left)));
+            let spoilt = spoilt.unwrap_or_else(|| panic!("{} does not know {left}", control.name));
+            assert_eq!(reads_back(whole, &plan, Distance::Absolute, spoilt), Ok(()));
+            let safety: Vec<_> = whole.writing.safety.iter().copied().filter(|word| *word != ('G', code)).collect();
+            assert!(safety.len() < whole.writing.safety.len(), "{}: no G{code} in the safety block", control.name);
+            let lacking: &Writing = Box::leak(Box::new(Writing { safety: safety.leak(), ..*whole.writing }));
+            let read = reads_back(Written { control, writing: lacking }, &plan, Distance::Absolute, spoilt);
+            assert!(read.is_err(), "{}: {left} stays in force without G{code}, and nothing is told", control.name);
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -133,40 +254,15 @@ proptest! {
     fn what_is_written_for_a_control_is_what_it_reads(
         plan in prop::collection::vec(step(), 1..24),
         incremental in any::<bool>(),
+        spoilt in prop::sample::select(SPOILT.to_vec()),
     ) {
         let distance = if incremental { Distance::Incremental } else { Distance::Absolute };
         let mut controls = 0;
         for control in ALL {
             let Some(written) = Written::of(control) else { continue };
             controls += 1;
-            let Text { text, made, tool } = write(written, &plan, distance);
-            // Absolute words of a counting plan are true where the axes count.
-            let rotary = if incremental { control.rotary.delivered } else { Rotary::Linear };
-            let mut interpreter = Interpreter::over(text.as_bytes(), Setting { rotary, ..Setting::new(control) });
-            let mut motions = Vec::new();
-            for motion in interpreter.by_ref() {
-                prop_assert!(motion.is_ok(), "{}: {:?}\n{text}", control.name, motion);
-                motions.extend(motion);
-            }
-            prop_assert_eq!(motions.len(), made.len(), "{}\n{}", control.name, text);
-            for (motion, made) in motions.iter().zip(&made) {
-                let place = |wanted: &[f64]| {
-                    axes(control).iter().zip(wanted).all(|(&axis, &wanted)| near(wanted, motion.to.get(axis)))
-                };
-                let agrees = match (motion.kind, made) {
-                    (MotionKind::Rapid, Made::Rapid(to)) => place(to),
-                    (MotionKind::Feed(_), Made::Feed(to, seconds)) => {
-                        place(to) && motion.seconds.is_some_and(|read| near(*seconds, read))
-                    }
-                    (MotionKind::Dwell(read), Made::Dwell(seconds, off)) => (read - seconds).abs() <= *off,
-                    _ => false,
-                };
-                prop_assert!(agrees, "{}: {motion:?} is not {made:?}\n{text}", control.name);
-            }
-            if let Some((T, D)) = tool {
-                prop_assert_eq!(interpreter.in_force().tool, T, "{}\n{}", control.name, text);
-                let offset = interpreter.in_force().offset;
-                prop_assert!(offset == 0 || offset == D, "{}: offset {offset}\n{text}", control.name);
+            if let Err(why) = reads_back(written, &plan, distance, spoilt) {
+                return Err(TestCaseError::fail(why));
             }
         }
         prop_assert!(controls >= 4, "{controls} controls are written for");

@@ -128,9 +128,14 @@ fn made(variant: &Variant, language: &str) -> Vec<Item> {
 
     let mut sums = Sums::default();
     sums.take(&book, &place.read(&book));
-    place.run(&["build", &book, "--no-report", "-o", "out"]);
+    let built = place.run(&["build", &book, "--no-report", "-o", "out"]);
     let files = place.files("out");
-    assert!(files.len() > 3, "{under}: {files:?}");
+    assert!(
+        files.len() > 3,
+        "{under} is not built. If this control needs other cells in this case, add a line to NEEDS, as (\
+         [\"{kind}\", \"{case}\", \"{control}\"], &[(\"NAME OF THE CELL\", \"VALUE\")]); else mend what build says:\n{}",
+        String::from_utf8_lossy(&built.stderr)
+    );
     files.iter().for_each(|file| sums.take(file, &place.read(&format!("out/{file}"))));
     for file in files.iter().filter(|file| [".nc", ".dxf", ".stl"].iter().any(|ending| file.ends_with(ending))) {
         let name = file.strip_prefix(stem).unwrap().trim_start_matches('-');

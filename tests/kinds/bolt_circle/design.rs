@@ -10,6 +10,9 @@ use rodete::parameter::field::Fields;
 use crate::form::{DEPTH, DRILL, FEED, FIRST, N, PITCH, SPEED, WAY, Way};
 use crate::rules::{HolesMeet, TooDeep};
 
+/// How far above the face the drill moves from hole to hole, mm.
+pub const CLEAR: f64 = 5.0;
+
 /// The deepest hole that is drilled in one go, in diameters.
 const IN_ONE_GO: f64 = 5.0;
 
@@ -64,7 +67,7 @@ impl BoltCircle {
         self.alpha + self.step * f64::from(hole)
     }
 
-    /// Where it stands, mm.
+    /// Where a hole is, mm.
     pub fn at(&self, hole: u32) -> [f64; 2] {
         let (sin, cos) = sin_cos(self.angle(hole).to_radians());
         [cos, sin].map(|along| self.D / 2.0 * along)

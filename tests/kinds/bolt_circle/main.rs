@@ -14,6 +14,7 @@ mod form;
 mod program;
 mod proof;
 mod rules;
+mod slips;
 mod tried;
 
 use std::process::ExitCode;
@@ -21,18 +22,22 @@ use std::process::ExitCode;
 use rodete::finding::{Finding, Rule};
 use rodete::gcode::control::Control;
 use rodete::gcode::header::Origin;
+use rodete::gcode::in_force::Spindle;
 use rodete::gcode::program::Program;
 use rodete::kind::method::{Method, Of, Written};
 use rodete::kind::{Chapters, Proved, Wants, out_of_format};
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Form};
-use rodete::proof::step::Judge;
+use rodete::proof::agreement::Agreement;
+use rodete::proof::feed::Feeds;
+use rodete::proof::step::{Judge, Plan};
+use rodete::proof::three_axes::{RapidsAbove, SpindleTurns};
 use rodete::table::{Column, Index, Law, Print, Quantity, Table, Unit};
 use rodete::text::{Text, t};
 
-use crate::design::BoltCircle;
+use crate::design::{BoltCircle, CLEAR};
 use crate::form::{CASES, DEPTH, FORM, PITCH};
-use crate::proof::HolesAtAngles;
+use crate::proof::{HolesAtAngles, route};
 
 /// The kind.
 enum Kind {}
@@ -97,12 +102,22 @@ impl Method for Kind {
         t("menos agujeros", "fewer holes")
     }
 
+    fn plan<'a>(circle: &'a BoltCircle, (): &'a (), _: &'a Program) -> Plan<'a> {
+        route(circle).plan()
+    }
+
     fn judges<'a>(circle: &'a BoltCircle, (): &(), (): &mut (), _: &Program) -> Vec<Box<dyn Judge + 'a>> {
-        vec![Box::new(HolesAtAngles::of(circle))]
+        vec![
+            Box::new(Agreement::along(&route(circle))),
+            Box::new(Feeds::of_three_axes(Some(circle.F), None)),
+            Box::new(RapidsAbove::the_plane(CLEAR)),
+            Box::new(SpindleTurns::at(Spindle::Clockwise, circle.S)),
+            Box::new(HolesAtAngles::of(circle)),
+        ]
     }
 
     fn due(_: &BoltCircle, _: &Program) -> &'static [&'static str] {
-        &["angles"]
+        &["agreement", "feed", "clearance", "spindle", "angles"]
     }
 
     fn quantities(circle: &BoltCircle, (): &(), _: &[Proved]) -> Vec<Quantity> {
@@ -124,5 +139,6 @@ fn main() -> ExitCode {
         return rodete::cli::run(std::env::args_os(), &[&Of::<Kind>::new()]);
     }
     tried::tried();
+    slips::every_slip_stops_the_build();
     ExitCode::SUCCESS
 }

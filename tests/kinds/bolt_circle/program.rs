@@ -8,10 +8,7 @@ use rodete::gcode::writer::Writer;
 use rodete::number::grid::{Milli, OutOfFormat};
 use rodete::text::t;
 
-use crate::design::BoltCircle;
-
-/// How far above the face the drill moves from hole to hole, mm.
-pub const CLEAR: f64 = 5.0;
+use crate::design::{BoltCircle, CLEAR};
 
 pub fn program(circle: &BoltCircle, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
     let title = t("Agujeros", "Holes");

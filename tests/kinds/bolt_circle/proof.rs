@@ -1,4 +1,4 @@
-//! The proof: hole i stands at its angle.
+//! The proof: every motion as planned, from the design alone, and hole i at its angle.
 
 use rodete::finding::{Raise, Size};
 use rodete::gcode::motion::MotionKind;
@@ -6,14 +6,28 @@ use rodete::gcode::program::Program;
 use rodete::machine::axis::Axis;
 use rodete::proof::check::{At, Check, Extreme, Question, mm};
 use rodete::proof::step::{Judge, Step};
+use rodete::proof::three_axes::Route;
 use rodete::text::Text;
 use rodete::text::t;
 
-use crate::design::BoltCircle;
+use crate::design::{BoltCircle, CLEAR};
 use crate::rules::Astray;
 
 /// How far a hole may be from its place: the grid of the program's numbers, mm.
 const MOST: f64 = 0.001;
+
+/// What the drill should do: up, and over each hole in turn down at F and up again.
+pub fn route(circle: &BoltCircle) -> Route {
+    let mut route = Route::default();
+    route.rapid([(Axis::Z, CLEAR)]);
+    for hole in 0..circle.N {
+        let [x, y] = circle.at(hole);
+        route.rapid([(Axis::X, x), (Axis::Y, y)]);
+        route.feed([(Axis::Z, -circle.h)], circle.F);
+        route.rapid([(Axis::Z, CLEAR)]);
+    }
+    route
+}
 
 /// Looks at each motion that drills.
 pub struct HolesAtAngles<'a> {

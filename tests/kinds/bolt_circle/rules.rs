@@ -9,19 +9,19 @@ rodete::rules! {
     "B0001" HolesMeet Stop { between: Size, d: Size }
         es "entre los centros de dos agujeros hay {between}, y la broca mide {d}"
         en "the centres of two holes are {between} apart, and the drill measures {d}"
-        remedy "menos agujeros, más diámetro de paso o una broca más fina", "fewer holes, a greater pitch diameter, or a thinner drill";
-        why "Los agujeros se cortarían entre sí.", "The holes would cut into one another.";
+        remedy "elija menos agujeros, un diámetro de paso mayor o una broca más fina", "choose fewer holes, a larger pitch diameter or a thinner drill";
+        why "Los agujeros se cortan entre sí.", "The holes cut into one another.";
         example Example::Workbook { kind: "bolt-circle", cells: &[("d", "45")] };
     "B0002" TooDeep Stop { h: Size, most: Size }
-        es "la profundidad es {h}, y sin sacar la broca no pasa de {most}"
-        en "the depth is {h}, and without taking the drill out no more than {most}"
-        remedy "menos profundidad o una broca mayor", "less depth, or a larger drill";
-        why "Este programa taladra de una vez: la viruta de un agujero más hondo no sale.", "This program drills in one go: the chips of a deeper hole do not come out.";
+        es "la profundidad es {h}; sin sacar la broca, {most} como máximo"
+        en "the depth is {h}; without taking the drill out, {most} at most"
+        remedy "elija menos profundidad o una broca mayor", "choose less depth or a larger drill";
+        why "El programa taladra de una vez: la viruta de un agujero más hondo no sale.", "The program drills in one go: the chips of a deeper hole do not come out.";
         example Example::Workbook { kind: "bolt-circle", cells: &[("h", "50")] };
     "B0003" Astray Stop { hole: u32, by: Size }
-        es "el agujero {hole} queda a {by} de su sitio"
-        en "hole {hole} stands {by} from its place"
-        remedy "es un fallo del programa que lo escribe", "it is a fault of what writes the program";
-        why "El agujero no coincidiría con el de la otra brida.", "The hole would not meet that of the other flange.";
+        es "el agujero {hole} está a {by} de su sitio"
+        en "hole {hole} is {by} from its place"
+        remedy "corrija program.rs, que escribe el programa", "correct program.rs, which writes the program";
+        why "El agujero no coincide con el de la otra brida.", "The hole does not meet the hole of the other flange.";
         example Example::Never(t("el programa se escribe de los mismos ángulos", "the program is written from the same angles"));
 }

@@ -29,14 +29,6 @@ pub struct ToolTerms {
     wrong: Option<(At, Text)>,
 }
 
-fn turning(spindle: Spindle) -> &'static str {
-    match spindle {
-        Spindle::Stopped => "M5",
-        Spindle::Clockwise => "M3",
-        Spindle::CounterClockwise => "M4",
-    }
-}
-
 impl ToolTerms {
     /// The judge of the program of a tool.
     #[must_use]
@@ -63,7 +55,7 @@ impl ToolTerms {
             return None;
         }
         if self.spindle.is_some_and(|spindle| spindle != control.spindle) {
-            return Some(turning(control.spindle).to_owned());
+            return Some(control.spindle.code().to_owned());
         }
         let wanted = f64::from(self.mill?.S?);
         match control.speed {
@@ -75,7 +67,7 @@ impl ToolTerms {
 
     fn wanted(&self) -> String {
         let mut words: Vec<String> = self.mill.map(|mill| format!("T{}", mill.T)).into_iter().collect();
-        words.extend(self.spindle.map(|spindle| turning(spindle).to_owned()));
+        words.extend(self.spindle.map(|spindle| spindle.code().to_owned()));
         words.extend(self.mill.and_then(|mill| mill.S).map(|S| format!("S{S}")));
         words.join(" ")
     }
