@@ -47,6 +47,9 @@ pub fn tried() {
         let verified = &contents["tables"][1];
         assert_eq!(verified["key"], "verification");
         assert!(verified["head"].to_string().contains("Every hole at its angle"), "{verified}");
+        // The program was written along the path, whatever the control's law of rotary axes.
+        assert!(program.contains("G94") && !program.contains("G93"), "{program}");
+        assert_eq!(contents["feed_law"], "resultant");
     }
     // The compiler inside is that of any binary that is made so.
     if cfg!(feature = "embedded-typst") {
