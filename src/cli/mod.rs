@@ -47,7 +47,7 @@ use std::process::ExitCode;
 use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
-pub use self::explain::{controls, exit_codes, parameters, reference, rows};
+pub use self::explain::{codes, controls, exit_codes, parameters, reference, rows};
 use self::locale::spoken;
 use self::rules::OutputNotWritten;
 use self::terminal::Terminal;
@@ -67,7 +67,8 @@ const BUILD: &str = "build";
 const OFFSETS: &str = "offsets";
 
 /// Runs a command line, the program's name first, for these kinds of workbooks, and gives the process exit code. The usual
-/// kind stands first; [`KINDS`](crate::kinds::KINDS) are those of `rodete`.
+/// kind stands first; [`KINDS`](crate::kinds::KINDS) are those of `rodete`. It refuses kinds of which a code is another
+/// row's already ([`codes`]).
 ///
 /// With the typst compiler inside, the command `typst` is that compiler: a report is typeset by a process of the binary itself.
 pub fn run(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -> ExitCode {
@@ -93,6 +94,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -
 }
 
 fn command(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
+    if let Err(refusal) = codes(kinds) {
+        return refused(&refusal, spoken(None, None), terminal);
+    }
     let arguments = match Arguments::read(arguments, kinds) {
         Ok(arguments) => arguments,
         Err(error) => return misunderstood(&error, kinds, terminal),

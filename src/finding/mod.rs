@@ -151,10 +151,11 @@ impl Finding {
         self.rule
     }
 
-    /// True for a stop for which only rodete itself can be to blame: the command ends with [`Exit::Fault`].
+    /// True for a stop for which only code can be to blame, rodete's or that of a kind: the command ends with
+    /// [`Exit::Fault`].
     #[must_use]
     pub fn is_fault(&self) -> bool {
-        self.grade == Grade::Stop && self.remedy == FAULT
+        self.grade == Grade::Stop && (self.remedy == FAULT || self.rule.code.starts_with('X'))
     }
 
     /// True for a finding of a row.

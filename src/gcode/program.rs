@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::gcode::control::Control;
+use crate::gcode::control::{Control, FeedLaw};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::word::{Distance, Number, NumberFormat, Retract, Word};
 use crate::machine::axis::{Axis, Position};
@@ -108,6 +108,8 @@ pub struct Program {
     pub title: Text,
     /// The control.
     pub control: &'static Control,
+    /// What F is in its moves at feed.
+    pub law: FeedLaw,
     /// How numbers are written.
     pub format: NumberFormat,
     /// First block number and step between block numbers; `None` where blocks are not numbered.
@@ -168,13 +170,6 @@ impl<'a> Iterator for Moves<'a> {
 }
 
 impl Program {
-    /// A program with three decimals and blocks numbered by tens, which begins anywhere.
-    #[must_use]
-    pub fn new(key: &'static str, title: Text, control: &'static Control, parts: Vec<Part>) -> Self {
-        let (format, block_step, start) = (NumberFormat::Fixed, Some(10), Position::default());
-        Self { key, title, control, format, block_step, start, parts }
-    }
-
     /// The moves in order. Moves of no length are left out, as they are in the text.
     #[must_use]
     pub fn moves(&self) -> Moves<'_> {

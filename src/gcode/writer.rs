@@ -4,10 +4,11 @@
 
 use crate::gcode::control::{Control, FeedLaw, Written};
 use crate::gcode::feed_word::FeedWord;
-use crate::gcode::program::Part;
-use crate::gcode::word::{Distance, Word};
-use crate::machine::axis::Axis;
+use crate::gcode::program::{Part, Program};
+use crate::gcode::word::{Distance, NumberFormat, Word};
+use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
+use crate::text::Text;
 
 /// A program being written.
 #[derive(Debug)]
@@ -132,5 +133,21 @@ impl Writer {
     #[must_use]
     pub fn finish(self) -> Vec<Part> {
         self.parts
+    }
+
+    /// The program, for the control and by the law that it was written for, with three decimals and blocks numbered by tens.
+    /// It begins anywhere.
+    #[must_use]
+    pub fn program(self, key: &'static str, title: Text) -> Program {
+        Program {
+            key,
+            title,
+            control: self.written.control,
+            law: self.law,
+            format: NumberFormat::Fixed,
+            block_step: Some(10),
+            start: Position::default(),
+            parts: self.parts,
+        }
     }
 }

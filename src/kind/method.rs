@@ -8,7 +8,7 @@ use super::live_form::LiveForm;
 use super::measure::{From, Limits, Measure, Suggested};
 use super::rules::NotNumbered;
 use super::{
-    Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Wants, not_finite, staging,
+    Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Wants, faults, staging,
 };
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule};
@@ -52,8 +52,10 @@ pub trait Method: Send + Sync + 'static {
     const CASES: &'static [Case];
     /// What it brings to the report.
     const CHAPTERS: &'static Chapters;
-    /// The rows of its own findings, one list for each of its `rules.rs`.
-    const RULES: &'static [&'static [&'static Rule]] = &[];
+    /// The rows of its own findings, one list for each of its `rules.rs`: `explain` knows these alone.
+    const RULES: &'static [&'static [&'static Rule]];
+    /// The remarks of the interpreter of which its judges speak, or its own findings: the proof does not repeat them.
+    const ANSWERED: &'static [&'static Rule] = &[];
     /// How the proof goes, for the table of the checks.
     const PROVED: Text;
     /// What designs of it are compared by; the time of all its programs, where it says nothing else.
@@ -193,7 +195,7 @@ pub fn judged<M: Method>(
 ) -> Judged {
     let (setting, plan) = (M::setting(design, program), M::plan(design, model, program));
     let judges = M::judges(design, model, memo, program);
-    proof::of(text, setting, plan, judges, M::due(design, program), M::rapids(design, program))
+    proof::of(text, setting, plan, judges, M::due(design, program), M::ANSWERED, M::rapids(design, program))
 }
 
 /// True where the rates of rapid motions are known of a program, or where the rates of the form are not its machine's.
@@ -201,9 +203,24 @@ fn rated<M: Method>(design: &M::Design, program: &Program) -> bool {
     program.control.turns() || M::rapids(design, program).linear.is_some()
 }
 
-/// The programs of a design. Their blocks have no numbers where those would exceed what the control reads, and that is told.
+/// How a run ends that findings stop: as `otherwise`, unless one is a fault of code.
+fn ended(findings: &[Finding], otherwise: Exit) -> Exit {
+    if findings.iter().any(Finding::is_fault) { Exit::Fault } else { otherwise }
+}
+
+/// Refused where there is a fault.
+fn faultless(fault: Option<Finding>) -> Result<(), Refusal> {
+    fault.map_or(Ok(()), |fault| Err(Refusal::new(Exit::Fault, fault)))
+}
+
+/// The programs of a design, such as the form announces them. Their blocks have no numbers where those would exceed what the control reads, and that is told.
 fn written<M: Method>(design: &M::Design, model: &M::Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
     let mut written = M::programs(design, model, origin)?;
+    let due = |program: &Program| M::due(design, program);
+    let faults = faults::programs(M::FORM, M::control(design), &written.programs, due);
+    if !faults.is_empty() {
+        return Err(faults);
+    }
     for program in &mut written.programs {
         let greatest = program.control.text.greatest_number;
         let last = program.blocks().saturating_mul(program.block_step.unwrap_or(0).into());
@@ -273,27 +290,25 @@ impl<M: Method> Kind for Of<M> {
     }
 
     fn limits(&self, fields: &Fields) -> Result<Limits, Refusal> {
-        let refused = |findings: Vec<Finding>| Refusal { exit: Exit::Refused, findings };
+        let refused = |findings: Vec<Finding>| Refusal { exit: ended(&findings, Exit::Refused), findings };
         let design = M::design(fields).map_err(refused)?;
         let model = M::model(&design).map_err(refused)?;
         let origin = Origin { workbook: "", sha256: "", version: "", language: fields.language() };
         let Written { findings, .. } = written::<M>(&design, &model, &origin).map_err(refused)?;
-        Ok(Limits { quantities: M::quantities(&design, &model, &[]), findings })
+        let quantities = M::quantities(&design, &model, &[]);
+        faultless(faults::quantities(&quantities))?;
+        Ok(Limits { quantities, findings })
     }
 
     fn run(&self, fields: Fields, found: Vec<Finding>, source: Provenance, wants: Wants) -> Result<Outcome, Refusal> {
         let refused = |findings: Vec<Finding>| Refusal {
-            exit: M::stopped(&findings),
+            exit: ended(&findings, M::stopped(&findings)),
             findings: findings.into_iter().map(|finding| fields.locate(finding)).collect(),
         };
         let design = M::design(&fields).map_err(refused)?;
         let model = M::model(&design).map_err(refused)?;
         let mut tables = M::tables(&design, &model);
-        for table in &tables {
-            if let Some((_, row)) = table.not_finite() {
-                return Err(Refusal::new(Exit::Fault, not_finite(table, row)));
-            }
-        }
+        faultless(faults::tables(&tables))?;
         let origin = Origin {
             workbook: &source.workbook,
             sha256: &source.sha256,
@@ -314,7 +329,9 @@ impl<M: Method> Kind for Of<M> {
             accounts.push(judged.account.clone());
             verification.add(program, judged, M::fewer(&design, program));
         }
-        tables.extend(M::lines(&design, &model, &programs));
+        let lines = M::lines(&design, &model, &programs);
+        faultless(faults::tables(&lines))?;
+        tables.extend(lines);
         tables.push(verification.table(&programs, M::PROVED));
         let proved = |(program, account): (Program, Account)| {
             let duration = account.cycle_seconds().map(|seconds| Duration { seconds, timeless: 0 });
@@ -322,6 +339,7 @@ impl<M: Method> Kind for Of<M> {
         };
         let programs: Vec<Proved> = programs.into_iter().zip(accounts).map(proved).collect();
         let quantities = M::quantities(&design, &model, &programs);
+        faultless(faults::quantities(&quantities))?;
         findings.extend(verification.findings);
         let mut findings: Vec<Finding> = findings.into_iter().map(|finding| fields.locate(finding)).collect();
         findings.extend(found);

@@ -5,6 +5,7 @@
 
 pub mod checks;
 pub mod comparison;
+mod faults;
 pub mod live_form;
 pub mod measure;
 pub mod method;
@@ -20,8 +21,7 @@ use serde::Serialize;
 
 use self::rules::PositionOutOfFormat;
 use crate::figure::{Arc, Figure, Paper};
-use crate::finding::rules::ValueNotFinite;
-use crate::finding::{Exit, Finding, Grade, Key, Place, Raise, Refusal, Rule};
+use crate::finding::{Exit, Finding, Grade, Key, Raise, Refusal, Rule};
 use crate::gcode::control::Control;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
@@ -58,9 +58,7 @@ pub trait Kind: Send + Sync {
     fn chapters(&self) -> &'static Chapters;
 
     /// The rows of its own findings, one list for each of its `rules.rs`. Kinds may share lists.
-    fn rules(&self) -> &'static [&'static [&'static Rule]] {
-        &[]
-    }
+    fn rules(&self) -> &'static [&'static [&'static Rule]];
 
     /// What a program of a filled-in form is read with; `None` where its control says it all.
     fn setting(&self, _fields: &Fields, _program: &Program) -> Option<Setting> {
@@ -378,11 +376,6 @@ impl Outcome {
     pub fn table(&self, key: &str) -> Option<&Table> {
         self.tables.iter().find(|table| table.key == key)
     }
-}
-
-/// The fault of a table with a value that is no number.
-pub(crate) fn not_finite(table: &Table, row: usize) -> Finding {
-    ValueNotFinite {}.at(Place::Point { table: table.key, index: row })
 }
 
 /// The stop for a position that no program may carry, at the parameters that make it.

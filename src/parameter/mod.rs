@@ -197,7 +197,7 @@ pub struct Form {
     pub part: &'static Field<String, Required>,
     /// That of its material.
     pub material: Option<&'static Field<String, Optional>>,
-    /// The keys of the programs that its builds may write, in the order of their sheets.
+    /// The keys of the programs that its builds may write, in the order of their sheets: a program of another key is a fault.
     pub programs: &'static [&'static str],
     /// The keys of the drawings at 1:1 that its builds may write; other than `report` and other than those of programs.
     pub drawings: &'static [&'static str],

@@ -352,6 +352,7 @@ mod tests {
             key: "hole",
             title: Text::same("Hole"),
             control: &LINUXCNC,
+            law: LINUXCNC.feed.law,
             format: NumberFormat::Fixed,
             block_step: None,
             start: Position::default(),

@@ -131,6 +131,7 @@ mod tests {
             key: "hole",
             title: Text::same(""),
             control: &LINUXCNC,
+            law: LINUXCNC.feed.law,
             format: NumberFormat::Fixed,
             block_step: None,
             start: Position::default(),

@@ -41,7 +41,7 @@ pub mod verification;
 
 use rayon::prelude::*;
 
-use crate::finding::Raise;
+use crate::finding::{Raise, Rule};
 use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::program::Program;
 use crate::machine::rapids::Rapids;
@@ -65,7 +65,8 @@ pub struct Judged {
 
 /// Reads a program back from its text and asks all judges, what is asked of every text among them. A text that the
 /// interpreter refuses is asked nothing else. Each key of `due` must be answered, by a check of that key or of one that begins
-/// with it and a hyphen. `rapids` is how fast the machine is where it does not cut.
+/// with it and a hyphen. Of the rows of `answered` the judges speak, so that the reading does not. `rapids` is how fast the
+/// machine is where it does not cut.
 #[must_use]
 pub fn of(
     program: &Program,
@@ -73,12 +74,13 @@ pub fn of(
     plan: Plan<'_>,
     judges: Vec<Box<dyn Judge + '_>>,
     due: &[&'static str],
+    answered: &[&Rule],
     rapids: Rapids,
 ) -> Judged {
     let mut characters = None;
     let mut judged = rayon::in_place_scope(|scope| {
         scope.spawn(|_| characters = Some(text::read(program)));
-        over(program, &mut program.read_back_with(setting), plan, judges, due, rapids)
+        over(program, &mut program.read_back_with(setting), plan, judges, due, answered, rapids)
     });
     let characters = characters.unwrap_or_else(|| text::read(program));
     judged.bytes = characters.bytes();
@@ -93,6 +95,7 @@ fn over(
     plan: Plan<'_>,
     mut judges: Vec<Box<dyn Judge + '_>>,
     due: &[&'static str],
+    answered: &[&Rule],
     rapids: Rapids,
 ) -> Judged {
     let (mut steps, mut account, mut fault) = (Steps::new(plan), Account::on(rapids), None);
@@ -110,7 +113,7 @@ fn over(
         before = step.motion.machine;
         judges.iter_mut().for_each(|judge| judge.see(&step));
     }
-    let mut checks = vec![reading(program, text, fault.as_deref())];
+    let mut checks = reading(program, text, fault.as_deref(), answered);
     if fault.is_none() {
         judges.iter_mut().for_each(|judge| judge.end(text));
         // Some of them search for long, each by itself.
@@ -167,6 +170,7 @@ mod tests {
             key: "hole",
             title: Text::same("Hole"),
             control: &LINUXCNC,
+            law: LINUXCNC.feed.law,
             format: NumberFormat::Fixed,
             block_step: None,
             start: Position::default(),
@@ -179,6 +183,7 @@ mod tests {
                 Plan::of(&program),
                 vec![Box::new(Word0(answered))],
                 &["feed"],
+                &[],
                 Rapids::default(),
             );
             let stopped = judged.checks.iter().filter(|check| check.grade() == Some(Grade::Stop));

@@ -1,9 +1,8 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
-use crate::finding::{Finding, Grade, Place, Raise};
+use crate::finding::{Finding, Grade, Place, Raise, Rule};
 use crate::gcode::interpreter::{Interpreter, Refused};
 use crate::gcode::program::Program;
-use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, NoSpeedLimit, SpindleStopped};
 use crate::proof::Judged;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::{ChecksPassed, MemoryExceeded};
@@ -19,9 +18,9 @@ pub struct Verification {
     pub findings: Vec<Finding>,
 }
 
-/// How the interpreter took the text.
+/// How the interpreter took the text: refused, or with each caution of it once. Of the rows of `answered` others speak.
 #[must_use]
-pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refused>) -> Check {
+pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refused>, answered: &[&Rule]) -> Vec<Check> {
     let lines = text.lines();
     let name = t("Leído por el intérprete", "Read back by the interpreter");
     let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));
@@ -34,13 +33,22 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refus
     if let Some(refused) = refused {
         let asked = asked.at(Some(At::line(refused.line))).seen(1);
         let found = Finding::from(refused.clone());
-        return asked.unless(Some(|place| of_program(found, place))).apart();
+        return vec![asked.unless(Some(|place| of_program(found, place))).apart()];
     }
-    // Of feeds, of the limit of the speed and of the spindle their judges speak, or the kind itself.
-    let theirs = [NoFeed::RULE, NoSpeedLimit::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE];
-    let own = |remark: &Finding| remark.grade >= Grade::Caution && !theirs.iter().any(|rule| remark.is(rule));
-    let remark = text.remarks().into_iter().find(own);
-    asked.seen(lines).unless(remark.map(|remark| move |place| of_program(remark, place))).apart()
+    let asked = asked.seen(lines);
+    let mut told: Vec<&Rule> = Vec::new();
+    let mut checks = Vec::new();
+    for remark in text.remarks() {
+        let rule = remark.rule();
+        if remark.grade >= Grade::Caution && !answered.contains(&rule) && !told.contains(&rule) {
+            told.push(rule);
+            checks.push(asked.clone().unless(Some(|place| of_program(remark, place))).apart());
+        }
+    }
+    if checks.is_empty() {
+        checks.push(asked.passes());
+    }
+    checks
 }
 
 /// The caution for a program that its control may not hold.
@@ -61,7 +69,12 @@ impl Verification {
         let stopped = checks.iter().any(|check| check.grade() == Some(Grade::Stop));
         let held = checks.iter().filter(|check| check.grade().is_none()).count();
         for check in &checks {
-            let said = self.checks.iter().any(|known| known.key() == check.key() && known.grade() == check.grade());
+            let same = |known: &Check| {
+                let [one, other] =
+                    [known, check].map(|check| (check.key(), check.grade(), check.finding().map(Finding::rule)));
+                one == other
+            };
+            let said = self.checks.iter().any(same);
             if let Some(finding) = check.finding()
                 && (finding.grade == Grade::Stop || !said)
             {

@@ -91,7 +91,7 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailur
         dialect: outcome.control.name,
         style: outcome.style.map(Style::key).unwrap_or_default(),
         rotary: outcome.control.rotary.delivered.name(),
-        feed_law: match outcome.control.feed.law {
+        feed_law: match feed_law(outcome) {
             FeedLaw::Resultant => "resultant",
             FeedLaw::Seconds => "seconds",
             FeedLaw::InverseTime => "inverse",
@@ -129,6 +129,12 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailur
     document.checks = checks;
     document.checks.extend(findings.iter().map(|finding| check(finding, &mut words)));
     Ok(Written { json: serde_json::to_vec(&document)?, findings })
+}
+
+/// What F is in the programs for the outcome's own control: a blank is turned on another.
+fn feed_law(outcome: &Outcome) -> FeedLaw {
+    let own = outcome.programs.iter().find(|program| program.control.name == outcome.control.name);
+    own.map_or(outcome.control.feed.law, |program| program.law)
 }
 
 /// The note on characters that no font of the report has.

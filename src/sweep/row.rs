@@ -300,6 +300,7 @@ mod tests {
             key: "finish",
             title: Text::same("Finish"),
             control: &LINUXCNC,
+            law: LINUXCNC.feed.law,
             format: NumberFormat::Fixed,
             block_step: None,
             start: Position::default(),

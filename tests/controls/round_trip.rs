@@ -12,7 +12,7 @@ use rodete::gcode::word::{Distance, NumberFormat, Word};
 use rodete::gcode::writer::Writer;
 use rodete::geometry::torus::Torus;
 use rodete::kinds::impeller::blank::BlankTurning;
-use rodete::machine::axis::{Axis, Position};
+use rodete::machine::axis::Axis;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::number::grid::Milli;
 
@@ -146,15 +146,7 @@ fn write(written: Written, plan: &[Step], distance: Distance) -> Text {
     }
     writer.end_feed();
     writer.block([Word::whole('M', 30)]);
-    let program = Program {
-        key: "plan",
-        title: rodete::text::Text::same("plan"),
-        control,
-        format: NumberFormat::Fixed,
-        block_step: Some(1),
-        start: Position::default(),
-        parts: writer.finish(),
-    };
+    let program = Program { block_step: Some(1), ..writer.program("plan", rodete::text::Text::same("plan")) };
     Text { text: program.text(), made, tool }
 }
 

@@ -46,6 +46,45 @@ fn both_languages_explain_every_code() {
     }
 }
 
+/// Every file of Rust in a folder.
+fn sources(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, files);
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            files.push(path);
+        }
+    }
+}
+
+/// A list of rows that `explain` does not know would be told under codes that nobody can look up.
+#[test]
+fn every_list_of_rows_in_src_is_one_that_explain_knows() {
+    let mut files = Vec::new();
+    sources(&file("src"), &mut files);
+    let known: BTreeMap<&str, &str> = rows(KINDS).into_iter().map(|rule| (rule.code, rule.ident)).collect();
+    let mut seen = 0;
+    for path in files {
+        let text = fs::read_to_string(&path).unwrap();
+        // Rows of tests are no findings of rodete.
+        let text = text.split("#[cfg(test)]\nmod tests").next().unwrap();
+        if path.ends_with("finding/sample.rs") || !text.contains("rules! {") {
+            continue;
+        }
+        for line in text.lines() {
+            let mut words = line.split_whitespace();
+            let [Some(code), Some(name), Some(grade)] = [(); 3].map(|()| words.next()) else { continue };
+            let Some(code) = code.strip_prefix('"').and_then(|code| code.strip_suffix('"')) else { continue };
+            if ["Stop", "Caution", "Note"].contains(&grade) && !line.contains("$(") {
+                assert_eq!(known.get(code), Some(&name), "{}: add its list to RULES of explain", path.display());
+                seen += 1;
+            }
+        }
+    }
+    assert_eq!(seen, known.len());
+}
+
 /// Codes that are no longer told, and never given again: they wrapped what another code tells now by itself.
 const RETIRED: [&str; 3] = ["V0003", "V0004", "V0409"];
 

@@ -15,6 +15,7 @@ mod impeller_passes;
 mod impeller_shortfalls;
 mod impeller_swept;
 mod laws;
+mod own_kind;
 mod pipe_designs;
 mod pipe_hole;
 mod pipe_insert;

@@ -40,19 +40,24 @@ pub(super) fn page(rows: &[&Rule], language: Language) -> String {
     page
 }
 
-/// What the codes of a letter are of.
+/// What the codes of each letter are of. K is nobody's in rodete, so that the codes of other binaries' kinds stay free.
+pub(super) const ROOMS: [(&str, Text); 13] = [
+    ("B", t("el libro en el que se ponen hojas", "the workbook that sheets are put into")),
+    ("C", t("el control y lo que se escribe para él", "the control, and what is written for it")),
+    ("D", t("los diseños de un barrido", "the designs of a sweep")),
+    ("G", t("la lectura de programas", "the reading of programs")),
+    ("K", t("los tipos de libro de fuera de rodete", "workbook kinds outside rodete")),
+    ("L", t("el torno", "the lathe")),
+    ("P", t("parámetros que se contradicen", "parameters that contradict each other")),
+    ("S", t("el almacén de salidas", "the store of outputs")),
+    ("T", t("la composición del informe", "the typesetting of the report")),
+    ("U", t("el uso del comando", "the use of the command")),
+    ("V", t("la verificación", "the proof")),
+    ("W", t("el libro", "the workbook")),
+    ("X", t("rodete mismo y el código de los tipos de libro", "rodete itself, and the code of workbook kinds")),
+];
+
+/// What the codes of a letter are of; no binary runs with a letter that is none of a room.
 fn room_of(letter: &str) -> Text {
-    match letter {
-        "C" => t("el control y lo que se escribe para él", "the control, and what is written for it"),
-        "D" => t("los diseños de un barrido", "the designs of a sweep"),
-        "G" => t("la lectura de programas", "the reading of programs"),
-        "L" => t("el torno", "the lathe"),
-        "P" => t("parámetros que se contradicen", "parameters that contradict each other"),
-        "S" => t("el almacén de salidas", "the store of outputs"),
-        "T" => t("la composición del informe", "the typesetting of the report"),
-        "U" => t("el uso del comando", "the use of the command"),
-        "V" => t("la verificación", "the proof"),
-        "W" => t("el libro", "the workbook"),
-        _ => t("rodete mismo", "rodete itself"),
-    }
+    ROOMS.iter().find(|(room, _)| *room == letter).map_or(t("", ""), |(_, of)| of.clone())
 }

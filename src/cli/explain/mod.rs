@@ -1,5 +1,6 @@
 //! `explain`: what a code means, why it is reported, what to do, and an example that raises it.
 
+mod clashes;
 mod controls;
 mod findings;
 mod markdown;
@@ -36,6 +37,7 @@ use crate::text::Language;
 use crate::typeset;
 use crate::workbook;
 
+pub use self::clashes::codes;
 pub use self::controls::controls;
 pub use self::pages::{exit_codes, parameters};
 
@@ -79,12 +81,18 @@ const RULES: &[&[&Rule]] = &[
     codes::RULES,
 ];
 
-/// All rows of a binary with these kinds, by their codes: those of its rooms, and those of the kinds.
-#[must_use]
-pub fn rows(kinds: &[&dyn Kind]) -> Vec<&'static Rule> {
+/// All rows of a binary with these kinds, by their codes, as often as they are listed.
+fn every(kinds: &[&dyn Kind]) -> Vec<&'static Rule> {
     let mut rows: Vec<_> =
         RULES.iter().chain(kinds.iter().flat_map(|kind| kind.rules())).copied().flatten().copied().collect();
     rows.sort_by_key(|rule| (rule.code, rule.ident));
+    rows
+}
+
+/// All rows of a binary with these kinds, by their codes: those of its rooms, and those of the kinds.
+#[must_use]
+pub fn rows(kinds: &[&dyn Kind]) -> Vec<&'static Rule> {
+    let mut rows = every(kinds);
     // Kinds may share rows.
     rows.dedup_by_key(|rule| (rule.code, rule.ident));
     rows

@@ -343,6 +343,7 @@ impl<'a> Assembly<'a> {
             key: operation.key(),
             title,
             control: design.control,
+            law: self.writer.law(),
             format: if design.style == Style::Full { NumberFormat::Fixed } else { NumberFormat::Trimmed },
             block_step: Some(design.block_step),
             start: self.start,

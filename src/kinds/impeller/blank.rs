@@ -121,6 +121,7 @@ impl BlankTurning {
             key: Operation::Blank.key(),
             title: t("Torneado del bruto", "Turning of the blank"),
             control: writer.control(),
+            law: writer.law(),
             format,
             block_step: Some(block_step),
             start: Position::default(),

@@ -72,6 +72,7 @@ fn listed(key: &'static str, title: Text, source: &SheetProgram, given: &Given) 
         key,
         title,
         control: given.control,
+        law: given.control.feed.law,
         format: NumberFormat::Fixed,
         block_step: None,
         start: Position::default(),

@@ -30,5 +30,5 @@ pub fn program(circle: &BoltCircle, origin: &Origin<'_>) -> Result<Program, OutO
     }
     writer.block([Word::whole('M', 5)]);
     writer.block([Word::whole('M', 30)]);
-    Ok(Program::new("holes", title, control, writer.finish()))
+    Ok(writer.program("holes", title))
 }

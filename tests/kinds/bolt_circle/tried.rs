@@ -2,9 +2,14 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, ExitCode, Output};
 
+use rodete::finding::{Finding, Refusal, Rule};
+use rodete::kind::measure::Limits;
 use rodete::kind::method::Of;
+use rodete::kind::{Chapters, Kind, Outcome, Provenance, Wants};
+use rodete::parameter::field::Fields;
+use rodete::parameter::{Case, Form};
 use serde_json::Value;
 
 use crate::every_kind::every_command;
@@ -47,6 +52,9 @@ pub fn tried() {
         let verified = &contents["tables"][1];
         assert_eq!(verified["key"], "verification");
         assert!(verified["head"].to_string().contains("Every hole at its angle"), "{verified}");
+        // The program was written along the path, whatever the control's law of rotary axes.
+        assert!(program.contains("G94") && !program.contains("G93"), "{program}");
+        assert_eq!(contents["feed_law"], "resultant");
     }
     // The compiler inside is that of any binary that is made so.
     if cfg!(feature = "embedded-typst") {
@@ -58,13 +66,54 @@ pub fn tried() {
     assert_eq!(run(folder, &["check", other.to_str().unwrap()]).status.code(), Some(3));
     assert_eq!(run(folder, &["explain", "P1001"]).status.code(), Some(2));
     contradictions();
+    // A binary in which a code is two rows' does nothing at all.
+    let ended = rodete::cli::run(["flange".into(), "--version".into()], &[&Of::<crate::Kind>::new(), &Again]);
+    assert_eq!(format!("{ended:?}"), format!("{:?}", ExitCode::FAILURE));
     println!("bolt circle: every command ran");
+}
+
+mod again {
+    use rodete::finding::Example;
+    use rodete::text::t;
+
+    rodete::rules! {
+        /// A code that the bolt circle has.
+        RULES;
+        "K0001" Again Stop {}
+            es "otra vez" en "again" remedy "", ""; why "", "";
+            example Example::Never(t("", ""));
+    }
+}
+
+/// The same kind with rows of its own.
+struct Again;
+
+impl Kind for Again {
+    fn form(&self) -> &'static Form {
+        &crate::FORM
+    }
+    fn cases(&self) -> &'static [Case] {
+        &crate::CASES
+    }
+    fn chapters(&self) -> &'static Chapters {
+        Of::<crate::Kind>::new().chapters()
+    }
+    fn rules(&self) -> &'static [&'static [&'static Rule]] {
+        &[again::RULES]
+    }
+    fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>> {
+        Of::<crate::Kind>::new().design(fields)
+    }
+    fn limits(&self, fields: &Fields) -> Result<Limits, Refusal> {
+        Of::<crate::Kind>::new().limits(fields)
+    }
+    fn run(&self, fields: Fields, found: Vec<Finding>, source: Provenance, wants: Wants) -> Result<Outcome, Refusal> {
+        Of::<crate::Kind>::new().run(fields, found, source, wants)
+    }
 }
 
 /// Both contradictions, told of the cells that make them, and both edges of each.
 fn contradictions() {
-    use rodete::kind::{Kind as _, Provenance, Wants};
-    use rodete::parameter::field::Fields;
     use rodete::parameter::{Value, Values};
     use rodete::text::Language;
     let codes = |key, value: f64| -> Vec<&str> {
@@ -80,8 +129,8 @@ fn contradictions() {
             Err(refusal) => refusal.findings.iter().map(|one| one.rule().code).collect(),
         }
     };
-    assert_eq!((codes("d", 40.1), codes("d", 39.9)), (vec!["B0001"], vec![]));
-    assert_eq!((codes("h", 40.1), codes("h", 40.0)), (vec!["B0002"], vec![]));
+    assert_eq!((codes("d", 40.1), codes("d", 39.9)), (vec!["K0001"], vec![]));
+    assert_eq!((codes("h", 40.1), codes("h", 40.0)), (vec!["K0002"], vec![]));
     // What is chosen from a list is the type's own word.
     let second = |way| {
         let mut values = Values::of(&crate::form::CASES[0], Language::En);

@@ -25,6 +25,7 @@ use crate::finding::{Finding, Grade, Key, Place, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
+use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
 use crate::gcode::word::{Distance, NumberFormat};
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
@@ -80,6 +81,8 @@ impl Method for Hole {
     const CASES: &'static [Case] = &cases::CASES;
     const RULES: &'static [&'static [&'static Rule]] =
         &[kinds::rules::RULES, pipe::rules::RULES, rules::RULES, proof::rules::RULES];
+    // A torch does not turn, and the feed has its judge.
+    const ANSWERED: &'static [&'static Rule] = &[NoFeed::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-hole/labels.typ"),
         method: [

@@ -40,6 +40,7 @@ use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
+use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
 use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
@@ -98,6 +99,8 @@ impl Method for Insert {
     const CASES: &'static [Case] = &cases::CASES;
     const RULES: &'static [&'static [&'static Rule]] =
         &[kinds::rules::RULES, pipe::rules::RULES, rules::RULES, proof::rules::RULES];
+    // A torch does not turn, and the published program has no feed.
+    const ANSWERED: &'static [&'static Rule] = &[NoFeed::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-insert/labels.typ"),
         method: [
