@@ -42,7 +42,7 @@ pub(super) fn programs(
     let mut found = Vec::new();
     if programs.is_empty() {
         found.push(NoProgramWritten {}.at(Place::File));
-    } else if !programs.iter().any(|program| program.control.name == control.name) {
+    } else if !programs.iter().any(|program| program.control.is(control)) {
         found.push(
             ProgramsForOtherControl { control: control.name, programs: programs[0].control.name }.at(Place::File),
         );

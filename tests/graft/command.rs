@@ -233,6 +233,13 @@ fn a_program_knows_the_workbook_that_its_results_went_into_until_an_input_change
     let changed = changed.cell(part, &cell, &format!("<c r=\"{cell}\"><v>3</v></c>")).zip();
     fs::write(&here, changed).expect("written");
     verify("caution U0129");
+    // What makes its sheets new, too, is what the hint and the next step say.
+    let told = predicate::str::contains("hint: build again with \"rodete build --into\"\n");
+    let next = predicate::str::contains("rodete build h1.xlsx --into\n");
+    rodete(&folder).args(["check", "h1.xlsx"]).assert().code(0).stderr(told).stdout(next);
+    rodete(&folder).args(["build", "h1.xlsx", "--into", "--no-report"]).assert().code(0);
+    let changed = predicate::str::contains("W0519");
+    rodete(&folder).args(["check", "h1.xlsx"]).assert().code(0).stderr(changed.not());
 }
 
 #[test]

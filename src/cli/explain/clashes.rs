@@ -33,8 +33,8 @@ fn named(rule: &Rule) -> Text {
 }
 
 /// True for one row that several kinds list.
-fn alike(one: &Rule, other: &Rule) -> bool {
-    one.ident == other.ident && one.what == other.what && one.fields == other.fields
+fn alike(rule: &Rule, other_rule: &Rule) -> bool {
+    rule.ident == other_rule.ident && rule.what == other_rule.what && rule.fields == other_rule.fields
 }
 
 /// True for the letter of a room and four digits.

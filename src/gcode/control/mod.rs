@@ -139,6 +139,12 @@ pub static MILLING: [&Control; 3] = [&FAGOR_8055, &FAGOR_8070, &LINUXCNC];
 pub static TURNING: [&Control; 2] = [&FANUC_LATHE_A, &FAGOR_8055_T];
 
 impl Control {
+    /// True for the same control: its name is its alone.
+    #[must_use]
+    pub fn is(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+
     /// True for a lathe, whose part turns and whose X is a diameter.
     #[must_use]
     pub const fn turns(&self) -> bool {

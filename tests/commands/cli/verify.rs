@@ -139,6 +139,26 @@ fn a_program_that_moves_nothing_is_cautioned_and_not_refused() {
 }
 
 #[test]
+fn a_program_that_leaves_its_unit_to_the_control_is_told_and_one_in_inches_too() {
+    for (dialect, program, options, told) in [
+        ("linuxcnc", "G0 X1\nM2\n", &[][..], Some("(G21 or G20): rodete reads it in mm")),
+        ("linuxcnc", "G0 X1\nM2\n", &["--inch"], Some("(G21 or G20): rodete reads it in inches")),
+        ("fagor-8055", "G0 X1\nM30\n", &[], Some("(G71 or G70): rodete reads it in mm")),
+        ("linuxcnc", "G21 G0 X1\nM2\n", &[], None),
+        ("fagor-8055", "G70 G0 X1\nM30\n", &[], None),
+        ("linuxcnc", "M2\n", &[], None),
+    ] {
+        let folder = with_program("program.nc", program.as_bytes());
+        let assert =
+            rodete(&folder).args(["verify", "program.nc", "--dialect", dialect]).args(options).assert().code(0);
+        let output = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
+        assert_eq!(output.contains("note U0135"), told.is_some(), "{program}: {output}");
+        assert!(told.is_none_or(|told| output.contains(told)), "{program}: {output}");
+        assert_eq!(output.contains("the program is in inches; all lengths here are in mm"), program.contains("G70"));
+    }
+}
+
+#[test]
 fn an_arc_reaches_beyond_its_ends() {
     let folder = with_program("arc.ngc", b"G21 G90 F100\nG0 X10 Y0\nG3 X-10 Y0 I-10 J0\nG3 X10 Y0 I10 J0 Z5 P2\nM2\n");
     let (program, _) = document(&folder, &["arc.ngc"]);
