@@ -40,7 +40,7 @@ struct Read {
     account: Account,
     net: [f64; 9],
     lines: usize,
-    /// The program is in inches.
+    /// A motion of it is in inches.
     inch: bool,
     /// A block was rejected: what follows it is not what the control does.
     rejected: bool,
@@ -158,8 +158,9 @@ fn follow(
     if read.account.program.is_none() && total == 0 {
         remarks.push(NothingMoves {}.at(Place::File));
     }
-    read.inch = interpreter.unit() == Some(LengthUnit::Inch);
-    if interpreter.unit().is_none() && read.account.program.is_some() && total == 0 {
+    let [unsaid, inch] = interpreter.units_used();
+    read.inch = inch;
+    if unsaid && total == 0 {
         remarks.push(unit_not_said(dialect, shared.unit));
     }
     read.verdict.findings = findings(faults, total, remarks);
@@ -386,8 +387,8 @@ fn summary(read: &Read, dialect: &Control, name: &str, language: Language) -> St
     } else if let (Some(program), Some(machine)) = (&account.program, &account.machine) {
         if read.inch {
             let told = word(
-                "el programa está en pulgadas; aquí todo está en mm",
-                "the program is in inches; all lengths here are in mm",
+                "hay cotas en pulgadas; aquí todas las longitudes van en mm",
+                "the program has lengths in inches; all lengths here are in mm",
             );
             text.push_str(&format!("  {told}\n"));
         }

@@ -425,8 +425,11 @@ impl Fields {
     #[must_use]
     pub fn locate(&self, mut finding: Finding) -> Finding {
         if let Place::Parameters(keys) = &mut finding.place {
+            let named: BTreeSet<Key> = keys.iter().copied().collect();
             for key in keys.iter_mut().filter(|key| !self.values.values.contains_key(key.name())) {
+                // What names both speaks of the empty cell itself.
                 let giver = self.form.parameter(key.name()).and_then(|row| row.given_by);
+                let giver = giver.filter(|giver| !named.contains(*giver));
                 let giver = giver.and_then(|giver| self.form.parameter(giver));
                 *key = giver.filter(|giver| self.values.values.contains_key(giver.key)).map_or(*key, Parameter::key);
             }

@@ -303,9 +303,14 @@ impl Reading<'_> {
         for (label, cells) in twice {
             self.stop(cells, &HeadingTwice { heading: excerpt(&label, SHOWN) });
         }
-        let squeezed = |label: &str| fold(label).split_whitespace().collect::<String>();
+        let squeezed = |label: &str| fold(label).chars().filter(|one| one.is_alphanumeric()).collect::<String>();
+        // Of a name of one letter every other letter is another name.
         let mistyped = |label: &str| {
-            lost.iter().copied().find(|name| strsim::damerau_levenshtein(&squeezed(label), &squeezed(name)) <= 1)
+            let label = squeezed(label);
+            lost.iter().copied().find(|name| {
+                let most = usize::from(name.len() > 1);
+                strsim::damerau_levenshtein(&label, &squeezed(name)) <= most
+            })
         };
         for (label, cell) in unknown.into_iter().take(LISTED_SYMBOLS) {
             if let Some(name) = mistyped(&label) {

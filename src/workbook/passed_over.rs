@@ -4,7 +4,7 @@ use crate::escape::excerpt;
 use crate::finding::{Finding, Place, Raise};
 use crate::parameter::Form;
 use crate::parameter::list::{List, Naming};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 use super::book::Book;
 use super::list_rows;
@@ -39,12 +39,21 @@ pub(super) fn cautions(book: &mut Book<'_>, form: &'static Form, language: Langu
     let mut findings = Vec::new();
     for entry in candidates {
         let Ok(sheet) = book.read(&entry, COLUMNS) else { continue };
-        let like = laid_out(form, language, &sheet);
-        let like = like.into_iter().min_by_key(|name| strsim::damerau_levenshtein(&fold(name), &fold(&entry.name)));
-        findings.extend(like.map(|like| {
-            let name = excerpt(&entry.name, SHOWN);
-            SheetPassedOver { name, like }.at(Place::Sheet(entry.name.clone()))
-        }));
+        // A name that is missing is meant before all if it is close; else a copy is one of the sheet whose name it bears with a number.
+        let copied = fold(of_copy(&entry.name));
+        let taken = |name: &str| read.iter().any(|one| one == name);
+        let near = |name: &&str| {
+            let letters = strsim::damerau_levenshtein(&fold(name), &fold(&entry.name));
+            let missing = !taken(name) && letters <= MISTYPED;
+            (!missing, fold(name) != copied, taken(name), letters)
+        };
+        let Some(like) = laid_out(form, language, &sheet).into_iter().min_by_key(near) else { continue };
+        let name = excerpt(&entry.name, SHOWN);
+        let first = match taken(like) {
+            true => Text::new(format!("borre antes \"{like}\" y "), format!("delete \"{like}\" first and ")),
+            false => t("", ""),
+        };
+        findings.push(SheetPassedOver { name, like, first }.at(Place::Sheet(entry.name.clone())));
     }
     findings
 }
@@ -54,6 +63,15 @@ fn is_named(form: &Form, name: &str, language: Language) -> bool {
     let is = |of: &Text| of.get(language).eq_ignore_ascii_case(name.trim());
     let list = |one: &List| matches!(&one.naming, Naming::One(of) if is(of));
     form.sheets.iter().any(|one| is(&one.name)) || form.lists.iter().any(list)
+}
+
+/// The name of which a spreadsheet makes this one for a copy: `DATA (2)`, `DATA_2`.
+fn of_copy(name: &str) -> &str {
+    let name = name.trim();
+    let bare = name
+        .strip_suffix(')')
+        .and_then(|rest| Some(rest.trim_end_matches(|one: char| one.is_ascii_digit()).strip_suffix('(')?.trim_end()));
+    bare.or_else(|| name.trim_end_matches(|one: char| one.is_ascii_digit()).strip_suffix('_')).unwrap_or(name)
 }
 
 /// True for a name with the other in it, or with a few letters more or less: `DATA (2)`, `Copy of DATA`, `PROFIL`.
@@ -81,6 +99,15 @@ fn laid_out(form: &'static Form, language: Language, sheet: &SheetCells) -> Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_copy_is_one_of_the_sheet_that_it_was_made_of() {
+        for (name, of) in
+            [("DATA (2)", "DATA"), ("PROGRAM 2_3", "PROGRAM 2"), ("PROGRAM2", "PROGRAM2"), ("TOOLS (b)", "TOOLS (b)")]
+        {
+            assert_eq!(of_copy(name), of);
+        }
+    }
 
     #[test]
     fn names_of_copies_and_mistyped_ones_are_alike_and_others_are_not() {

@@ -13,7 +13,9 @@ use super::rules::value::*;
 pub fn told(name: Text, text: &str, shown: String, unit: Unit, kind: &FieldKind) -> Box<dyn Raise> {
     let (plain, foreign) = plain(text);
     let plain = plain.trim();
-    if foreign.is_none() && strict(plain) && !grouped(plain) {
+    let fits = |number: &str| number.parse().is_ok_and(|number: f64| within(kind, number));
+    let two = grouped(plain) && fits(&plain.replace('.', ""));
+    if foreign.is_none() && strict(plain) && !two {
         return Box::new(NumberFormattedAsText { name, text: shown, number: plain.to_owned() });
     }
     let none = t("", "");
@@ -59,9 +61,23 @@ pub fn told(name: Text, text: &str, shown: String, unit: Unit, kind: &FieldKind)
         }
         Some(Reading::Either(one, other)) => {
             let [one, other] = [one, other].map(|number| counted(number, factor));
-            Box::new(NumberOfTwoReadings { name, text: shown, one, other, sign })
+            // Of two readings that one is meant which the cell takes.
+            match [fits(&one), fits(&other)] {
+                [true, false] => Box::new(NumberWithMarks { name, text: shown, number: one, unit: without, sign }),
+                [false, true] => Box::new(NumberWithMarks { name, text: shown, number: other, unit: without, sign }),
+                _ => Box::new(NumberOfTwoReadings { name, text: shown, one, other, sign }),
+            }
         }
         None => Box::new(NotANumber { name, text: shown, example: example(kind), sign }),
+    }
+}
+
+/// True for a number that a cell takes.
+fn within(kind: &FieldKind, number: f64) -> bool {
+    match *kind {
+        FieldKind::Whole { min, max } => number.fract() == 0.0 && (f64::from(min)..=f64::from(max)).contains(&number),
+        FieldKind::Real { min, max } => (min..=max).contains(&number),
+        _ => false,
     }
 }
 
@@ -193,6 +209,22 @@ mod tests {
     use super::*;
 
     const REAL: FieldKind = FieldKind::Real { min: -1e9, max: 1e9 };
+
+    #[test]
+    fn of_two_readings_the_cell_decides_where_it_takes_one() {
+        let angle = FieldKind::Real { min: 0.0, max: 80.0 };
+        for (text, hinted) in [
+            ("12.500", "set the cell's format to General if it is Text, and retype 12.500"),
+            ("12,500", "type the number 12.500"),
+            ("1,500", "type the number 1.500"),
+        ] {
+            let remedy = told(Text::same("γ"), text, String::new(), Unit::Degree, &angle).remedy().en;
+            assert_eq!(remedy, format!("{hinted}, with the decimal sign of your spreadsheet"), "{text}");
+        }
+        let number = FieldKind::Whole { min: 1, max: 9999 };
+        let remedy = told(Text::same("S"), "1.500", String::new(), Unit::One, &number).remedy().en;
+        assert_eq!(remedy, "type the number 1500, with the decimal sign of your spreadsheet");
+    }
 
     #[test]
     fn the_example_is_a_number_that_the_cell_takes() {

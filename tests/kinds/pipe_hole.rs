@@ -230,12 +230,12 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
         (
             vec![real("gamma", 45.0)],
             "at α = 0° the torch is at 45° to the pipe and needs a height of 8.829 mm; D_max is 8 mm",
-            "choose γ = 41°, a slimmer torch, a smaller g0, or a larger D_max",
+            "choose γ = 41°, a slimmer torch, a smaller g0 or a larger D_max",
         ),
         (
             vec![real("gamma", 60.0), real("theta", 60.0)],
             "at α = 0° the torch is at ",
-            "choose γ = 35°, a slimmer torch, a smaller g0, or a larger D_max",
+            "choose γ = 35°, a slimmer torch, a smaller g0 or a larger D_max",
         ),
         (
             vec![choice("branch_size", "6")],
@@ -563,6 +563,7 @@ fn the_groove_angle_and_the_eccentricity_that_a_refusal_names_let_the_torch_roun
         assert!(["P3009", "P3010"].contains(&refused.code()), "{refused:?}");
         let [angle, eccentricity] = ["γ = ", "e = "].map(|words| named(refused, words));
         assert!(angle.is_some(), "{refused:?}");
+        assert!(refused.code() == "P3009" || refused.remedy.en.contains("90°") == (theta != 90.0), "{refused:?}");
         for (key, value) in [("gamma", angle), ("e", eccentricity)] {
             let Some(value) = value else { continue };
             let again = stops(&with(&design, key, value));
@@ -572,6 +573,13 @@ fn the_groove_angle_and_the_eccentricity_that_a_refusal_names_let_the_torch_roun
         both += u8::from(eccentricity.is_some());
     }
     assert!(both > 1);
+    // The height that is told is taken as D_max.
+    for (gamma, e) in [(0.0, 30.0), (3.0, 31.0), (8.0, 31.5), (70.0, 0.0), (75.0, 10.0), (78.0, 5.0)] {
+        let design = [real("gamma", gamma), real("e", e)];
+        let told = stops(&design)[0].value.trim_end_matches(" mm").parse().expect("a height");
+        let again = stops(&with(&design, "D_max", told));
+        assert!(again.iter().all(|one| one.code() != "P3009"), "{gamma} {e} {told}: {again:?}");
+    }
     // At the side of the header a smaller angle makes it worse.
     let side = &stops(&[real("gamma", 10.0), real("e", 31.5)])[0];
     assert!(named(side, "γ = ").is_some_and(|angle| angle > 10.0), "{side:?}");
@@ -589,6 +597,8 @@ fn the_lead_in_and_the_safe_height_that_a_torch_too_near_asks_for_do() {
         (pipe([88.9, 4.0], [323.9, 20.0], 94.56), "lead_in", "a lead-in of "),
         (vec![real("Z_s", 1.0)], "Z_s", "a Z_s of "),
         (vec![real("Z_s", 1.0), real("gamma", 45.0), real("D_max", 40.0)], "Z_s", "a Z_s of "),
+        // Too near where the rapid down begins: no lead-in is to blame.
+        (vec![real("Z_s", 5.0), real("gamma", 45.0), real("D_max", 40.0), real("e", 20.0)], "Z_s", "a Z_s of "),
     ];
     for (design, key, words) in joints {
         let found = stops(&design);

@@ -20,6 +20,7 @@ use crate::gcode::rules::modes::{
 };
 use crate::gcode::rules::words::DwellBesideArc;
 use crate::machine::axis::{Axis, Pose};
+use crate::machine::length_unit::LengthUnit;
 
 /// The axis words.
 const AXIS_WORDS: u32 = Letters::of("ABCUVWXYZ").mask();
@@ -499,6 +500,10 @@ impl Reader<'_, '_> {
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn emit(&mut self, kind: MotionKind, to: Pose, seconds: Option<f64>) {
         self.see_turn(kind, &to);
+        if Axis::ALL.into_iter().any(|axis| !axis.rotary() && to.get(axis) != self.state.at.get(axis)) {
+            self.memory.units_used[0] |= !self.memory.unit_said;
+            self.memory.units_used[1] |= self.state.modal.unit == LengthUnit::Inch;
+        }
         self.see_cut(kind, &to);
         let motion = Motion {
             line: self.block.spot.line,

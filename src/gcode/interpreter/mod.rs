@@ -112,7 +112,6 @@ use crate::gcode::rules::flow::{
 use crate::gcode::rules::lexis::{MoreRefusals, Utf16};
 use crate::gcode::turning::rules::FirstBlockUnused;
 use crate::machine::axis::Pose;
-use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::{VarFile, required};
 use crate::machine::work_offset::{ACTIVE, ActiveOffsets, G92_FIRST, G92_SWITCH, Offsets};
 
@@ -157,6 +156,8 @@ struct Memory<'a> {
     aborted: bool,
     /// The program has said its unit.
     unit_said: bool,
+    /// A motion has been made before it did, and one in inches.
+    units_used: [bool; 2],
     spindle: SpindleSeen,
     repeated: u64,
     lines: usize,
@@ -257,6 +258,7 @@ impl<'a> Interpreter<'a> {
             first_blocks: Vec::new(),
             aborted: false,
             unit_said: false,
+            units_used: [false; 2],
             spindle: SpindleSeen::default(),
             repeated: 0,
             lines: 0,
@@ -269,10 +271,10 @@ impl<'a> Interpreter<'a> {
         Self { memory, line: Vec::new(), block, state: State { modal, frame, at }, in_force }
     }
 
-    /// The unit that the program has said last; `None` where it has said none, and is read in that of the machine.
+    /// Whether a motion has been made before the program said its unit, and whether one has been made in inches.
     #[must_use]
-    pub fn unit(&self) -> Option<LengthUnit> {
-        self.memory.unit_said.then_some(self.state.modal.unit)
+    pub const fn units_used(&self) -> [bool; 2] {
+        self.memory.units_used
     }
 
     /// What is worth saying about the program as far as it has been read.

@@ -21,7 +21,7 @@ pub mod station;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Grade, Key, Place, Raise, Rule, Said, Size};
+use crate::finding::{Finding, Grade, Place, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
@@ -249,31 +249,56 @@ fn no_room(error: OutOfFormat) -> Vec<Finding> {
 /// The refusal of a place where the torch would have to be too high.
 fn height_refused(design: &Design, place: &TooHigh) -> Finding {
     let alpha = Size::degrees(place.alpha.to_degrees(), 2);
-    let other = other_angle(design);
+    let joint = other_joint(design);
     let eccentric = (design.e != 0.0).then_some(E.key());
-    let keys = |joint: &[Key], torch: &[Key]| {
-        Place::Parameters(joint.iter().copied().chain(eccentric).chain(torch.iter().copied()).collect())
-    };
     match place.sigma_o {
         Some(sigma) => {
-            // Rounded up: typed, it is taken.
-            let height = (place.D * 1000.0 - 1e-6).ceil() / 1000.0;
-            let (height, most) = (Size::mm(height), Size { decimals: 6, ..Size::mm(design.D_max) });
-            let sigma = Size::degrees(sigma.to_degrees(), 2);
-            let told = TorchTooHigh { alpha, sigma, height, most, other };
-            told.at(keys(&[GAMMA.key()], &[D_MAX.key(), G0.key()]))
-                .with(height.said(Language::En), most.said(Language::En))
+            let (height, most) =
+                (Size::mm(height_taken(design, place)), Size { decimals: 6, ..Size::mm(design.D_max) });
+            let torch = [
+                t("una antorcha más fina", "a slimmer torch"),
+                t("un g0 menor", "a smaller g0"),
+                t("un D_max mayor", "a larger D_max"),
+            ];
+            let other = one_of(joint.into_iter().chain(torch).collect());
+            let told = TorchTooHigh { alpha, sigma: Size::degrees(sigma.to_degrees(), 2), height, most, other };
+            let keys = [GAMMA.key()].into_iter().chain(eccentric).chain([D_MAX.key(), G0.key()]);
+            told.at(Place::Parameters(keys.collect())).with(height.said(Language::En), most.said(Language::En))
         }
-        None => TorchLiesDown { alpha, other }.at(keys(&[GAMMA.key(), THETA.key()], &[])),
+        None => {
+            let theta = (design.theta != 90.0).then(|| t("un ángulo θ más cerca de 90°", "an angle θ nearer to 90°"));
+            let leaning = theta.is_some().then_some(THETA.key());
+            let ways: Vec<Text> = joint.into_iter().chain(theta).collect();
+            let other = if ways.is_empty() { t("otros tubos", "other pipes") } else { one_of(ways) };
+            let keys = [GAMMA.key()].into_iter().chain(eccentric).chain(leaning);
+            TorchLiesDown { alpha, other }.at(Place::Parameters(keys.collect()))
+        }
     }
 }
 
+/// The height that the torch needs, rounded up until it is taken as D_max.
+fn height_taken(design: &Design, place: &TooHigh) -> f64 {
+    let least = (place.D * 1000.0 - 1e-6).ceil();
+    let heights = (0..10_u8).map(|step| (least + f64::from(step)) / 1000.0);
+    heights.clone().find(|&D_max| too_high(&Design { D_max, ..design.clone() }).is_none()).unwrap_or(least / 1000.0)
+}
+
+/// What to choose one of, in words.
+fn one_of(ways: Vec<Text>) -> Text {
+    let list = |pick: fn(&Text) -> &str, or: &str| match ways.split_last() {
+        Some((last, [])) => pick(last).to_owned(),
+        Some((last, others)) => format!("{}{or}{}", others.iter().map(pick).collect::<Vec<_>>().join(", "), pick(last)),
+        None => String::new(),
+    };
+    Text::new(list(|way| &way.es, " o "), list(|way| &way.en, " or "))
+}
+
 /// The groove angle next to the given one, in whole degrees, at which the torch goes round the hole, and the eccentricity up to
-/// which it does, each with a comma behind it; empty where there is none. On the side of an eccentric branch the pipes meet at more
-/// than 90°, and a larger groove angle raises the torch there.
-fn other_angle(design: &Design) -> Text {
+/// which it does, where there are such. On the side of an eccentric branch the pipes meet at more than 90°, and a larger groove
+/// angle raises the torch there.
+fn other_joint(design: &Design) -> Vec<Text> {
     let goes = |design: &Design| too_high(design).is_none() && cut(design).is_ok();
-    let FieldKind::Real { min, max } = GAMMA.row.kind else { return t("", "") };
+    let FieldKind::Real { min, max } = GAMMA.row.kind else { return Vec::new() };
     let near = |step: u8| [f64::from(step), -f64::from(step)].map(|by| (design.gamma + by).round());
     let mut angles = (1..=80).flat_map(near).filter(|gamma| (min..=max).contains(gamma) && *gamma != design.gamma);
     let gamma = angles.find(|&gamma| goes(&Design { gamma, ..design.clone() }));
@@ -287,12 +312,12 @@ fn other_angle(design: &Design) -> Text {
         (good * 10.0).floor() / 10.0
     });
     let e = e.filter(|&e| with(e)).map(|e| Size::mm(if e == 0.0 { 0.0 } else { e.copysign(design.e) }));
-    let [es, en] = [Language::Es, Language::En].map(|language| {
-        let gamma = gamma.map(|gamma| format!("γ = {}, ", Size::degrees(gamma, 0).said(language)));
-        let e = e.map(|e| format!("e = {}, ", e.said(language)));
-        format!("{}{}", gamma.unwrap_or_default(), e.unwrap_or_default())
-    });
-    Text::new(es, en)
+    let said = |symbol: &str, size: Size| {
+        let [es, en] = [Language::Es, Language::En].map(|language| format!("{symbol} = {}", size.said(language)));
+        Text::new(es, en)
+    };
+    let gamma = gamma.map(|gamma| said("γ", Size::degrees(gamma, 0)));
+    gamma.into_iter().chain(e.map(|e| said("e", e))).collect()
 }
 
 /// Derived lengths, angles and times.

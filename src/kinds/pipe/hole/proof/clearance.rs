@@ -122,11 +122,13 @@ impl Judge for Clearance<'_> {
             self.look(&step.motion);
             if self.near.at(0) != before {
                 let motion = &step.motion;
-                self.whence = match leg(self.cut, step) {
-                    Some(Leg { follows: Follows::Curve(_), .. }) => Whence::Curve,
-                    None if motion.to.get(Axis::Z) >= motion.from.get(Axis::Z) => Whence::Above,
-                    // Down to the pierce, and from there.
-                    _ => Whence::LeadIn,
+                let [from, to] = [0.0, 1.0].map(|part| Near::at(self.design, motion, part).clear);
+                self.whence = match (&step.stage, leg(self.cut, step)) {
+                    (_, Some(Leg { follows: Follows::Curve(_), .. })) => Whence::Curve,
+                    (_, Some(Leg { follows: Follows::WayIn, .. })) => Whence::LeadIn,
+                    // To the pierce: nearer to the pipe there than at the height that it comes from.
+                    (Stage::Positioning, None) if to < from => Whence::LeadIn,
+                    _ => Whence::Above,
                 };
             }
         }
@@ -219,7 +221,8 @@ fn least_safe_height(design: &Design, cut: &Cut) -> Option<f64> {
         let way = retract(&Design { Z_s, ..design.clone() }, cut);
         let ([A, X, _, B, C], Some(&[_, _, Z, _, _])) = (cut.pierce, way.first()) else { return false };
         let [over, home] = [[A, X, Z, B, C], [Milli::ZERO, X, Z, Milli::ZERO, Milli::ZERO]];
-        clear(design, home, over) && way.windows(2).all(|two| clear(design, two[0], two[1]))
+        let back: Vec<Place> = cut.legs.last().map(|leg| leg.to).into_iter().chain(way).collect();
+        clear(design, home, over) && back.windows(2).all(|two| clear(design, two[0], two[1]))
     })
 }
 

@@ -18,7 +18,7 @@ mod clearance;
 mod crossing;
 pub mod rules;
 
-use crate::kinds::pipe::hole::parameters::{F_MAX, GAMMA, H};
+use crate::kinds::pipe::hole::parameters::{ARC_TOLERANCE, F_MAX, GAMMA, H};
 
 use crate::finding::{Raise, Size};
 use crate::gcode::motion::{Motion, MotionKind};
@@ -165,12 +165,15 @@ impl Judge for BeamOnRoot<'_> {
         let thin = 2.0 * opening > angle && design.header.t - design.h < THIN * design.header.t;
         let (key, other) = match thin {
             true => (H.key(), t("un talón h menor", "a smaller land h")),
-            false => (GAMMA.key(), t("otro ángulo de bisel", "another groove angle")),
+            false => (
+                GAMMA.key(),
+                t("una arc_tolerance menor u otro ángulo de bisel", "a smaller arc_tolerance or another groove angle"),
+            ),
         };
         let most = (angle * 1e3 - 1e-6).ceil() / 1e3;
         let value = Text::same(format!("≤ {}°", shown(most, 3)));
         let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
-        let asked = errors.put(asked.of_parameters([key]), 1);
+        let asked = errors.put(asked.of_parameters([key, ARC_TOLERANCE.key()]), 1);
         let bevel = asked.holds(angle <= BEVEL, |place| BevelOff { angle: Size::degrees(most, 2), other }.at(place));
         vec![beam, branch, bevel, self.crossing.check(program)]
     }
