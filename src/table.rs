@@ -39,6 +39,8 @@ pub enum Unit {
     RevolutionPerMinute,
     /// Seconds.
     Second,
+    /// Square millimetres.
+    SquareMillimetre,
     /// Cubic millimetres.
     CubicMillimetre,
     /// Cubic centimetres a minute.
@@ -61,6 +63,7 @@ impl Unit {
             Self::MetrePerMinute => "m/min",
             Self::RevolutionPerMinute => "rpm",
             Self::Second => "s",
+            Self::SquareMillimetre => "mm²",
             Self::CubicMillimetre => "mm³",
             Self::CubicCentimetrePerMinute => "cm³/min",
         }

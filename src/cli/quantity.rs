@@ -14,6 +14,7 @@ const fn decimals(unit: Unit) -> usize {
         Unit::MetrePerMinute | Unit::CubicCentimetrePerMinute | Unit::MillimetrePerMinute | Unit::DegreePerMinute => 1,
         Unit::Second => 2,
         Unit::Millimetre
+        | Unit::SquareMillimetre
         | Unit::Degree
         | Unit::MillimetrePerRevolution
         | Unit::Radian

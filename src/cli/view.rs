@@ -188,6 +188,7 @@ fn of_program(
         });
     }
     let (exit, findings) = kept::following(&mut program, &mut Interpreter::over(&bytes, setting))?;
+    program.remarks.extend(findings.iter().map(Remark::from));
     verdict.exit = gravest(verdict.exit, exit);
     verdict.findings.extend(findings);
     if !named {

@@ -20,6 +20,10 @@ use crate::typeset::pen::pen;
 /// The typst template.
 const TEMPLATE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/report-templates/template.typ"));
 
+/// What it imports.
+const SHORTENED: (&str, &str) =
+    ("shortened.typ", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/report-templates/shortened.typ")));
+
 /// Why there is no PDF.
 #[derive(Debug)]
 pub enum NotPrinted {
@@ -89,7 +93,8 @@ pub fn pdf(drawing: &Drawing<'_>, paper: Paper, typst: &Typst) -> Result<Vec<u8>
     let bounds = bounds(drawing.figure, drawing.arcs, drawing.language).map_err(NotPrinted::Drawing)?;
     let tiling = Tiling::over(bounds, paper).map_err(NotPrinted::Drawing)?;
     let mut words = Words::new(drawing.language);
-    let mut files = vec![("template.typ".to_owned(), TEMPLATE.as_bytes().to_vec())];
+    let templates = [("template.typ", TEMPLATE), SHORTENED];
+    let mut files = templates.map(|(name, text)| (name.to_owned(), text.as_bytes().to_vec())).to_vec();
     let mut sheets = Vec::new();
     for place in tiling.places() {
         let file = format!("sheet-{}.svg", tiling.number(place));

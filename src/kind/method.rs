@@ -347,7 +347,8 @@ impl<M: Method> Kind for Of<M> {
         let end = End::of(&findings, false);
         // Of what stops nothing is handed over, nor shown.
         let whole = end == End::Whole;
-        let scene = (wants.scene && whole).then(|| staging::scene(M::part(&design, &model), &programs, &findings));
+        let scene = (wants.scene && whole)
+            .then(|| staging::scene(M::part(&design, &model), &programs, |one| M::setting(&design, one), &findings));
         Ok(Outcome {
             files: Vec::new(),
             kind: const { &Self::new() },

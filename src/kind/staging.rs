@@ -1,6 +1,8 @@
 //! A part with its programs, as it is shown.
 
-use crate::finding::{Finding, Grade, Place, Refusal};
+use crate::finding::{Finding, Place, Refusal};
+use crate::gcode::interpreter::Setting;
+use crate::gcode::program::Program;
 use crate::kind::Proved;
 use crate::limits::SHOWN_MOTIONS;
 use crate::machine::axis::Axis;
@@ -10,11 +12,17 @@ use crate::scene::part::Part;
 use crate::scene::program::Program as ShownProgram;
 use crate::scene::{Remark, Scene};
 
-/// The scene of a part, and every program on it. Programs that turn the blank are shown without it.
+/// The scene of a part, and every program on it, read with its setting. Programs that turn the blank are shown without it. Of each
+/// is told what `findings` say of it and of the whole, and nothing else: its text has been judged.
 ///
 /// # Errors
 /// Exit 7 for a program with more lines or motions than [`SHOWN_MOTIONS`].
-pub(super) fn scene(part: Option<Part>, programs: &[Proved], findings: &[Finding]) -> Result<Scene, Refusal> {
+pub(super) fn scene(
+    part: Option<Part>,
+    programs: &[Proved],
+    setting: impl Fn(&Program) -> Setting,
+    findings: &[Finding],
+) -> Result<Scene, Refusal> {
     let mut scene = Scene::default();
     let most = u64::try_from(SHOWN_MOTIONS).unwrap_or(u64::MAX);
     for program in programs {
@@ -31,7 +39,7 @@ pub(super) fn scene(part: Option<Part>, programs: &[Proved], findings: &[Finding
         shown.rapids = program.account.rapids;
         shown.tools.extend(part.iter().filter(|_| !turning).flat_map(|part| part.tools.clone()));
         shown.remarks.extend(findings.iter().filter(|finding| belongs(finding, program.key)).map(Remark::from));
-        let mut setting = program.setting();
+        let mut setting = setting(program);
         if !turning && !program.finds_its_start() {
             // The machine is taken there by hand, as the set-up sheet says.
             for axis in Axis::ALL {
@@ -50,10 +58,10 @@ pub(super) fn scene(part: Option<Part>, programs: &[Proved], findings: &[Finding
     Ok(scene)
 }
 
-/// True for a finding about a program, or one about the whole that a person must judge.
+/// True for a finding about a program, or one about the whole.
 fn belongs(finding: &Finding, key: &str) -> bool {
     match finding.place {
         Place::Block { program, .. } => program == key,
-        _ => finding.grade > Grade::Note,
+        _ => true,
     }
 }

@@ -34,7 +34,12 @@ pub(super) fn quantity(value: f64, unit: Unit) -> String {
         Unit::MetrePerMinute | Unit::CubicCentimetrePerMinute | Unit::MillimetrePerMinute | Unit::DegreePerMinute => 1,
         // A time is told to the tenth that it has reached: with one decimal a part of it would be rounded up beside it.
         Unit::Second => 2,
-        Unit::Millimetre | Unit::Degree | Unit::MillimetrePerRevolution | Unit::One | Unit::None => 3,
+        Unit::Millimetre
+        | Unit::SquareMillimetre
+        | Unit::Degree
+        | Unit::MillimetrePerRevolution
+        | Unit::One
+        | Unit::None => 3,
         Unit::Radian => 5,
         Unit::Step => 6,
     };
@@ -57,7 +62,7 @@ pub(super) const fn decimals(unit: Unit) -> usize {
         | Unit::DegreePerMinute => 1,
         Unit::Second => 2,
         Unit::MillimetrePerRevolution => 3,
-        Unit::Millimetre | Unit::Degree | Unit::None => 4,
+        Unit::Millimetre | Unit::SquareMillimetre | Unit::Degree | Unit::None => 4,
         Unit::One | Unit::Radian | Unit::Step => 6,
     }
 }

@@ -20,6 +20,7 @@ macro_rules! templates {
 
 templates![
     "report.typ",
+    "shortened.typ",
     "style.typ",
     "labels.typ",
     "tables.typ",

@@ -1,6 +1,5 @@
 //! A program followed to its end, and what of it is kept to be shown.
 
-use super::Remark;
 use super::program::Program;
 use super::rules::TooManyMotions;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
@@ -8,8 +7,7 @@ use crate::gcode::interpreter::{Interpreter, Refused, findings};
 use crate::limits::{SHOWN_MOTIONS, SHOWN_REMARKS};
 use crate::text::{Text, t};
 
-/// Follows a program to its end and keeps what it does. What it says wrong becomes remarks; what the worst of it is, is
-/// given back with all of it.
+/// Follows a program to its end and keeps what it does. What it says wrong is given back, with the worst of it.
 ///
 /// # Errors
 /// Exit 7 for more motions than [`SHOWN_MOTIONS`].
@@ -46,7 +44,6 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
         }
     }
     let found = findings(faults, total, text.remarks());
-    program.remarks.extend(found.iter().map(Remark::from));
     if program.turns_unseen() {
         program.notes.push(t(
             "Los ejes giratorios no se aplican: se dibujan X, Y y Z tal como están escritos; con el libro se ve la pieza",

@@ -83,15 +83,15 @@ pub fn row_height(cells: &[(&str, f64)]) -> f64 {
     f64::min(LINE * most, HIGHEST)
 }
 
-/// How many lines a text takes when it is wrapped between words to a width in characters.
+/// How many lines a text takes when it is wrapped between words, and after hyphens, to a width in characters.
 fn lines(text: &str, width: f64) -> f64 {
-    // A width counts digits, and running text is narrower by about a fifth.
+    // A width counts digits; running text is narrower by about a fifth, and capitals are wider.
     let width = f64::max(1.15 * width, 1.0);
     text.split('\n')
         .map(|line| {
             let (mut count, mut used) = (1.0, 0.0);
-            for word in line.split_inclusive(' ') {
-                let long = word.chars().fold(0.0, |sum, _| sum + 1.0);
+            for word in line.split_inclusive([' ', '-']) {
+                let long = word.chars().fold(0.0, |sum, letter| sum + if letter.is_uppercase() { 1.4 } else { 1.0 });
                 if used > 0.0 && used + long > width {
                     count += 1.0;
                     used = 0.0;

@@ -4,7 +4,7 @@ use crate::escape::excerpt;
 use crate::finding::{Finding, Place, Raise};
 use crate::parameter::Form;
 use crate::parameter::list::{List, Naming};
-use crate::text::{Language, Text, t};
+use crate::text::{Language, Text};
 
 use super::book::Book;
 use super::list_rows;
@@ -49,11 +49,14 @@ pub(super) fn cautions(book: &mut Book<'_>, form: &'static Form, language: Langu
         };
         let Some(like) = laid_out(form, language, &sheet).into_iter().min_by_key(near) else { continue };
         let name = excerpt(&entry.name, SHOWN);
-        let first = match taken(like) {
-            true => Text::new(format!("borre antes \"{like}\" y "), format!("delete \"{like}\" first and ")),
-            false => t("", ""),
+        let how = match taken(like) {
+            true => Text::new(
+                format!("borre la hoja \"{like}\" y dé a esta su nombre"),
+                format!("delete the sheet \"{like}\" and give this one its name"),
+            ),
+            false => Text::new(format!("llámela \"{like}\""), format!("name it \"{like}\"")),
         };
-        findings.push(SheetPassedOver { name, like, first }.at(Place::Sheet(entry.name.clone())));
+        findings.push(SheetPassedOver { name, like, how }.at(Place::Sheet(entry.name.clone())));
     }
     findings
 }

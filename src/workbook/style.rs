@@ -128,7 +128,7 @@ pub const fn digits(unit: Unit) -> &'static str {
         Unit::MillimetrePerMinute | Unit::DegreePerMinute | Unit::CubicCentimetrePerMinute => "0.0",
         Unit::Second => "0.00",
         Unit::Step => "0.000",
-        Unit::Millimetre | Unit::Degree | Unit::MillimetrePerRevolution => "0.0000",
+        Unit::Millimetre | Unit::SquareMillimetre | Unit::Degree | Unit::MillimetrePerRevolution => "0.0000",
         Unit::One | Unit::Radian => "0.000000",
         Unit::None => "General",
     }

@@ -350,7 +350,16 @@ impl<'a> TableSheet<'a> {
                 let [least, most] = TEXT_WIDTH;
                 (longest + 2.0).clamp(least, most)
             }
-            Cells::Numbers(_) | Cells::Component(..) => NUMBER_WIDTH,
+            Cells::Numbers(_) | Cells::Component(..) => {
+                let decimals = digits(column.unit).split_once('.').map_or(0, |(_, decimals)| decimals.len());
+                let numbers = (0..column.values.len()).filter_map(|row| match column.values.get(row) {
+                    Entry::Number(value) => Some(value),
+                    Entry::Text(_) => None,
+                });
+                let ends = numbers.fold([0.0_f64; 2], |[least, most], value| [least.min(value), most.max(value)]);
+                // With room for a digit more: changed inputs give other values.
+                ends.map(|end| count(&format!("{end:.decimals$}")) + 2.0).into_iter().fold(NUMBER_WIDTH, f64::max)
+            }
         }
     }
 

@@ -21,6 +21,7 @@ pub fn says(unit: Unit, cell: &str) -> bool {
         Unit::MetrePerMinute => &["m/min"],
         Unit::RevolutionPerMinute => &["rpm", "rev/min", "r/min", "1/min", "min-1"],
         Unit::Second => &["s"],
+        Unit::SquareMillimetre => &["mm2"],
         Unit::CubicMillimetre => &["mm3"],
         Unit::CubicCentimetrePerMinute => &["cm3/min"],
     };

@@ -2,7 +2,7 @@
 
 use super::drawn::{Contour, Drawn};
 use super::part_view::cover;
-use super::sketch::{Held, sketch};
+use super::sketch::{Held, chuck_cut_off, sketch};
 use crate::figure::{Figure, Ink, Label, Stroke};
 use crate::limits::DRAWN_MOTIONS;
 use crate::text::Text;
@@ -96,6 +96,8 @@ fn half_section(drawn: &Drawn) -> Figure {
     let mut strokes = Vec::new();
     // Only the bodies of the chuck near the part. Without stock, if the first set-up left nothing, there are none.
     let about = extent(&drawn.stock);
+    let caption = t("Media sección en el plato", "Half section in the chuck");
+    let whole = about.is_none_or(|[_, [_, high]]| drawn.chuck.iter().flatten().all(|point| point[1] <= 2.0 * high));
     for (contour, [[left, right], [_, high]]) in drawn.chuck.iter().filter_map(|one| Some((one, about?))) {
         let near = |&[z, r]: &[f64; 2]| [z.clamp(left - high, right + 2.0 * high), r.clamp(0.0, 2.0 * high)];
         let contour: Contour = contour.iter().map(near).collect();
@@ -122,7 +124,7 @@ fn half_section(drawn: &Drawn) -> Figure {
     Figure {
         key: "half-section",
         height: Figure::HEIGHT,
-        caption: t("Media sección en el plato", "Half section in the chuck"),
+        caption: if whole { caption } else { chuck_cut_off(&caption) },
         axes: None,
         strokes,
         labels: vec![Label { at: [0.0, -3.0], text: Text::same("W1") }],

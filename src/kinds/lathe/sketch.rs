@@ -34,6 +34,16 @@ impl Held {
     }
 }
 
+/// The caption of a figure with only that of the chuck which is near the part.
+#[must_use]
+pub fn chuck_cut_off(caption: &Text) -> Text {
+    let Text { es, en } = caption;
+    Text::new(
+        format!("{es}; el plato y las garras siguen más allá del dibujo"),
+        format!("{en}; chuck and jaws reach farther out than drawn"),
+    )
+}
+
 /// The sketch of one set-up; `None` if there is nothing to hold.
 #[must_use]
 pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
@@ -104,5 +114,6 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
             "Second set-up: the part turned round, before turning",
         )
     };
-    Some(sketch.figure(key, HEIGHT, caption))
+    let cut_off = drawn.chuck.iter().flatten().any(|point| point[1].abs() > high);
+    Some(sketch.figure(key, HEIGHT, if cut_off { chuck_cut_off(&caption) } else { caption }))
 }

@@ -135,11 +135,11 @@ rules! {
         why "rodete lee los datos por su símbolo; las hojas de resultados los leen por estos nombres.",
             "rodete reads the inputs by their symbols; the sheets of results read them by these names.";
         example made!("lost-name", "un libro de resultados sin el nombre thickness_e", "a results workbook without the name thickness_e");
-    "W0522" SheetPassedOver Caution { name: String, like: &'static str, first: Text }
+    "W0522" SheetPassedOver Caution { name: String, like: &'static str, how: Text }
         es "rodete no lee la hoja \"{name}\", que está hecha como \"{like}\""
         en "rodete does not read the sheet \"{name}\", which is laid out like \"{like}\""
-        remedy "si es la que vale, {first}llámela \"{like}\"; si no, bórrela o guárdela en otro libro",
-            "if it is the one that counts, {first}name it \"{like}\"; if not, delete it or keep it in another workbook";
+        remedy "si es la que vale, {how}; si no, bórrela o guárdela en otro libro",
+            "if it is the one that counts, {how}; if not, delete it or keep it in another workbook";
         why "rodete lee las hojas por su nombre: lo que se cambia en una copia no llega a ningún programa, y la línea de la copia habla de la hoja leída.",
             "rodete reads sheets by their names: what is changed on a copy gets into no program, and the line on the copy speaks of the sheet that is read.";
         example made!("copied-form", "un libro con la hoja DATA (2), copia de DATA", "a workbook with the sheet DATA (2), a copy of DATA");

@@ -20,12 +20,13 @@ use crate::kinds::impeller::bodies::{Bodies, Steps, about_axis};
 use crate::kinds::impeller::clear::programs::position;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::part::{HUB, Part};
+use crate::kinds::impeller::proof::clear::OVER;
 use crate::kinds::impeller::sweep::Sweep;
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::Position;
 use crate::number::trig::{asin, atan2, hypot, sin_cos};
-use crate::number::{greater, lesser};
-use crate::text::t;
+use crate::number::{greater, lesser, shown};
+use crate::text::Text;
 
 /// Cells along the blade, and about the whole axis.
 const ALONG: u16 = 96;
@@ -34,8 +35,10 @@ const ABOUT: u32 = 720;
 const NEAR: f64 = 0.3;
 /// Up to so many poses of a stretch.
 const POSES: f64 = 400.0;
-/// Less is not cut at all; so far off, the depth is another than what is wanted, mm.
+/// Less is not cut at all, mm.
 const UNCUT: f64 = 0.02;
+/// So far off at least, the depth is another than what is wanted, mm: with a greater tolerance of the form, farther than the proof
+/// lets it pass.
 const OFF: f64 = 0.05;
 /// What the arithmetic of a quick look may be off by, mm and mm².
 const TOUCH: f64 = 1e-6;
@@ -47,6 +50,7 @@ const OUTLINES: Steps = Steps { along: 64, deep: 1, across: 8 };
 /// The depths that the passes of a design cut; `None` where a tool is not flat, or a position does not fit the output grid.
 pub(super) fn depths(design: &Design, model: &Model) -> Option<Figure> {
     let mut map = Map::new(design);
+    let off = design.clear.as_ref().map_or(OFF, |asked| greater(OFF, asked.tolerance + OVER));
     match (&model.clear, &design.clear) {
         (Some(plan), Some(asked)) => {
             for pass in &plan.passes {
@@ -70,7 +74,7 @@ pub(super) fn depths(design: &Design, model: &Model) -> Option<Figure> {
             }
         }
     }
-    let mut strokes = map.strokes(design);
+    let mut strokes = map.strokes(design, off);
     let bodies = Bodies::new(design, &model.blade, model.splitter.as_ref(), model.clear.as_ref(), OUTLINES);
     for number in 0..design.N {
         let turn = TAU * f64::from(number) / f64::from(design.N);
@@ -84,12 +88,17 @@ pub(super) fn depths(design: &Design, model: &Model) -> Option<Figure> {
         let round = steps(0.0, TAU, 180).map(sin_cos).map(|(sin, cos)| [radius * cos, radius * sin]);
         strokes.push(line(Ink::Outline, round.collect()));
     }
+    let mm = shown(off, 3);
     Some(Figure {
         key: "depths",
         height: 110.0,
-        caption: t(
-            "Lo que cortan las pasadas, en planta. Blanco: sin cortar; gris claro: quedan más de 0.05 mm hasta el fondo; gris oscuro: el fondo pedido; rojo: más de 0.05 mm por debajo. Las líneas son los álabes del diseño",
-            "What the passes cut, in plan. White: not cut; light grey: more than 0.05 mm left above the floor; dark grey: the floor as wanted; red: more than 0.05 mm below it. The lines are the blades of the design",
+        caption: Text::new(
+            format!(
+                "Lo que cortan las pasadas, en planta. Blanco: sin cortar; gris claro: quedan más de {mm} mm hasta el fondo; gris oscuro: el fondo pedido; rojo: más de {mm} mm por debajo. Las líneas son los álabes del diseño"
+            ),
+            format!(
+                "What the passes cut, in plan. White: not cut; light grey: more than {mm} mm left above the floor; dark grey: the floor as wanted; red: more than {mm} mm below it. The lines are the blades of the design"
+            ),
         ),
         axes: None,
         strokes,
@@ -225,13 +234,13 @@ impl Map {
     }
 
     /// The cells of every channel that are cut, neighbours of one kind as one.
-    fn strokes(&self, design: &Design) -> Vec<Stroke> {
+    fn strokes(&self, design: &Design, off: f64) -> Vec<Stroke> {
         let kind = |depth: f64| {
             if depth < UNCUT {
                 None
-            } else if depth < self.part.a_p - OFF {
+            } else if depth < self.part.a_p - off {
                 Some(Ink::Face(170))
-            } else if depth <= self.part.a_p + OFF {
+            } else if depth <= self.part.a_p + off {
                 Some(Ink::Face(40))
             } else {
                 Some(Ink::Obverse)

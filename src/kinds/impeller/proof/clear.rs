@@ -37,7 +37,7 @@ use crate::proof::step::{Judge, Stage, Step};
 use crate::text::{Text, t};
 
 /// What is left to ε: the block's error is looked at in eight places, and the nose is not the faces' own.
-const OVER: f64 = 0.001;
+pub const OVER: f64 = 0.001;
 /// Cells that are evaluated at most for a way when another one has taken all of its work; a usual one takes some hundreds.
 const LESS: usize = WORK / 40;
 /// Nearer to a face than this part of the radius the axis is taken to reach it.

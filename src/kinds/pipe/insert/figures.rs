@@ -18,6 +18,8 @@ use crate::text::{Text, t};
 const ABOUT: u16 = 96;
 /// Points of a curve that is drawn.
 const FINE: u16 = 720;
+/// Room for the name of a quarter on the template in mm, at 1:1: its six characters with a gap.
+const QUARTER_NAME: f64 = 16.0;
 
 /// All figures, by the keys that the report's templates know. `deviation` has φ in degrees and mm.
 #[must_use]
@@ -182,7 +184,12 @@ fn sheet(design: &Design, cut: Option<&Cut>) -> Figure {
     sketch.shape(Ink::Outline, kept);
     sketch.line(Ink::Obverse, curve);
     sketch.label([round / 2.0, 0.3 * least], Beside::Above, t("injerto", "branch"));
-    sketch.label([round / 2.0, most - gap], Beside::Above, t("sobrante", "waste"));
+    // Where the curve leaves most room above it.
+    let above = |part: f64| [round * part, f64::midpoint(outline.curve(TAU * part).y, top)];
+    let places = [0.5, 0.15, 0.85].map(above);
+    if let Some(widest) = places.into_iter().min_by(|one, other| one[1].total_cmp(&other[1])) {
+        sketch.label(widest, Beside::Above, t("sobrante", "waste"));
+    }
     if let Some(cut) = cut {
         let at = cut.pierce.map(crate::number::grid::Milli::value);
         sketch.ring(Ink::Obverse, at, gap / 2.0);
@@ -283,8 +290,10 @@ pub fn template(design: &Design) -> Figure {
     ];
     strokes.extend((1..=3).map(quarter));
     strokes.push(Stroke::line(Ink::Cut, phis.iter().map(|&phi| outline.curve(phi).into()).collect()));
+    // Names that have no room side by side stand one below the other.
+    let step = if round / 4.0 < QUARTER_NAME { 5.0 } else { 0.0 };
     let labels = (0..=3_u16).map(|number| Label {
-        at: [round * f64::from(number) / 4.0, -4.0],
+        at: [round * f64::from(number) / 4.0, -4.0 - step * f64::from(number)],
         text: Text::same(format!("φ {}°", 90 * number)),
     });
     Figure {

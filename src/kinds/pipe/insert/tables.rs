@@ -163,7 +163,8 @@ pub fn arcs(design: &Design) -> Table {
             numbers("y", MM, Law::None, &|triple| triple.to.y).by(at("y")),
             numbers("D", MM, Law::Told("x² + y² + Dx + Ey + F = 0"), &|triple| triple.D_E()[0]).by(arc("-2*[h]")),
             numbers("E", MM, Law::None, &|triple| triple.D_E()[1]).by(arc("-2*[k]")),
-            numbers("F", Unit::One, Law::Told("mm²"), &|triple| triple.F()).by(arc("[h]^2+[k]^2-[R]^2")),
+            numbers("F", Unit::SquareMillimetre, Law::Told("F = h² + k² − R²"), &|triple| triple.F())
+                .by(arc("[h]^2+[k]^2-[R]^2")),
             numbers("h", MM, Law::Told("h = −D/2"), &centre(0)).by(arc(&h)),
             numbers("k", MM, Law::Told("k = −E/2"), &centre(1)).by(arc(&k)),
             numbers("R", MM, Law::Told("R = √(h² + k² − F)"), &|triple| {
