@@ -44,6 +44,8 @@ pub fn svg(drawing: &Drawing<'_>) -> Result<Vec<u8>, NotDrawn> {
 
 /// Least and greatest x, then y, in mm of the figure.
 pub(super) type Window = [[f64; 2]; 2];
+/// What of a stroke is farther than this from a window is left out, mm.
+const ROOM: f64 = 10.0;
 
 /// Strokes, each point put where `at` says; of long strokes only the parts that come near a window.
 pub(super) fn strokes(
@@ -59,7 +61,7 @@ pub(super) fn strokes(
             continue;
         }
         let runs = match window {
-            Some(window) => near(&stroke.points, window),
+            Some(window) => near(&stroke.points, window, ROOM),
             None => vec![(0.0, stroke.points.as_slice())],
         };
         for (before, points) in runs {
@@ -85,9 +87,13 @@ pub(super) fn labels(
     }
 }
 
-/// The parts of a polyline whose segments come within 10 mm of a window, with the length of the polyline before each.
-fn near(points: &[[f64; 2]], window: Window) -> Vec<(f64, &[[f64; 2]])> {
-    const ROOM: f64 = 10.0;
+/// True where a segment of a polyline comes into a window, or near one of its corners.
+pub(super) fn comes_near(points: &[[f64; 2]], window: Window) -> bool {
+    !near(points, window, 0.0).is_empty()
+}
+
+/// The parts of a polyline whose segments come within so many mm of a window, with the length of the polyline before each.
+fn near(points: &[[f64; 2]], window: Window, room: f64) -> Vec<(f64, &[[f64; 2]])> {
     let mut runs: Vec<(f64, &[[f64; 2]])> = Vec::new();
     let mut open: Option<(usize, f64)> = None;
     let mut length = 0.0;
@@ -95,7 +101,7 @@ fn near(points: &[[f64; 2]], window: Window) -> Vec<(f64, &[[f64; 2]])> {
         let &[a, b] = pair else { continue };
         let close = (0..2).all(|axis| {
             let [least, greatest] = window[axis];
-            a[axis].max(b[axis]) >= least - ROOM && a[axis].min(b[axis]) <= greatest + ROOM
+            a[axis].max(b[axis]) >= least - room && a[axis].min(b[axis]) <= greatest + room
         });
         match (close, open) {
             (true, None) => open = Some((at, length)),
@@ -182,15 +188,15 @@ fn fill(file: &mut String, stroke: &Stroke, at: &impl Fn([f64; 2]) -> [f64; 2], 
 
 #[cfg(test)]
 mod tests {
-    use super::near;
+    use super::{ROOM, near};
 
     #[test]
     fn parts_near_a_window_keep_their_place_along_the_line() {
         let points = [[0.0, 0.0], [100.0, 0.0], [200.0, 0.0], [300.0, 0.0], [300.0, 300.0], [0.0, 300.0], [0.0, 50.0]];
-        let runs = near(&points, [[0.0, 80.0], [0.0, 80.0]]);
+        let runs = near(&points, [[0.0, 80.0], [0.0, 80.0]], ROOM);
         assert_eq!(runs, [(0.0, &points[..2]), (900.0, &points[5..])]);
-        assert_eq!(near(&points, [[-500.0, -400.0], [0.0, 1.0]]), []);
+        assert_eq!(near(&points, [[-500.0, -400.0], [0.0, 1.0]], ROOM), []);
         // A segment that only passes by is kept whole.
-        assert_eq!(near(&points[..2], [[40.0, 50.0], [0.0, 1.0]]), [(0.0, &points[..2])]);
+        assert_eq!(near(&points[..2], [[40.0, 50.0], [0.0, 1.0]], ROOM), [(0.0, &points[..2])]);
     }
 }

@@ -96,9 +96,10 @@ pub fn pdf(drawing: &Drawing<'_>, paper: Paper, typst: &Typst) -> Result<Vec<u8>
     let templates = [("template.typ", TEMPLATE), SHORTENED];
     let mut files = templates.map(|(name, text)| (name.to_owned(), text.as_bytes().to_vec())).to_vec();
     let mut sheets = Vec::new();
-    for place in tiling.places() {
-        let file = format!("sheet-{}.svg", tiling.number(place));
-        files.push((file.clone(), sheet::page(drawing, &tiling, place, &mut words).into_bytes()));
+    let printed = sheet::printed(drawing.figure, &tiling);
+    for (number, &place) in (1..).zip(&printed) {
+        let file = format!("sheet-{number}.svg");
+        files.push((file.clone(), sheet::page(drawing, &tiling, &printed, place, &mut words).into_bytes()));
         sheets.push(Sheet { file, row: place[0] + 1, column: place[1] + 1 });
     }
     let contents = Contents {

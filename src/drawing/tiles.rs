@@ -71,17 +71,18 @@ impl Tiling {
         (0..self.rows).flat_map(move |row| (0..columns).map(move |column| [row, column]))
     }
 
-    /// The number of a sheet, from 1.
-    #[must_use]
-    pub const fn number(&self, [row, column]: [u32; 2]) -> u32 {
-        row * self.columns + column + 1
-    }
-
     /// The upper left corner of a sheet's window, in mm of the drawing.
     #[must_use]
     pub fn corner(&self, [row, column]: [u32; 2]) -> [f64; 2] {
         let [width, height] = self.window;
         [self.corner[0] + f64::from(column) * (width - OVERLAP), self.corner[1] - f64::from(row) * (height - OVERLAP)]
+    }
+
+    /// What a sheet's window shows of the drawing: least and greatest x, then y, in mm.
+    #[must_use]
+    pub fn shown(&self, place: [u32; 2]) -> [[f64; 2]; 2] {
+        let ([x, y], [width, height]) = (self.corner(place), self.window);
+        [[x, x + width], [y - height, y]]
     }
 
     /// The joints of a sheet with its neighbours: left, right, above, below.
@@ -94,12 +95,12 @@ impl Tiling {
         let upright = |x: f64, neighbour| Joint {
             line: [[x, y], [x, y - height]],
             crosses: CROSSES.map(|part| [x, y - part * height]),
-            neighbour: self.number(neighbour),
+            neighbour,
         };
         let level = |y: f64, neighbour| Joint {
             line: [[x, y], [x + width, y]],
             crosses: CROSSES.map(|part| [x + part * width, y]),
-            neighbour: self.number(neighbour),
+            neighbour,
         };
         let mut joints = Vec::new();
         if column > 0 {
@@ -125,8 +126,8 @@ pub struct Joint {
     pub line: [[f64; 2]; 2],
     /// The registration marks on it, the same on both sheets.
     pub crosses: [[f64; 2]; 2],
-    /// The neighbour's number.
-    pub neighbour: u32,
+    /// Row and column of the neighbour.
+    pub neighbour: [u32; 2],
 }
 
 /// What a number of windows covers, in mm.
@@ -184,9 +185,8 @@ mod tests {
         let mut shared = 0;
         for place in tiling.places() {
             for joint in tiling.joints(place) {
-                let other = tiling.places().nth(usize::try_from(joint.neighbour).unwrap() - 1).unwrap();
-                let back =
-                    tiling.joints(other).into_iter().find(|back| back.neighbour == tiling.number(place)).unwrap();
+                let other = joint.neighbour;
+                let back = tiling.joints(other).into_iter().find(|back| back.neighbour == place).unwrap();
                 for (one, two) in joint.crosses.into_iter().zip(back.crosses) {
                     assert!((one[0] - two[0]).abs() < 1e-9 && (one[1] - two[1]).abs() < 1e-9, "{joint:?} {back:?}");
                     for sheet in [place, other] {
