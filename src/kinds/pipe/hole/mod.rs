@@ -47,7 +47,7 @@ use crate::kinds::pipe::hole::rules::{
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
 use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
-use crate::kinds::pipe::{self, account, scene, sizes};
+use crate::kinds::pipe::{self, account, quantity, scene, sizes, time};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
@@ -321,17 +321,10 @@ fn other_joint(design: &Design) -> Vec<Text> {
 }
 
 /// Derived lengths, angles and times.
-fn quantities(
-    design: &Design,
-    stations: &[crate::kinds::pipe::hole::station::Station],
-    account: &Account,
-) -> Vec<Quantity> {
+fn quantities(design: &Design, stations: &[Station], account: &Account) -> Vec<Quantity> {
     let mm = Unit::Millimetre;
-    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
-    let most =
-        |of: fn(&crate::kinds::pipe::hole::station::Station) -> f64| stations.iter().map(of).fold(f64::MIN, f64::max);
-    let least =
-        |of: fn(&crate::kinds::pipe::hole::station::Station) -> f64| stations.iter().map(of).fold(f64::MAX, f64::min);
+    let most = |of: fn(&Station) -> f64| stations.iter().map(of).fold(f64::MIN, f64::max);
+    let least = |of: fn(&Station) -> f64| stations.iter().map(of).fold(f64::MAX, f64::min);
     let torch = design.torch();
     let mut list = vec![
         quantity("R_o", t("Radio exterior del tubo", "Outside radius of the header"), design.R_o(), mm, t("", ""))
@@ -383,10 +376,7 @@ fn quantities(
             t("", ""),
         ),
     ];
-    if !account.untimed && account.seconds > 0.0 {
-        let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");
-        list.push(quantity("t_c", meaning, account.seconds, Unit::Second, t("programa leído", "program read back")));
-    }
+    list.extend(time(account));
     list
 }
 
