@@ -4,7 +4,7 @@ use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::parameter::Form;
 use crate::parameter::list::{List, Naming};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, one_of};
 
 use super::listing::{SheetEntry, SheetKind};
 use super::rules::form::*;
@@ -48,10 +48,10 @@ pub(super) fn sheet_named(
         .collect();
     let alike: Vec<_> =
         sheets.iter().filter(|entry| names.iter().any(|name| same_but_for_case(name.0, &entry.name))).collect();
-    let wanted = |or: &str| names.iter().map(|name| format!("\"{}\"", name.0)).collect::<Vec<_>>().join(or);
     match found.as_slice() {
         [] => {
-            let (wanted, there) = (Text::new(wanted(" o "), wanted(" or ")), list(sheets));
+            let wanted = one_of(names.iter().map(|name| Text::same(format!("\"{}\"", name.0))));
+            let there = list(sheets);
             let finding = match alike.iter().find(|entry| is_it(entry)) {
                 Some(entry) => {
                     let name = excerpt(&entry.name, SHOWN);

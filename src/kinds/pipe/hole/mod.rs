@@ -56,7 +56,7 @@ use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
-use crate::text::{Language, Text, t};
+use crate::text::{Language, Text, one_of, t};
 
 /// Halvings after which the greatest eccentricity is known to a tenth of a millimetre.
 const HALVINGS: u8 = 16;
@@ -260,7 +260,7 @@ fn height_refused(design: &Design, place: &TooHigh) -> Finding {
                 t("un g0 menor", "a smaller g0"),
                 t("un D_max mayor", "a larger D_max"),
             ];
-            let other = one_of(joint.into_iter().chain(torch).collect());
+            let other = one_of(joint.into_iter().chain(torch));
             let told = TorchTooHigh { alpha, sigma: Size::degrees(sigma.to_degrees(), 2), height, most, other };
             let keys = [GAMMA.key()].into_iter().chain(eccentric).chain([D_MAX.key(), G0.key()]);
             told.at(Place::Parameters(keys.collect())).with(height.said(Language::En), most.said(Language::En))
@@ -281,16 +281,6 @@ fn height_taken(design: &Design, place: &TooHigh) -> f64 {
     let least = (place.D * 1000.0 - 1e-6).ceil();
     let heights = (0..10_u8).map(|step| (least + f64::from(step)) / 1000.0);
     heights.clone().find(|&D_max| too_high(&Design { D_max, ..design.clone() }).is_none()).unwrap_or(least / 1000.0)
-}
-
-/// What to choose one of, in words.
-fn one_of(ways: Vec<Text>) -> Text {
-    let list = |pick: fn(&Text) -> &str, or: &str| match ways.split_last() {
-        Some((last, [])) => pick(last).to_owned(),
-        Some((last, others)) => format!("{}{or}{}", others.iter().map(pick).collect::<Vec<_>>().join(", "), pick(last)),
-        None => String::new(),
-    };
-    Text::new(list(|way| &way.es, " o "), list(|way| &way.en, " or "))
 }
 
 /// The groove angle next to the given one, in whole degrees, at which the torch goes round the hole, and the eccentricity up to
