@@ -20,7 +20,7 @@ use crate::text::{Language, Text, t};
 use super::address::{self, Position};
 use super::book::Book;
 use super::gate::{Gated, gate};
-use super::guard::Written;
+use super::guard::CellCopies;
 use super::list_rows;
 use super::listing::{self, SheetEntry};
 use super::passed_over;
@@ -56,7 +56,7 @@ pub struct Filled {
     /// The files that the workbook named when its programs were verified.
     pub files: Vec<NamedFile>,
     /// What the cells of the form and of its lists hold as they stand.
-    pub written: Written,
+    pub copies: CellCopies,
     /// It has been built, so that sheets of another build may stand in it.
     pub stamped: bool,
     /// It has a sheet of variants, or one that may be.
@@ -76,7 +76,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     let mut taken = Taken::new(language, notes);
     taken.take_form(&mut book, first)?;
     taken.take_lists(&mut book, form)?;
-    let Taken { values, written, mut findings, exit, read } = taken;
+    let Taken { values, copies, mut findings, exit, read } = taken;
     findings.extend(passed_over::cautions(&mut book, form, language, &read));
     if let Some(earlier) = earlier {
         let keys =
@@ -86,21 +86,21 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
         // A value that cannot be read differs from the one that the programs were made with, too.
         if exit == Exit::Refused
-            && let Ok(verified) = verified::read(&mut book, form, &values, &written)
+            && let Ok(verified) = verified::read(&mut book, form, &values, &copies)
         {
             findings.extend(verified.stale);
         }
         return Err(refusal(exit, findings));
     }
-    let Verified { stale, astray, put_in, files } = verified::read(&mut book, form, &values, &written)?;
+    let Verified { stale, astray, put_in, files } = verified::read(&mut book, form, &values, &copies)?;
     let (stamped, varied) = (stamp::is_named(&book.gated.names), sweep_sheet::may_be(&book.gated.sheets, language));
-    Ok(Filled { form, values, findings, stale, astray, put_in, files, written, stamped, varied })
+    Ok(Filled { form, values, findings, stale, astray, put_in, files, copies, stamped, varied })
 }
 
 /// What was taken from the sheets of a form and of its lists, one after the other.
 struct Taken {
     values: Values,
-    written: Written,
+    copies: CellCopies,
     findings: Vec<Finding>,
     /// What a refusal ends with.
     exit: Exit,
@@ -111,7 +111,7 @@ struct Taken {
 impl Taken {
     fn new(language: Language, findings: Vec<Finding>) -> Self {
         let values = Values { language, ..Values::default() };
-        Self { values, written: Written::default(), findings, exit: Exit::Refused, read: Vec::new() }
+        Self { values, copies: CellCopies::default(), findings, exit: Exit::Refused, read: Vec::new() }
     }
 
     /// Takes the sheets of the form, of which the first is read.
@@ -139,7 +139,7 @@ impl Taken {
             if let Some(sheet) = self.readable(&entry, sheet) {
                 take((form.schema, earlier), described, &sheet, &mut self.values, &mut self.findings);
                 let inputs = described.sections.iter().flat_map(|section| section.parameters);
-                self.written.take(inputs.clone().map(|one| one.key), &self.values, &sheet);
+                self.copies.take(inputs.clone().map(|one| one.key), &self.values, &sheet);
                 self.findings.extend(calculated(&sheet, inputs.filter_map(|one| self.values.cells.get(one.key))));
             }
         }
@@ -154,7 +154,7 @@ impl Taken {
                 let opened = book.read(&entry, list_rows::COLUMNS);
                 if let Some(sheet) = self.opened(opened).and_then(|sheet| self.readable(&entry, sheet)) {
                     let rows = list_rows::read(list, &sheet, &mut self.findings);
-                    self.written.columns.extend(list_rows::written(list, &sheet));
+                    self.copies.columns.extend(list_rows::written(list, &sheet));
                     let inputs = rows.iter().flat_map(|rows| &rows.rows).flat_map(|row| row.cells.values());
                     self.findings.extend(calculated(&sheet, inputs));
                     self.values.lists.extend(rows);

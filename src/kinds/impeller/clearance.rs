@@ -34,7 +34,7 @@ use crate::kinds::impeller::limit::Limit;
 use crate::kinds::impeller::part::{Face, HUB, Part, Piece, RIM, Ruling};
 use crate::limits::PASS_CELLS;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::rotary::{Rotary, Turned};
+use crate::machine::rotary::{TiltingTable, Turned};
 use crate::number::queue::Waiting;
 use crate::number::trig::hypot;
 use crate::number::{greater, lesser};
@@ -115,7 +115,7 @@ pub enum Until {
 #[derive(Debug)]
 pub struct Walls {
     part: Part,
-    machine: Rotary,
+    machine: TiltingTable,
     radius: f64,
     pieces: Vec<Piece>,
     turns: Vec<f64>,
@@ -211,7 +211,7 @@ struct Search<'a> {
 impl Walls {
     /// The faces of blades that stand turned by some angles about the axis of the part, each from some v on.
     #[must_use]
-    pub fn new(part: Part, machine: Rotary, radius: f64, turns: Vec<f64>, from: f64) -> Self {
+    pub fn new(part: Part, machine: TiltingTable, radius: f64, turns: Vec<f64>, from: f64) -> Self {
         let pieces = Face::ALL.into_iter().flat_map(|face| part.pieces(face)).filter_map(|piece| {
             let v = [piece.v[0].max(from), piece.v[1]];
             (v[0] < v[1]).then_some(Piece { v, ..piece })

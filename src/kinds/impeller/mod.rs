@@ -61,7 +61,7 @@ use crate::gcode::program::{Program, Style};
 use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, NoSpeedLimit, SpindleStopped};
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
-use crate::kind::method::{Method, Written};
+use crate::kind::method::{Method, Unproved};
 use crate::kind::{Chapters, Chart, Proved, Shown, Wants, out_of_format};
 use crate::kinds;
 use crate::kinds::impeller::blade::Blade;
@@ -160,7 +160,7 @@ impl Method for Impeller {
     }
 
     fn control(design: &Design) -> &'static Control {
-        design.written.control
+        design.post.control
     }
 
     fn style(design: &Design) -> Option<Style> {
@@ -225,7 +225,7 @@ impl Method for Impeller {
         if design.style == Style::Annex { live_lines::tables(&model.passes, programs) } else { Vec::new() }
     }
 
-    fn programs(design: &Design, model: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+    fn programs(design: &Design, model: &Model, origin: &Origin<'_>) -> Result<Unproved, Vec<Finding>> {
         if let (Some(plan), Some(asked)) = (&model.clear, &design.clear) {
             let made = clear::programs::programs(design, plan, origin)
                 .map_err(|error| vec![out_of_format(error, [form::R.key(), form::R_B.key(), form::H.key()])])?;
@@ -240,7 +240,7 @@ impl Method for Impeller {
             let mut findings = remarks(design, &made, model.calibration.as_ref().map(|(_, axis)| *axis));
             findings.extend(too_narrow(design, &model.limits));
             findings.extend(remarks_of::remarks(&Job::of(design), asked, plan));
-            return Ok(Written { programs: made.programs, findings });
+            return Ok(Unproved { programs: made.programs, findings });
         }
         let made = match &model.tracks {
             Ok(tracks) => programs(design, tracks, origin),
@@ -249,7 +249,7 @@ impl Method for Impeller {
         let made = made.map_err(|error| vec![out_of_format(error, [form::R.key(), form::R_B.key(), form::H.key()])])?;
         let mut findings = remarks(design, &made, model.calibration.as_ref().map(|(_, axis)| *axis));
         findings.extend(too_narrow(design, &model.limits));
-        Ok(Written { programs: made.programs, findings })
+        Ok(Unproved { programs: made.programs, findings })
     }
 
     fn shortfalls(design: &Design, model: &Model) -> Vec<Finding> {
@@ -313,7 +313,7 @@ impl Method for Impeller {
     fn setup(design: &Design, model: &Model) -> Vec<(&'static str, Shown)> {
         let clear = design.clear.as_ref().zip(model.clear.as_ref());
         let enough = clear.map(|(asked, plan)| remarks_of::enough_stick_outs(asked, plan)).unwrap_or_default();
-        let length = ("length-by-offset", Shown::Whether(design.written.writing.tool.may_bring_length()));
+        let length = ("length-by-offset", Shown::Whether(design.post.writing.tool.may_bring_length()));
         enough.into_iter().chain([length]).collect()
     }
 

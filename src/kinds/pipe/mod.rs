@@ -12,7 +12,7 @@ pub mod size;
 mod sketch;
 mod switching;
 
-use crate::gcode::control::Rotary;
+use crate::gcode::control::RotaryMode;
 use crate::gcode::word::Distance;
 use crate::kind::{Proved, Shown};
 use crate::kinds::pipe::dimensions::Pipe;
@@ -22,10 +22,10 @@ use crate::text::{Text, t};
 
 /// How a program turns its rotary axes: where those of the control are rollover as delivered, the number of an absolute word
 /// would be an angle from 0 to 360 and its sign the direction. Increments are the same motions on either axis.
-const fn counted(rotary: Rotary) -> Distance {
+const fn counted(rotary: RotaryMode) -> Distance {
     match rotary {
-        Rotary::Rollover => Distance::Incremental,
-        Rotary::Linear => Distance::Absolute,
+        RotaryMode::Rollover => Distance::Incremental,
+        RotaryMode::Linear => Distance::Absolute,
     }
 }
 

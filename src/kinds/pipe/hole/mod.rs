@@ -29,7 +29,7 @@ use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
 use crate::gcode::word::{Distance, NumberFormat};
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
-use crate::kind::method::{Method, Written};
+use crate::kind::method::{Method, Unproved};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Shown, Wants, out_of_format};
 use crate::kinds;
 use crate::kinds::pipe::form::{D_HEADER, DIALECT, E, THETA};
@@ -112,7 +112,7 @@ impl Method for Hole {
     }
 
     fn control(design: &Design) -> &'static Control {
-        design.written.control
+        design.post.control
     }
 
     fn model(design: &Design) -> Result<Model, Vec<Finding>> {
@@ -148,9 +148,9 @@ impl Method for Hole {
         ]
     }
 
-    fn programs(design: &Design, Model { cut, .. }: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+    fn programs(design: &Design, Model { cut, .. }: &Model, origin: &Origin<'_>) -> Result<Unproved, Vec<Finding>> {
         let held = cut.pierce_held || cut.legs.iter().any(|leg| leg.held);
-        Ok(Written { programs: vec![full(design, cut, origin).map_err(no_room)?], findings: remarks(design, held) })
+        Ok(Unproved { programs: vec![full(design, cut, origin).map_err(no_room)?], findings: remarks(design, held) })
     }
 
     fn memo(_: &Design, _: &Model, _: Wants) -> Curve {

@@ -45,7 +45,7 @@ use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
 use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
-use crate::kind::method::{Method, Written};
+use crate::kind::method::{Method, Unproved};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Shown, Wants, out_of_format};
 use crate::kinds;
 use crate::kinds::pipe::dimensions::or_eccentricity;
@@ -130,7 +130,7 @@ impl Method for Insert {
     }
 
     fn control(design: &Design) -> &'static Control {
-        design.written.control
+        design.post.control
     }
 
     fn style(design: &Design) -> Option<Style> {
@@ -160,12 +160,12 @@ impl Method for Insert {
         design: &Design,
         Model { cut, rest, .. }: &Model,
         origin: &Origin<'_>,
-    ) -> Result<Written, Vec<Finding>> {
+    ) -> Result<Unproved, Vec<Finding>> {
         let program = match cut {
             None => published(design),
             Some(cut) => full(design, cut, origin),
         };
-        Ok(Written { programs: vec![program.map_err(no_room)?], findings: remarks(design, rest) })
+        Ok(Unproved { programs: vec![program.map_err(no_room)?], findings: remarks(design, rest) })
     }
 
     fn memo(_: &Design, _: &Model, _: Wants) -> Curve {
