@@ -279,8 +279,8 @@ fn gap_of(worst: &Worst) -> Text {
     Text::new(said(Language::Es), said(Language::En))
 }
 
-/// How the branch comes to rest.
-fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
+/// How the branch comes to rest; `overhangs` where its wall passes the side of the header.
+fn seat(design: &Design, rest: &Rest, overhangs: bool) -> Option<Finding> {
     let phi = |worst: &Worst| Size::number(worst.phi.to_degrees(), 1);
     let contact = match design.contact {
         Contact::Envelope => {
@@ -293,10 +293,8 @@ fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
             );
             // In a plane the torch cuts square to the curve, and takes no more.
             let kerf = if back > 0.0 { kerf } else { t("", "") };
-            let beside = match wall_beside_header(design) {
-                Some(_) => t(" donde apoya en el tubo base", " where it rests on the header"),
-                None => t("", ""),
-            };
+            let beside =
+                if overhangs { t(" donde apoya en el tubo base", " where it rests on the header") } else { t("", "") };
             return Some(GapsOfEnvelope { beside, inner, outer, kerf }.at(at([CONTACT.key()])));
         }
         Contact::Inside => t("interior", "inside"),
@@ -370,8 +368,9 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
         let (typed, derived) = (Size::mm(one.typed), Size::mm(one.derived));
         RadiusTyped { key: one.key, typed, derived }.at(at([one.key]))
     }));
-    findings.extend(seat(design, rest));
-    findings.extend(wall_beside_header(design));
+    let beside = wall_beside_header(design);
+    findings.extend(seat(design, rest, beside.is_some()));
+    findings.extend(beside);
     findings.extend(template_not_round(design));
     // A jet is wider than what a corner is rounded by.
     findings.extend(kinds::rules::corners_between_blocks(design.control).map(|one| one.graded(Grade::Note)));
