@@ -13,6 +13,7 @@ mod charts;
 pub mod clear;
 pub mod clearance;
 pub mod contradictions;
+pub mod corners;
 pub mod design;
 pub mod discretisation;
 pub mod fade;
