@@ -76,3 +76,41 @@ impl Text {
         self.es.is_empty() && self.en.is_empty()
     }
 }
+
+/// What to choose one of, in words: `a, b or c`. Empty where there is nothing to choose.
+#[must_use]
+pub fn one_of(choices: impl IntoIterator<Item = Text>) -> Text {
+    listed(choices, ["o", "or"])
+}
+
+/// What is meant together, in words: `a, b and c`. Empty where there is nothing.
+#[must_use]
+pub fn all_of(parts: impl IntoIterator<Item = Text>) -> Text {
+    listed(parts, ["y", "and"])
+}
+
+fn listed(parts: impl IntoIterator<Item = Text>, [es, en]: [&str; 2]) -> Text {
+    let parts: Vec<Text> = parts.into_iter().collect();
+    let list = |language: Language, word: &str| {
+        let parts: Vec<&str> = parts.iter().map(|part| part.get(language)).collect();
+        match parts.split_last() {
+            Some((last, others @ [_, ..])) => format!("{} {word} {last}", others.join(", ")),
+            _ => parts.concat(),
+        }
+    };
+    Text::new(list(Language::Es, es), list(Language::En, en))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_of_a_list_is_joined_by_a_word_and_those_before_it_by_commas() {
+        let letters = |count: usize| ["a", "b", "c"].into_iter().take(count).map(Text::same);
+        for (count, es, en) in [(0, "", ""), (1, "a", "a"), (2, "a o b", "a or b"), (3, "a, b o c", "a, b or c")] {
+            assert_eq!(one_of(letters(count)), t(es, en));
+        }
+        assert_eq!(all_of(letters(3)), t("a, b y c", "a, b and c"));
+    }
+}

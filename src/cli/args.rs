@@ -14,7 +14,7 @@ use super::sweep::args::Sweep;
 use super::verdict::{ENDS, code, meaning};
 use crate::finding::Exit;
 use crate::gcode::control::{ALL, TURNING};
-use crate::gcode::interpreter::{DecimalPoint, HolePlane, Rotary};
+use crate::gcode::interpreter::{DecimalPoint, HolePlane, RotaryMode};
 use crate::kind::Kind;
 use crate::machine::work_offset::System;
 use crate::text::Language;
@@ -351,7 +351,7 @@ pub(super) struct ControlOptions {
     /// What a rotary axis word means in G90: linear, the position, counted beyond one turn; rollover, the target angle
     /// (0 to 359.9999), with the sign as the direction [default: rollover for fagor-8055 and fagor-8055-t, else linear]
     #[arg(long, value_name = "RULE", value_parser = rotary())]
-    pub(super) rotary: Option<Rotary>,
+    pub(super) rotary: Option<RotaryMode>,
     /// The control forgets G92 and G52 at the end of a program (DISABLE_G92_PERSISTENCE)
     #[arg(long)]
     pub(super) no_g92_persistence: bool,
@@ -522,9 +522,9 @@ fn hole_plane() -> impl TypedValueParser<Value = HolePlane> {
         .map(|rule| if rule == "absolute" { HolePlane::Absolute } else { HolePlane::Incremental })
 }
 
-fn rotary() -> impl TypedValueParser<Value = Rotary> {
-    PossibleValuesParser::new([Rotary::Linear, Rotary::Rollover].map(Rotary::name))
-        .map(|rule| if rule == Rotary::Rollover.name() { Rotary::Rollover } else { Rotary::Linear })
+fn rotary() -> impl TypedValueParser<Value = RotaryMode> {
+    PossibleValuesParser::new([RotaryMode::Linear, RotaryMode::Rollover].map(RotaryMode::name))
+        .map(|rule| if rule == RotaryMode::Rollover.name() { RotaryMode::Rollover } else { RotaryMode::Linear })
 }
 
 #[cfg(test)]

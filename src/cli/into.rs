@@ -59,7 +59,7 @@ impl<'a> Into<'a> {
             }
         }
         present.folder = printable_path(&item.folder);
-        present.written = filled.written.clone();
+        present.copies = filled.copies.clone();
         let inputs = filled.form.parameters().filter_map(|(_, one)| {
             let cell = cell_of(one.key)?;
             let (letters, digits) = cell.cell.split_at(cell.cell.find(|one: char| one.is_ascii_digit())?);

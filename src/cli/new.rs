@@ -14,7 +14,7 @@ use crate::graft::rules::FormThere;
 use crate::graft::{Donor, Host};
 use crate::kind::Kind;
 use crate::parameter::Case;
-use crate::store::{self, Existing, Folder, Set, Written};
+use crate::store::{self, Existing, Folder, Set, WrittenFile};
 use crate::text::{Language, Text};
 use crate::workbook::names::Made;
 use crate::workbook::{self, sweep_sheet, template};
@@ -46,7 +46,11 @@ pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal)
     }
 }
 
-fn write(arguments: &New, language: Language, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Vec<Finding>), Refusal> {
+fn write(
+    arguments: &New,
+    language: Language,
+    kinds: &[&dyn Kind],
+) -> Result<(Vec<WrittenFile>, Vec<Finding>), Refusal> {
     let Some((form, kind)) = kinds.iter().map(|kind| (kind.form(), kind)).find(|(form, _)| form.kind == arguments.kind)
     else {
         return Err(fault::refusal("a kind without a form"));
@@ -87,7 +91,7 @@ fn put(
     case: &Case,
     arguments: &New,
     language: Language,
-) -> Result<(Vec<Written>, Vec<Finding>), Refusal> {
+) -> Result<(Vec<WrittenFile>, Vec<Finding>), Refusal> {
     let bytes = workbook::open(book)?;
     store::replaceable(book, &[])?;
     let folder = Folder::open(book.parent().unwrap_or(Path::new("")))?;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::finding::{Exit, Finding, Grade, Refusal};
-use crate::store::Written;
+use crate::store::WrittenFile;
 use crate::table::Quantity;
 use crate::text::{Language, Text, t};
 
@@ -29,7 +29,7 @@ pub(super) struct Ending {
     /// The folder that files were written to, as it was given.
     pub(super) folder: Option<PathBuf>,
     /// The files that were written.
-    pub(super) files: Vec<Written>,
+    pub(super) files: Vec<WrittenFile>,
 }
 
 impl Ending {

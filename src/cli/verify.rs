@@ -18,7 +18,7 @@ use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::code::G;
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::tools_headed;
-use crate::gcode::interpreter::{Bytes, Interpreter, Refused, Rotary, findings};
+use crate::gcode::interpreter::{Bytes, Interpreter, Refused, RotaryMode, findings};
 use crate::gcode::motion::{FeedMode, Motion, MotionKind};
 use crate::limits::LISTED_REFUSALS;
 use crate::machine::axis::{Axis, Pose};
@@ -36,7 +36,7 @@ const CHUNK: usize = 1 << 16;
 struct Read {
     verdict: Ending,
     dialect: Option<&'static Control>,
-    rotary: Option<Rotary>,
+    rotary: Option<RotaryMode>,
     account: Account,
     net: [f64; 9],
     lines: usize,
@@ -323,7 +323,7 @@ fn document(read: &Read) -> Value {
         "sha256": read.verdict.sha256,
         "read": read.consulted,
         "dialect": read.dialect.map(|dialect| dialect.name),
-        "rotary": read.rotary.map(Rotary::name),
+        "rotary": read.rotary.map(RotaryMode::name),
         "exit": code(read.verdict.exit),
         "status": status(read.verdict.exit),
         "lines": read.lines,
@@ -338,13 +338,13 @@ fn document(read: &Read) -> Value {
 }
 
 /// How the words of rotary axes were read.
-const fn rule(rotary: Rotary) -> Text {
+const fn rule(rotary: RotaryMode) -> Text {
     match rotary {
-        Rotary::Linear => t(
+        RotaryMode::Linear => t(
             "ejes giratorios como lineales: en G90 la palabra es la posición, también más allá de una vuelta (--rotary linear)",
             "rotary axes as linear ones: in G90 the word is the position, beyond a turn as well (--rotary linear)",
         ),
-        Rotary::Rollover => t(
+        RotaryMode::Rollover => t(
             "ejes giratorios rollover: en G90 el número es el ángulo de destino, 0 a 359.9999, y el signo el sentido \
              (--rotary rollover); lo girado se cuenta más allá de una vuelta",
             "rotary axes rollover: in G90 the number is the angle to go to, 0 to 359.9999, and the sign the direction \

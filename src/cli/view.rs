@@ -22,7 +22,7 @@ use crate::machine::chain::Chain;
 use crate::scene::kept;
 use crate::scene::program::Program;
 use crate::scene::{Remark, Scene, Shape, ShownTool};
-use crate::store::{self, Existing, Folder, Set, Written};
+use crate::store::{self, Existing, Folder, Set, WrittenFile};
 use crate::text::{Language, Text};
 use crate::view;
 use crate::workbook;
@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &View, kinds: &[&dyn Kind], terminal: &mut Terminal
     verdict.exit
 }
 
-fn shown(arguments: &View, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<Vec<Written>, Refusal> {
+fn shown(arguments: &View, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<Vec<WrittenFile>, Refusal> {
     let input = &arguments.input;
     let output = match &arguments.output {
         Some(output) => output.clone(),

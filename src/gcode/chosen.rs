@@ -1,6 +1,6 @@
 //! What the cells of a form become where they speak of programs: codes, blocks, and the settings of a control.
 
-use crate::gcode::control::{Control, Rotary, Written};
+use crate::gcode::control::{Control, Post, RotaryMode};
 use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Retract, Word, block, codes};
 use crate::parameter::Value;
@@ -34,7 +34,7 @@ impl Stated for &'static Control {
     }
 }
 
-impl Typed for Written {
+impl Typed for Post {
     fn typed(value: &Value) -> Option<Self> {
         if let Value::Choice(name) = value { Control::milling(name) } else { None }
     }
@@ -44,7 +44,7 @@ choices! { for Style; "annex" ("annex", "annex") => Style::Annex, "full" ("full"
 
 choices! { for Distance; "G90" ("G90", "G90") => Distance::Absolute, "G91" ("G91", "G91") => Distance::Incremental }
 
-choices! { for Rotary;
-    "rollover" ("rollover", "rollover") => Rotary::Rollover,
-    "linear" ("linear", "linear") => Rotary::Linear
+choices! { for RotaryMode;
+    "rollover" ("rollover", "rollover") => RotaryMode::Rollover,
+    "linear" ("linear", "linear") => RotaryMode::Linear
 }

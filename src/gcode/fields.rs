@@ -1,6 +1,6 @@
 //! The parameters that forms of programs have in common.
 
-use crate::gcode::control::Written;
+use crate::gcode::control::Post;
 use crate::machine::rapids::Rapids;
 use crate::parameter::field::{Field, Fields, Optional, Required};
 use crate::parameter::{DIALECTS, Parameter};
@@ -18,7 +18,7 @@ pub static MATERIAL: Field<String, Optional> =
     Field::line("material", "material", 200, t("Material", "Material"), t("", ""));
 
 /// The control that programs are written for.
-pub static DIALECT: Field<Written, Required> =
+pub static DIALECT: Field<Post, Required> =
     Field::of_list("dialect", "dialect", DIALECTS, t("Dialecto del control", "Dialect of the control"), t("", ""));
 
 /// How fast the linear axes are at rapid.

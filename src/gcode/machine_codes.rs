@@ -13,12 +13,21 @@ use crate::gcode::word::{Number, Retract, Word};
 use crate::parameter::at;
 use crate::text::Text;
 
+/// Where the codes of a parameter stand in a program.
+#[derive(Clone, Copy, Debug)]
+pub struct CodesPlace {
+    /// They are the last, and must end it.
+    pub last: bool,
+    /// It calls a tool before them.
+    pub tooled: bool,
+}
+
 /// What is wrong with the codes of a parameter: one that is no M code, that the control does not know, or that ends the
-/// program where it must not. With `closing` the last one must end it. What the control refuses of them in one block, as they are
-/// written, is told with the parameter: the program's line would not say which cell it came from. `tooled` where the program calls a tool
-/// before them.
+/// program where it must not. What the control refuses of them in one block, as they are written, is told with the parameter: the
+/// program's line would not say which cell it came from.
 #[must_use]
-pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], closing: bool, tooled: bool) -> Vec<Finding> {
+pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], place: CodesPlace) -> Vec<Finding> {
+    let CodesPlace { last, tooled } = place;
     let mut findings = Vec::new();
     let both = || at([key, DIALECT.key()]);
     for word in codes {
@@ -27,12 +36,12 @@ pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], closin
             findings.push(NoMachineCode { key, letter: word.letter, number }.at(both()));
         } else if !dialect.knows_machine_code(number) {
             findings.push(MachineCodeNotKnown { control: dialect.name, number, key }.at(both()));
-        } else if matches!(number, 2 | 30) && !closing {
+        } else if matches!(number, 2 | 30) && !last {
             findings.push(EndsTooSoon { key, number }.at(both()));
         }
     }
     let ends = |word: &Word| matches!(word.number, Number::Whole(2 | 30)) && word.letter == 'M';
-    if closing && !codes.last().is_some_and(ends) {
+    if last && !codes.last().is_some_and(ends) {
         findings.push(EndMissing { key }.at(at([key])));
     }
     if findings.is_empty() && !codes.is_empty() {

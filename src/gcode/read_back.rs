@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead, Read, Seek, SeekFrom};
 
-use crate::gcode::interpreter::{Interpreter, Rotary, Setting};
+use crate::gcode::interpreter::{Interpreter, RotaryMode, Setting};
 use crate::gcode::lines::Lines;
 use crate::gcode::program::Program;
 
@@ -43,10 +43,10 @@ impl Seek for ProgramBytes<'_> {
 
 impl Program {
     /// What this program's text is read back with: millimetres, all offsets 0, no tool table. Positions count on beyond a
-    /// turn, so that what is absolute in them holds where rotary axes are [`Rotary::Linear`]; increments hold everywhere.
+    /// turn, so that what is absolute in them holds where rotary axes are [`RotaryMode::Linear`]; increments hold everywhere.
     #[must_use]
     pub fn setting(&self) -> Setting {
-        Setting { rotary: Rotary::Linear, ..Setting::new(self.control) }
+        Setting { rotary: RotaryMode::Linear, ..Setting::new(self.control) }
     }
 
     /// The interpreter over this program's text, as the control reads it: from the text, not from the positions that it was

@@ -2,7 +2,7 @@
 //!
 //! What a control has a form of its own for is asked of its [`Writing`](crate::gcode::control::Writing) or of the rule by which it is read.
 
-use crate::gcode::control::{Control, FeedLaw, Written};
+use crate::gcode::control::{Control, FeedLaw, Post};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{Distance, NumberFormat, Word};
@@ -13,7 +13,7 @@ use crate::text::Text;
 /// A program being written.
 #[derive(Debug)]
 pub struct Writer {
-    written: Written,
+    post: Post,
     law: FeedLaw,
     last: Option<FeedWord>,
     parts: Vec<Part>,
@@ -22,8 +22,8 @@ pub struct Writer {
 impl Writer {
     /// A program that begins with some parts, its header.
     #[must_use]
-    pub const fn new(written: Written, parts: Vec<Part>) -> Self {
-        Self { written, law: written.control.feed.law, last: None, parts }
+    pub const fn new(post: Post, parts: Vec<Part>) -> Self {
+        Self { post, law: post.control.feed.law, last: None, parts }
     }
 
     /// The same, with F along the path in mm a minute whatever the control's law for rotary axes.
@@ -50,12 +50,12 @@ impl Writer {
 
     /// The block that puts the control into a known state.
     pub fn safety(&mut self) {
-        self.block(self.written.writing.safety_block());
+        self.block(self.post.writing.safety_block());
     }
 
     /// The blocks that bring a tool and its offset D to work.
     pub fn tool(&mut self, T: u32, D: u32) {
-        for words in self.written.writing.tool.blocks(T, D) {
+        for words in self.post.writing.tool.blocks(T, D) {
             self.block(words);
         }
     }
@@ -63,7 +63,7 @@ impl Writer {
     /// The word that says a coordinate of an axis, mm or degrees.
     #[must_use]
     pub fn coordinate(&self, axis: Axis, coordinate: Milli) -> Word {
-        let word = if axis == Axis::X { self.written.control.axes.x.word(coordinate) } else { coordinate };
+        let word = if axis == Axis::X { self.post.control.axes.x.word(coordinate) } else { coordinate };
         Word::size(axis.letter(), word)
     }
 
@@ -72,13 +72,13 @@ impl Writer {
     /// # Errors
     /// For a diameter that no program may carry.
     pub fn diameter(&self, diameter: f64) -> Result<Word, OutOfFormat> {
-        Ok(Word::size('X', Milli::round(self.written.control.axes.x.of_diameter(diameter))?))
+        Ok(Word::size('X', Milli::round(self.post.control.axes.x.of_diameter(diameter))?))
     }
 
     /// The control that is written for.
     #[must_use]
     pub const fn control(&self) -> &'static Control {
-        self.written.control
+        self.post.control
     }
 
     /// A rapid move.
@@ -100,7 +100,7 @@ impl Writer {
     /// # Errors
     /// For a time that no program may carry.
     pub fn dwell(&mut self, seconds: f64) -> Result<(), OutOfFormat> {
-        let time = self.written.control.lexis.dwell.first().map(|dwell| dwell.word(seconds)).transpose()?;
+        let time = self.post.control.lexis.dwell.first().map(|dwell| dwell.word(seconds)).transpose()?;
         self.block(std::iter::once(Word::whole('G', 4)).chain(time).collect::<Vec<_>>());
         Ok(())
     }
@@ -142,7 +142,7 @@ impl Writer {
         Program {
             key,
             title,
-            control: self.written.control,
+            control: self.post.control,
             law: self.law,
             format: NumberFormat::Fixed,
             block_step: Some(10),

@@ -21,7 +21,7 @@ choices! {
 
 /// Where a measure comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum From {
+pub enum Source {
     /// The derived value of the same symbol.
     Quantity,
     /// The time of the programs with these keys, as many as there are; of one without a known time there is none.
@@ -54,26 +54,26 @@ pub struct Measure {
     /// From which level on it is known.
     pub level: Level,
     /// Where it comes from.
-    pub from: From,
+    pub source: Source,
 }
 
 impl Measure {
     /// A derived value that is known before programs are read back.
     #[must_use]
     pub const fn derived(key: &'static str, unit: Unit) -> Self {
-        Self { key, meaning: crate::text::t("", ""), unit, level: Level::Limits, from: From::Quantity }
+        Self { key, meaning: crate::text::t("", ""), unit, level: Level::Limits, source: Source::Quantity }
     }
 
     /// A derived value that the programs give.
     #[must_use]
     pub const fn read_back(key: &'static str, unit: Unit) -> Self {
-        Self { key, meaning: crate::text::t("", ""), unit, level: Level::Program, from: From::Quantity }
+        Self { key, meaning: crate::text::t("", ""), unit, level: Level::Program, source: Source::Quantity }
     }
 
     /// A value of programs that are read back.
     #[must_use]
-    pub const fn of_programs(key: &'static str, unit: Unit, from: From, meaning: Text) -> Self {
-        Self { key, meaning, unit, level: Level::Program, from }
+    pub const fn of_programs(key: &'static str, unit: Unit, source: Source, meaning: Text) -> Self {
+        Self { key, meaning, unit, level: Level::Program, source }
     }
 
     /// Its value; `None` where the design has none.
@@ -84,12 +84,12 @@ impl Measure {
                 known.checks.iter().filter(|one| keys.contains(&one.key())).filter_map(Check::measured).collect();
             of_keys.into_iter()
         };
-        let value = match self.from {
-            From::Quantity => known.quantities.iter().find(|one| one.symbol == self.key).map(|one| one.value),
-            From::Time(keys) => time(known.programs.iter().filter(|one| keys.contains(&one.key))),
-            From::Greatest(keys) => measured(keys).max_by(f64::total_cmp),
-            From::Least(keys) => measured(keys).min_by(f64::total_cmp),
-            From::Entered { code, under, keys } => {
+        let value = match self.source {
+            Source::Quantity => known.quantities.iter().find(|one| one.symbol == self.key).map(|one| one.value),
+            Source::Time(keys) => time(known.programs.iter().filter(|one| keys.contains(&one.key))),
+            Source::Greatest(keys) => measured(keys).max_by(f64::total_cmp),
+            Source::Least(keys) => measured(keys).min_by(f64::total_cmp),
+            Source::Entered { code, under, keys } => {
                 let carried = |one: &Finding| match one.data.iter().find(|(name, _)| *name == under) {
                     Some((_, Datum::Number { value, .. })) if one.code() == code => *value,
                     _ => None,

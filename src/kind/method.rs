@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use std::sync::LazyLock;
 
 use super::live_form::LiveForm;
-use super::measure::{From, Limits, Measure, Suggested};
+use super::measure::{Limits, Measure, Source, Suggested};
 use super::rules::NotNumbered;
 use super::{
     Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Wants, faults, staging,
@@ -28,9 +28,9 @@ use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
 use crate::text::{Text, t};
 
-/// Programs, and what there is to say of the design and of them before they are proved.
+/// Programs as a kind writes them, and what there is to say of the design and of them before they are proved.
 #[derive(Debug)]
-pub struct Written {
+pub struct Unproved {
     /// The programs, in the order in which they are handed over.
     pub programs: Vec<Program>,
     /// What a person should know.
@@ -62,7 +62,7 @@ pub trait Method: Send + Sync + 'static {
     const MEASURES: &'static [Measure] = &[Measure::of_programs(
         "time_s",
         Unit::Second,
-        From::Time(Self::FORM.programs),
+        Source::Time(Self::FORM.programs),
         t("Duración de los programas", "Time of the programs"),
     )];
     /// What a new workbook suggests to vary.
@@ -115,7 +115,7 @@ pub trait Method: Send + Sync + 'static {
     ///
     /// # Errors
     /// For a position that no program may carry.
-    fn programs(design: &Self::Design, model: &Self::Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>>;
+    fn programs(design: &Self::Design, model: &Self::Model, origin: &Origin<'_>) -> Result<Unproved, Vec<Finding>>;
 
     /// What the programs leave or spoil by their method, where that is searched along their ways: found together with the
     /// programs, but not of a design that is judged by its limits alone.
@@ -214,23 +214,23 @@ fn faultless(fault: Option<Finding>) -> Result<(), Refusal> {
 }
 
 /// The programs of a design, such as the form announces them. Their blocks have no numbers where those would exceed what the control reads, and that is told.
-fn written<M: Method>(design: &M::Design, model: &M::Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
-    let mut written = M::programs(design, model, origin)?;
+fn unproved<M: Method>(design: &M::Design, model: &M::Model, origin: &Origin<'_>) -> Result<Unproved, Vec<Finding>> {
+    let mut unproved = M::programs(design, model, origin)?;
     let due = |program: &Program| M::due(design, program);
-    let faults = faults::programs(M::FORM, M::control(design), &written.programs, due);
+    let faults = faults::programs(M::FORM, M::control(design), &unproved.programs, due);
     if !faults.is_empty() {
         return Err(faults);
     }
-    for program in &mut written.programs {
+    for program in &mut unproved.programs {
         let greatest = program.control.text.greatest_number;
         let last = program.blocks().saturating_mul(program.block_step.unwrap_or(0).into());
         if last > greatest.into() {
             program.block_step = None;
             let place = Place::Block { program: program.key, line: 1 };
-            written.findings.push(NotNumbered { greatest }.at(place));
+            unproved.findings.push(NotNumbered { greatest }.at(place));
         }
     }
-    Ok(written)
+    Ok(unproved)
 }
 
 /// The kind of a method.
@@ -294,7 +294,7 @@ impl<M: Method> Kind for Of<M> {
         let design = M::design(fields).map_err(refused)?;
         let model = M::model(&design).map_err(refused)?;
         let origin = Origin { workbook: "", sha256: "", version: "", language: fields.language() };
-        let Written { findings, .. } = written::<M>(&design, &model, &origin).map_err(refused)?;
+        let Unproved { findings, .. } = unproved::<M>(&design, &model, &origin).map_err(refused)?;
         let quantities = M::quantities(&design, &model, &[]);
         faultless(faults::quantities(&quantities))?;
         Ok(Limits { quantities, findings })
@@ -315,7 +315,7 @@ impl<M: Method> Kind for Of<M> {
             version: source.version,
             language: fields.language(),
         };
-        let Written { programs, mut findings } = written::<M>(&design, &model, &origin).map_err(refused)?;
+        let Unproved { programs, mut findings } = unproved::<M>(&design, &model, &origin).map_err(refused)?;
         findings.extend(M::shortfalls(&design, &model));
         let (mut memo, mut verification) = (M::memo(&design, &model, wants), Verification::default());
         debug_assert!(

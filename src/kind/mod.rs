@@ -34,7 +34,7 @@ use crate::proof::account::Account;
 use crate::proof::check::Check;
 use crate::scene::Scene;
 use crate::table::{Quantity, Table};
-use crate::text::Text;
+use crate::text::{Text, all_of};
 
 /// A workbook kind: all that commands and walls see of it.
 pub trait Kind: Send + Sync {
@@ -380,10 +380,6 @@ impl Outcome {
 
 /// The stop for a position that no program may carry, at the parameters that make it.
 pub fn out_of_format<const N: usize>(error: OutOfFormat, keys: [Key; N]) -> Finding {
-    let list = |and: &str| match keys.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} {and} {}", rest.join(", "), last.name()),
-        _ => keys.concat(),
-    };
-    let parameters = Text::new(list("y"), list("and"));
+    let parameters = all_of(keys.map(|key| Text::same(key.name())));
     PositionOutOfFormat { position: error.0, parameters }.at(at(keys))
 }

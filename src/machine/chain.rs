@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::machine::torch::TorchAxes;
 
 /// How the axes of a program bring the tool to the part.
@@ -13,8 +13,8 @@ pub enum Chain {
     Milling,
     /// The same with X as a radius: it is shown as a diameter, and the part turns about Z.
     Turning,
-    /// C turns the part and B tilts it: see [`Rotary`].
-    Tilting(Rotary),
+    /// C turns the part and B tilts it: see [`TiltingTable`].
+    Tilting(TiltingTable),
     /// A torch over a turning pipe: see [`TorchAxes`].
     Torch,
     /// A torch square to a turning pipe of this radius, mm, with axes A and X.
@@ -49,7 +49,10 @@ impl Chain {
             Self::Tilting(machine) => {
                 let (B, C) = (turn(Axis::B), turn(Axis::C));
                 let point = Vector3::new(at(Axis::X), at(Axis::Y), at(Axis::Z));
-                Stand { point: machine.to_part(&point, B, C), axis: Rotary::direction_to_part(&Vector3::z(), B, C) }
+                Stand {
+                    point: machine.to_part(&point, B, C),
+                    axis: TiltingTable::direction_to_part(&Vector3::z(), B, C),
+                }
             }
             Self::Torch => torch(TorchAxes {
                 A: turn(Axis::A),

@@ -12,9 +12,9 @@ use nalgebra::Vector3;
 
 use crate::number::trig::sin_cos;
 
-/// The rotary axes of a machine with one tool.
+/// A rotary table that tilts under a tool that stands along Z.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rotary {
+pub struct TiltingTable {
     /// L, the pivot length: from the B axis to the origin of the part frame.
     pub L: f64,
 }
@@ -64,7 +64,7 @@ impl Turned {
     }
 }
 
-impl Rotary {
+impl TiltingTable {
     /// M2(B)·M1(−C)·a: a direction of the part frame in machine axes.
     #[must_use]
     pub fn direction_to_machine(a: &Vector3<f64>, B: f64, C: f64) -> Vector3<f64> {

@@ -15,7 +15,7 @@ use rustc_hash::{FxBuildHasher, FxHashMap};
 
 use crate::limits::WAY_PIECES;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::number::bisection::key;
 use crate::number::trig::sin_cos;
 
@@ -36,21 +36,21 @@ fn block(from: &Pose, to: &Pose) -> [f64; 9] {
 
 /// What the way of the tip over the part from one pose to another is at most, mm.
 #[must_use]
-pub fn longest(machine: Rotary, from: &Pose, to: &Pose) -> f64 {
+pub fn longest(machine: TiltingTable, from: &Pose, to: &Pose) -> f64 {
     of(machine, block(from, to))
 }
 
 /// The ways of a program's blocks, each found once: every blade repeats those of the first.
 #[derive(Debug)]
 pub struct Ways {
-    machine: Rotary,
+    machine: TiltingTable,
     found: FxHashMap<[u64; 9], f64>,
 }
 
 impl Ways {
     /// None is found yet.
     #[must_use]
-    pub const fn new(machine: Rotary) -> Self {
+    pub const fn new(machine: TiltingTable) -> Self {
         Self { machine, found: FxHashMap::with_hasher(FxBuildHasher) }
     }
 
@@ -61,7 +61,7 @@ impl Ways {
     }
 }
 
-fn of(machine: Rotary, [x, y, z, B, to_x, to_y, to_z, to_B, dC]: [f64; 9]) -> f64 {
+fn of(machine: TiltingTable, [x, y, z, B, to_x, to_y, to_z, to_B, dC]: [f64; 9]) -> f64 {
     let (start, end) = (Vector3::new(x, y, z + machine.L), Vector3::new(to_x, to_y, to_z + machine.L));
     let [B, to_B, dC] = [B, to_B, dC].map(f64::to_radians);
     let (by, dB) = (end - start, to_B - B);
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn of_a_quarter_turn_it_is_the_arc_and_not_the_chord() {
-        let machine = Rotary { L: 100.0 };
+        let machine = TiltingTable { L: 100.0 };
         let (from, to) = (pose([25.0, 0.0, 0.0, 0.0, 0.0]), pose([25.0, 0.0, 0.0, 0.0, 90.0]));
         let arc = 25.0 * std::f64::consts::FRAC_PI_2;
         let found = longest(machine, &from, &to);
@@ -115,7 +115,7 @@ mod tests {
             from in [-60.0..60.0_f64, -60.0..60.0, -60.0..60.0, 0.0..90.0, -400.0..400.0],
             by in [-9.0..9.0_f64, -9.0..9.0, -9.0..9.0, -25.0..25.0, -40.0..40.0], L in 0.0..300.0_f64, whole in -3.0..3.0_f64,
         ) {
-            let machine = Rotary { L };
+            let machine = TiltingTable { L };
             let to: [f64; 5] = std::array::from_fn(|axis| from[axis] + by[axis]);
             let tip = |s: f64| {
                 let at: [f64; 5] = std::array::from_fn(|axis| from[axis] + by[axis] * s);

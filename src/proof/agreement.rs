@@ -10,7 +10,7 @@ use crate::finding::Raise;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
 use crate::proof::rules::NotAsPlanned;
@@ -27,7 +27,7 @@ const DECIMALS: f64 = 1e-6;
 
 /// The point of the part at which the tip stands in a pose, mm.
 #[must_use]
-pub fn tip(machine: Rotary, pose: &Pose) -> Vector3<f64> {
+pub fn tip(machine: TiltingTable, pose: &Pose) -> Vector3<f64> {
     let point = Vector3::new(pose.get(Axis::X), pose.get(Axis::Y), pose.get(Axis::Z));
     machine.to_part(&point, pose.get(Axis::B).to_radians(), pose.get(Axis::C).to_radians())
 }
@@ -36,7 +36,7 @@ pub fn tip(machine: Rotary, pose: &Pose) -> Vector3<f64> {
 #[derive(Clone, Copy, Debug)]
 enum By {
     /// All axes, and the tip over the part.
-    Tip(Rotary),
+    Tip(TiltingTable),
     /// These axes alone.
     Axes(&'static [Axis]),
 }
@@ -60,7 +60,7 @@ pub struct Agreement {
 impl Agreement {
     /// The judge of a program on a machine that turns tool and part.
     #[must_use]
-    pub fn of_the_tip(machine: Rotary, program: &Program) -> Self {
+    pub fn of_the_tip(machine: TiltingTable, program: &Program) -> Self {
         Self::new(By::Tip(machine), program.moves().count(), 0)
     }
 

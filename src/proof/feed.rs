@@ -11,7 +11,7 @@ use crate::gcode::feed_word::step;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::{Program, Role};
 use crate::machine::axis::Axis;
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::machine::tip_way::Ways;
 use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question};
@@ -86,7 +86,7 @@ pub struct Feeds {
 impl Feeds {
     /// The judge of programs on a machine with a feed at the tip, mm/min, and the greatest of an axis, mm/min and °/min.
     #[must_use]
-    pub const fn new(machine: Rotary, F: Option<f64>, F_max: Option<f64>) -> Self {
+    pub const fn new(machine: TiltingTable, F: Option<f64>, F_max: Option<f64>) -> Self {
         let nothing = Extreme::nothing();
         Self {
             ways: Ways::new(machine),
@@ -106,7 +106,7 @@ impl Feeds {
     /// rounding costs is not asked: such an F word has three decimals on every control.
     #[must_use]
     pub const fn of_three_axes(F: Option<f64>, F_max: Option<f64>) -> Self {
-        let mut feeds = Self::new(Rotary { L: 0.0 }, F, F_max);
+        let mut feeds = Self::new(TiltingTable { L: 0.0 }, F, F_max);
         feeds.rounding = false;
         feeds
     }

@@ -7,7 +7,7 @@
 //! linear.
 
 use crate::finding::Raise;
-use crate::gcode::control::Rotary;
+use crate::gcode::control::RotaryMode;
 use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
@@ -18,10 +18,10 @@ use crate::text::{Text, t};
 
 /// Reads a program back under both settings. `counting` is what the workbook says, or the control is delivered with.
 #[must_use]
-pub fn check(program: &Program, counting: Rotary) -> Check {
+pub fn check(program: &Program, counting: RotaryMode) -> Check {
     let setting = |rotary| Setting { rotary, ..program.setting() };
-    let mut linear = program.read_back_with(setting(Rotary::Linear));
-    let mut rollover = program.read_back_with(setting(Rotary::Rollover));
+    let mut linear = program.read_back_with(setting(RotaryMode::Linear));
+    let mut rollover = program.read_back_with(setting(RotaryMode::Rollover));
     let (mut motions, mut differs) = (0_usize, None);
     loop {
         match (linear.next(), rollover.next()) {
@@ -42,7 +42,7 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
 }
 
 /// The answer on a program of which so many motions are the same, and of the first that is not.
-fn answer(program: &Program, counting: Rotary, motions: usize, differs: Option<At>) -> Check {
+fn answer(program: &Program, counting: RotaryMode, motions: usize, differs: Option<At>) -> Check {
     let name = t("Ejes giratorios: para qué máquina vale", "Rotary axes: which machine it is valid for");
     let asked = Question::new("rotary", name, program).at(differs);
     let limit = Text::same(counting.name());
@@ -55,8 +55,8 @@ fn answer(program: &Program, counting: Rotary, motions: usize, differs: Option<A
     };
     let asked = asked.showing(t("solo ejes lineales", "linear axes only"), limit).seen(motions + 1);
     match counting {
-        Rotary::Linear => asked.informs(),
-        Rotary::Rollover => {
+        RotaryMode::Linear => asked.informs(),
+        RotaryMode::Rollover => {
             asked.holds(false, |place| OtherwiseOnRollover { at: at.words(), program: program.title.clone() }.at(place))
         }
     }
@@ -65,7 +65,7 @@ fn answer(program: &Program, counting: Rotary, motions: usize, differs: Option<A
 /// Asks it of the program's own text, when that has been read as the program is set.
 #[derive(Clone, Copy, Debug)]
 pub struct Rollover {
-    counting: Rotary,
+    counting: RotaryMode,
     motions: usize,
     /// It reads alike with each setting.
     alike: bool,
@@ -74,7 +74,7 @@ pub struct Rollover {
 impl Rollover {
     /// The judge of programs for axes that the workbook says there are, or the control is delivered with.
     #[must_use]
-    pub const fn new(counting: Rotary) -> Self {
+    pub const fn new(counting: RotaryMode) -> Self {
         Self { counting, motions: 0, alike: false }
     }
 }

@@ -44,8 +44,8 @@ pub(super) struct Contents<'a> {
     pub language: Language,
 }
 
-/// The JSON and the findings of making it.
-pub(super) struct Written {
+/// What the compiler sets: the JSON, with the findings of making it.
+pub(super) struct Manuscript {
     /// The text of `contents.json`.
     pub json: Vec<u8>,
     /// The earlier findings, characters without a glyph, files not attached.
@@ -54,13 +54,13 @@ pub(super) struct Written {
 
 impl Contents<'_> {
     /// Puts figures, logo and attachments into the folder and returns the JSON.
-    pub(super) fn write(&self, folder: &Path) -> Result<Written, ReportFailure> {
+    pub(super) fn write(&self, folder: &Path) -> Result<Manuscript, ReportFailure> {
         write(self, folder)
     }
 }
 
 #[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
-fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailure> {
+fn write(contents: &Contents<'_>, folder: &Path) -> Result<Manuscript, ReportFailure> {
     let &Contents { outcome, attachments, logo, language, .. } = contents;
     let mut words = Words::new(language);
     let mut findings = contents.found.clone();
@@ -128,7 +128,7 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailur
     document.verdict = Verdict { grade: key(grade), what: words.text(&what), passed };
     document.checks = checks;
     document.checks.extend(findings.iter().map(|finding| check(finding, &mut words)));
-    Ok(Written { json: serde_json::to_vec(&document)?, findings })
+    Ok(Manuscript { json: serde_json::to_vec(&document)?, findings })
 }
 
 /// What F is in the programs for the outcome's own control: a blank is turned on another.

@@ -28,7 +28,7 @@ use crate::typeset::compiler::Typst;
 use crate::typeset::failure::ReportFailure;
 use crate::typeset::{MAIN, close};
 
-use self::contents::{Contents, Written};
+use self::contents::{Contents, Manuscript};
 use self::stationery::{Stationery, Template};
 
 /// Where the bytes of an attachment are.
@@ -113,7 +113,7 @@ pub fn typeset(
 fn set(contents: &Contents<'_>, templates: &[Template], typst: &Typst) -> Result<Report, ReportFailure> {
     let folder = tempfile::Builder::new().prefix("rodete-").tempdir()?;
     templates::write(folder.path(), contents.outcome.kind, templates)?;
-    let Written { json, findings } = contents.write(folder.path())?;
+    let Manuscript { json, findings } = contents.write(folder.path())?;
     fs::write(folder.path().join("contents.json"), &json)?;
     // The sheet takes a quarter of the time of the report: side by side nobody waits for it.
     let (pdf, setup) = rayon::join(|| typst.compile(folder.path(), MAIN), || typst.compile(folder.path(), SETUP));

@@ -406,7 +406,7 @@ mod tests {
     use super::*;
     use crate::gcode::control::LINUXCNC;
     use crate::gcode::interpreter::{Interpreter, Setting};
-    use crate::machine::rotary::Rotary;
+    use crate::machine::rotary::TiltingTable;
 
     fn program(text: &str, frame: Chain, shift: [f64; 3]) -> Program {
         let mut program = Program::new(Text::same("p"), &LINUXCNC, frame, text);
@@ -489,7 +489,7 @@ mod tests {
 
     #[test]
     fn a_turn_of_the_part_bends_the_path_of_the_tip_within_the_tolerance() {
-        let machine = Rotary { L: 250.0 };
+        let machine = TiltingTable { L: 250.0 };
         let text = "G21 G90 G94 F100\nG0 X20 Y0 Z0 B0 C0\nG1 B60 C90\nM2\n";
         let program = program(text, Chain::Tilting(machine), [0.0; 3]);
         assert_eq!(program.pieces[0], 1);

@@ -42,5 +42,5 @@ pub use folder::Folder;
 pub use name::{file_name, namesake, stem};
 pub use notice::{settle, settle_on};
 pub use replaced::{copy_of, replaceable};
-pub use set::{Existing, Set, Written};
+pub use set::{Existing, Set, WrittenFile};
 pub use summed::{Sum, Summed};

@@ -32,7 +32,7 @@ pub enum Existing {
 
 /// A file that was written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Written {
+pub struct WrittenFile {
     /// The file's name.
     pub name: OsString,
     /// Its path: the folder as it was given, and the name.
@@ -46,7 +46,7 @@ pub struct Written {
 #[derive(Debug)]
 struct Pending {
     draft: Draft,
-    written: Written,
+    written: WrittenFile,
     /// Where it stands.
     home: Home,
     /// Of a workbook that is input and output at once, the SHA-256 that it had when it was read.
@@ -100,7 +100,7 @@ impl<'f> Set<'f> {
         &mut self,
         name: &OsStr,
         fill: impl FnOnce(&mut Output<'_>) -> Result<(), E>,
-    ) -> Result<&Written, Refusal> {
+    ) -> Result<&WrittenFile, Refusal> {
         self.check(name)?;
         let path = self.folder.join(name);
         let draft = Draft::new(self.folder.place(), self.folder.disk()).map_err(|error| unwritable(&path, &error))?;
@@ -109,7 +109,7 @@ impl<'f> Set<'f> {
         output.finish().map_err(|error| unwritable(&path, &error))?;
         filled.map_err(|error| fault(&path, &error))?;
         let (bytes, sha256) = draft.sum().map_err(|error| unwritable(&path, &error))?;
-        let written = Written { name: name.to_owned(), path, bytes, sha256 };
+        let written = WrittenFile { name: name.to_owned(), path, bytes, sha256 };
         self.pending.push(Pending { draft, written, home: Home::own(self.folder.place()), before: None });
         self.pending
             .last()
@@ -165,13 +165,13 @@ impl<'f> Set<'f> {
         disk.permit(draft.path(), like).map_err(wrong)?;
         let (bytes, sha256) = draft.sum().map_err(wrong)?;
         let name = path.file_name().unwrap_or_default().to_owned();
-        let written = Written { name, path: path.to_owned(), bytes, sha256 };
+        let written = WrittenFile { name, path: path.to_owned(), bytes, sha256 };
         self.pending.push(Pending { draft, written, home, before });
         Ok(())
     }
 
     /// The files written so far, in order.
-    pub fn written(&self) -> impl Iterator<Item = &Written> {
+    pub fn written(&self) -> impl Iterator<Item = &WrittenFile> {
         self.pending.iter().map(|one| &one.written)
     }
 
@@ -201,7 +201,7 @@ impl<'f> Set<'f> {
     /// # Errors
     /// Exit 5 where a file cannot be put there, or another run holds the folder's lock for long. The files that were
     /// there before are then back; where that fails too, the message names those that stand in their new version.
-    pub fn commit(mut self) -> Result<Vec<Written>, Refusal> {
+    pub fn commit(mut self) -> Result<Vec<WrittenFile>, Refusal> {
         self.check_all()?;
         self.sync()?;
         let (place, disk) = (self.folder.place(), self.folder.disk());

@@ -120,14 +120,14 @@ pub struct Column {
 
 /// What the cells of a form and of its lists hold as they stand in a workbook, whose owner may have typed `Yes` for `yes`.
 #[derive(Clone, Debug, Default)]
-pub struct Written {
+pub struct CellCopies {
     /// The inputs that have a cell, by the keys of their parameters.
     pub inputs: BTreeMap<&'static str, Copy>,
     /// The columns of the lists.
     pub columns: Vec<Column>,
 }
 
-impl Written {
+impl CellCopies {
     /// Takes the inputs that a sheet holds.
     pub(super) fn take(&mut self, keys: impl Iterator<Item = &'static str>, values: &Values, sheet: &SheetCells) {
         let held = |key| Some((key, Copy::held(sheet, address::parse(&values.cells.get(key)?.cell)?)));
@@ -319,7 +319,7 @@ pub struct Stale {
 /// or where the sheet is not rodete's. The same is what is written as it was: the banner compares cells, not meanings, and a blank
 /// more in `part` stands in the programs' comments, too.
 #[must_use]
-pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, written: &Written) -> Option<Stale> {
+pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, copies: &CellCopies) -> Option<Stale> {
     if sheet.text((0, 0)) != Some(MARK) {
         return None;
     }
@@ -330,7 +330,7 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, wr
     let differs = |parameter: &Parameter| {
         // An input whose row the form did not have was empty.
         let copy = rows.get(parameter.name).map_or(Copy::Empty, |&row| held((row, 1)));
-        match written.inputs.get(parameter.key) {
+        match copies.inputs.get(parameter.key) {
             Some(cell) => !cell.same(&copy),
             None => !Copy::of(parameter, values.values.get(parameter.key), language).same(&copy),
         }
@@ -367,7 +367,7 @@ pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values, wr
             let rows = (0..last.max(count)).zip(copies).filter(|(row, copy)| !copy.same(&held((*row, column))));
             rows.map(|(row, _)| (one.first + row, u32::from(one.column))).collect()
         };
-        let mut columns = written.columns.iter().filter(|one| one.key == *key && one.sheet == *name);
+        let mut columns = copies.columns.iter().filter(|one| one.key == *key && one.sheet == *name);
         let cells = columns.next().map(changed);
         if cells.as_ref().map_or_else(same, Vec::is_empty) {
             continue;

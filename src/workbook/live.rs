@@ -31,12 +31,12 @@ pub enum Tables {
 #[derive(Clone, Copy, Debug)]
 pub struct LiveTables<'a> {
     placed: &'a [Placed<'a>],
-    written: Written,
+    liveness: Liveness,
 }
 
-/// How the tables of a workbook are written.
+/// Whether the tables of a workbook are live, and why not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Written {
+pub enum Liveness {
     /// As formulas, with their values.
     Formulas,
     /// As values, because that was asked for.
@@ -45,8 +45,8 @@ pub enum Written {
     Long,
 }
 
-impl Written {
-    /// How these tables are written.
+impl Liveness {
+    /// Whether these tables are live.
     #[must_use]
     pub fn of<'a>(mut all: impl Iterator<Item = &'a Table>, tables: Tables) -> Self {
         match tables {
@@ -79,23 +79,23 @@ impl Written {
 }
 
 impl<'a> LiveTables<'a> {
-    /// The tables that have a sheet, and how they are written.
+    /// The tables that have a sheet, and whether they are live.
     #[must_use]
-    pub const fn new(placed: &'a [Placed<'a>], written: Written) -> Self {
-        Self { placed, written }
+    pub const fn new(placed: &'a [Placed<'a>], liveness: Liveness) -> Self {
+        Self { placed, liveness }
     }
 
     /// True where formulas are written.
     #[must_use]
     pub fn on(&self) -> bool {
-        self.written == Written::Formulas
+        self.liveness == Liveness::Formulas
     }
 
     /// What the source of a table says beside it: that values stand where formulas would.
     #[must_use]
     pub fn source(&self, table: &Table) -> Text {
         let live = table.columns.iter().any(|column| column.live.is_some());
-        let told = if live { self.written.told() } else { t("", "") };
+        let told = if live { self.liveness.told() } else { t("", "") };
         let with = |source: &str, told: &str| match (source.is_empty(), told.is_empty()) {
             (_, true) => source.to_owned(),
             (true, false) => told.to_owned(),
@@ -108,7 +108,7 @@ impl<'a> LiveTables<'a> {
     #[must_use]
     pub fn note(&self) -> Option<Text> {
         let live = self.placed.iter().any(|one| one.table.columns.iter().any(|column| column.live.is_some()));
-        (live && !self.on()).then(|| self.written.told())
+        (live && !self.on()).then(|| self.liveness.told())
     }
 
     /// How many rows of a table are prepared: those that are filled, and where they follow an input, more.

@@ -48,6 +48,7 @@ pub mod save;
 pub mod schema;
 mod shared_tables;
 mod sheet_cells;
+mod sheet_names;
 mod spoken;
 pub mod stamp;
 pub mod style;

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::guard::Written;
+use super::guard::CellCopies;
 use crate::limits::SHEET_NAME;
 
 /// The sheets of a workbook that others are put into.
@@ -17,7 +17,7 @@ pub struct Present {
     /// How the folder of the other files is called.
     pub folder: String,
     /// What the cells of the form and of its lists hold.
-    pub written: Written,
+    pub copies: CellCopies,
 }
 
 /// How the hidden name begins that leads to a sheet which was put into somebody's workbook.

@@ -20,8 +20,9 @@ use super::gate::gate;
 use super::offsets_sheet::{Column, G92, NAME, SCHEMA, SCHEMA_LABEL, SYSTEM, YES};
 use super::rules::form::*;
 use super::rules::offsets::*;
-use super::schema::{hidden, no_cells, refusal, sheet_named};
+use super::schema::{hidden, refusal};
 use super::sheet_cells::{Content, SheetCells};
+use super::sheet_names::{no_cells, sheet_named};
 use super::value::{holds, read_at};
 use super::words::fold;
 

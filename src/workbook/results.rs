@@ -11,7 +11,7 @@ use super::error::WriteError;
 use super::form_sheet::Filling;
 use super::guard::{self, Copy, Guard};
 use super::limits;
-use super::live::{self, LiveTables, Written};
+use super::live::{self, LiveTables, Liveness};
 use super::long_rows::LongRows;
 use super::names::{Made, Present, Role, SheetNames, slug};
 use super::page::{Further, Look, Page, properties};
@@ -99,9 +99,9 @@ fn write_for<W: Write + Seek + Send>(
     let first = results.take("summary", &summary_sheet::NAME);
     results.workbook.add_worksheet().set_name(&first)?;
     results.write_forms(sketch.as_ref())?;
-    let written = Written::of(outcome.tables.iter(), tables);
-    let placed = results.places(written);
-    let live = LiveTables::new(&placed, written);
+    let liveness = Liveness::of(outcome.tables.iter(), tables);
+    let placed = results.places(liveness);
+    let live = LiveTables::new(&placed, liveness);
     results.write_tables(&placed, live)?;
     results.write_programs(files)?;
     results.write_checks(live.on())?;
@@ -210,7 +210,7 @@ impl<'a> Results<'a> {
                     }
                     // One whose row the form does not have has no cell to be watched.
                     Some(present) => {
-                        let copy = present.written.inputs.get(parameter.key);
+                        let copy = present.copies.inputs.get(parameter.key);
                         copy.into_iter().for_each(|copy| self.guard.watch(parameter.name, None, copy.clone()));
                     }
                 }
@@ -224,7 +224,7 @@ impl<'a> Results<'a> {
         let guard = match present {
             None => Some(guard),
             Some(present) => {
-                present.written.columns.iter().for_each(|column| guard.watch_column(column.clone()));
+                present.copies.columns.iter().for_each(|column| guard.watch_column(column.clone()));
                 None
             }
         };
@@ -242,7 +242,7 @@ impl<'a> Results<'a> {
     }
 
     /// The sheets of the tables that have one: that of the charts stands before them.
-    fn places(&mut self, written: Written) -> Vec<Placed<'a>> {
+    fn places(&mut self, liveness: Liveness) -> Vec<Placed<'a>> {
         static CHARTS: Text = t("Gráficos de las tablas", "Charts of the tables");
         let outcome = self.outcome;
         if !outcome.charts.is_empty() {
@@ -251,7 +251,7 @@ impl<'a> Results<'a> {
         outcome
             .tables
             .iter()
-            .filter(|table| written.has(table))
+            .filter(|table| liveness.has(table))
             .map(|table| Placed { sheet: self.name(table.key, &table.name, &table.title), table })
             .collect()
     }

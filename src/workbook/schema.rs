@@ -14,25 +14,24 @@ use crate::gcode::fields::SCHEMA;
 use crate::kind::NamedFile;
 use crate::limits::{LISTED_FORMULAS, LISTED_SYMBOLS};
 use crate::number::decimal;
-use crate::parameter::list::{List, Naming};
 use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values};
 use crate::text::{Language, Text, t};
 
 use super::address::{self, Position};
 use super::book::Book;
 use super::gate::{Gated, gate};
-use super::guard::Written;
+use super::guard::CellCopies;
 use super::list_rows;
 use super::listing::{self, SheetEntry};
 use super::passed_over;
 use super::rules::form::*;
 use super::sheet_cells::{Content, SheetCells};
+use super::sheet_names::{find, first_sheet, list_sheets, no_cells};
 use super::stamp;
 use super::survey::COLUMNS;
 use super::sweep_sheet;
 use super::value::{self, expected, named};
 use super::verified::{self, Verified};
-use super::words;
 
 /// Values are looked for in the columns before this one.
 const MOVED: u32 = 26;
@@ -57,7 +56,7 @@ pub struct Filled {
     /// The files that the workbook named when its programs were verified.
     pub files: Vec<NamedFile>,
     /// What the cells of the form and of its lists hold as they stand.
-    pub written: Written,
+    pub copies: CellCopies,
     /// It has been built, so that sheets of another build may stand in it.
     pub stamped: bool,
     /// It has a sheet of variants, or one that may be.
@@ -71,77 +70,13 @@ pub struct Filled {
 /// for what exceeds [`limits`](super::limits), [`Exit::Refused`] for sheets, symbols, units and values that are wrong.
 pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     let mut book = Book::open(gate(bytes)?)?;
-    let mut findings = std::mem::take(&mut book.gated.notes);
-    let First { entry, language, sheet, version: (form, earlier) } = first(&mut book, forms)?;
-    let mut values = Values { language, ..Values::default() };
-    let mut written = Written::default();
-    let mut exit = Exit::Refused;
-    let mut first = Some(sheet);
-    let mut read = Vec::new();
-    for (index, described) in form.sheets.iter().enumerate() {
-        let found = if index == 0 {
-            Some(entry.clone())
-        } else {
-            find(&book.gated.sheets, &described.name, language, &mut findings)?
-        };
-        let led = if index == 0 { None } else { led(&book.gated, described) };
-        let Some(entry) = found.or_else(|| led.as_ref().map(|led| led.entry.clone())) else {
-            if !described.optional {
-                let sheet = described.name.get(language);
-                findings.push(SheetMissing { sheet }.at(Place::File));
-            }
-            continue;
-        };
-        let (entry, mut sheet) = match first.take() {
-            Some(sheet) => (entry, sheet),
-            None => match further(&mut book, entry, led, described) {
-                Ok(sheet) => sheet,
-                // Told together with what was found on the sheets before it.
-                Err(mut refusal) => {
-                    exit = refusal.exit;
-                    findings.append(&mut refusal.findings);
-                    continue;
-                }
-            },
-        };
-        read.push(entry.name.clone());
-        findings.extend(hidden(&entry));
-        findings.append(&mut sheet.survey.findings);
-        if exit == Exit::Refused {
-            exit = sheet.survey.exit();
-        }
-        if !sheet.survey.unsound {
-            take((form.schema, earlier), described, &sheet, &mut values, &mut findings);
-            let inputs = described.sections.iter().flat_map(|section| section.parameters);
-            written.take(inputs.clone().map(|one| one.key), &values, &sheet);
-            findings.extend(calculated(&sheet, inputs.filter_map(|one| values.cells.get(one.key))));
-        }
-    }
-    for list in form.lists {
-        for entry in list_sheets(list, &book.gated.sheets, language, &mut findings)? {
-            read.push(entry.name.clone());
-            match book.read(&entry, list_rows::COLUMNS) {
-                Ok(mut sheet) => {
-                    findings.extend(hidden(&entry));
-                    findings.append(&mut sheet.survey.findings);
-                    if exit == Exit::Refused {
-                        exit = sheet.survey.exit();
-                    }
-                    if !sheet.survey.unsound {
-                        let rows = list_rows::read(list, &sheet, &mut findings);
-                        written.columns.extend(list_rows::written(list, &sheet));
-                        let inputs = rows.iter().flat_map(|rows| &rows.rows).flat_map(|row| row.cells.values());
-                        findings.extend(calculated(&sheet, inputs));
-                        values.lists.extend(rows);
-                    }
-                }
-                Err(mut refusal) => {
-                    exit = refusal.exit;
-                    findings.append(&mut refusal.findings);
-                }
-            }
-        }
-    }
+    let notes = std::mem::take(&mut book.gated.notes);
+    let first = first(&mut book, forms)?;
+    let (language, (form, earlier)) = (first.language, first.version);
+    let mut taken = Taken::new(language, notes);
+    taken.take_form(&mut book, first)?;
+    taken.take_lists(&mut book, form)?;
+    let Taken { values, copies, mut findings, exit, read } = taken;
     findings.extend(passed_over::cautions(&mut book, form, language, &read));
     if let Some(earlier) = earlier {
         let keys =
@@ -151,15 +86,102 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
         // A value that cannot be read differs from the one that the programs were made with, too.
         if exit == Exit::Refused
-            && let Ok(verified) = verified::read(&mut book, form, &values, &written)
+            && let Ok(verified) = verified::read(&mut book, form, &values, &copies)
         {
             findings.extend(verified.stale);
         }
         return Err(refusal(exit, findings));
     }
-    let Verified { stale, astray, put_in, files } = verified::read(&mut book, form, &values, &written)?;
+    let Verified { stale, astray, put_in, files } = verified::read(&mut book, form, &values, &copies)?;
     let (stamped, varied) = (stamp::is_named(&book.gated.names), sweep_sheet::may_be(&book.gated.sheets, language));
-    Ok(Filled { form, values, findings, stale, astray, put_in, files, written, stamped, varied })
+    Ok(Filled { form, values, findings, stale, astray, put_in, files, copies, stamped, varied })
+}
+
+/// What was taken from the sheets of a form and of its lists, one after the other.
+struct Taken {
+    values: Values,
+    copies: CellCopies,
+    findings: Vec<Finding>,
+    /// What a refusal ends with.
+    exit: Exit,
+    /// The names of the sheets.
+    read: Vec<String>,
+}
+
+impl Taken {
+    fn new(language: Language, findings: Vec<Finding>) -> Self {
+        let values = Values { language, ..Values::default() };
+        Self { values, copies: CellCopies::default(), findings, exit: Exit::Refused, read: Vec::new() }
+    }
+
+    /// Takes the sheets of the form, of which the first is read.
+    fn take_form(&mut self, book: &mut Book<'_>, first: First) -> Result<(), Refusal> {
+        let First { entry, language, sheet, version: (form, earlier) } = first;
+        let mut first = Some((entry, sheet));
+        for described in form.sheets {
+            let opened = match first.take() {
+                Some(first) => Ok(first),
+                None => {
+                    let found = find(&book.gated.sheets, &described.name, language, &mut self.findings)?;
+                    let led = led(&book.gated, described);
+                    let Some(entry) = found.or_else(|| led.as_ref().map(|led| led.entry.clone())) else {
+                        if !described.optional {
+                            let sheet = described.name.get(language);
+                            self.findings.push(SheetMissing { sheet }.at(Place::File));
+                        }
+                        continue;
+                    };
+                    further(book, entry, led, described)
+                }
+            };
+            let Some((entry, sheet)) = self.opened(opened) else { continue };
+            self.read.push(entry.name.clone());
+            if let Some(sheet) = self.readable(&entry, sheet) {
+                take((form.schema, earlier), described, &sheet, &mut self.values, &mut self.findings);
+                let inputs = described.sections.iter().flat_map(|section| section.parameters);
+                self.copies.take(inputs.clone().map(|one| one.key), &self.values, &sheet);
+                self.findings.extend(calculated(&sheet, inputs.filter_map(|one| self.values.cells.get(one.key))));
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes the sheets of the form's lists.
+    fn take_lists(&mut self, book: &mut Book<'_>, form: &'static Form) -> Result<(), Refusal> {
+        for list in form.lists {
+            for entry in list_sheets(list, &book.gated.sheets, self.values.language, &mut self.findings)? {
+                self.read.push(entry.name.clone());
+                let opened = book.read(&entry, list_rows::COLUMNS);
+                if let Some(sheet) = self.opened(opened).and_then(|sheet| self.readable(&entry, sheet)) {
+                    let rows = list_rows::read(list, &sheet, &mut self.findings);
+                    self.copies.columns.extend(list_rows::written(list, &sheet));
+                    let inputs = rows.iter().flat_map(|rows| &rows.rows).flat_map(|row| row.cells.values());
+                    self.findings.extend(calculated(&sheet, inputs));
+                    self.values.lists.extend(rows);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A sheet that could be opened. Why another could not is told together with what was found on the sheets before it.
+    fn opened<Sheet>(&mut self, opened: Result<Sheet, Refusal>) -> Option<Sheet> {
+        let told = |mut refusal: Refusal| {
+            self.exit = refusal.exit;
+            self.findings.append(&mut refusal.findings);
+        };
+        opened.map_err(told).ok()
+    }
+
+    /// A sheet whose cells can be read; keeps what there is to tell of it, in either case.
+    fn readable(&mut self, entry: &SheetEntry, mut sheet: SheetCells) -> Option<SheetCells> {
+        self.findings.extend(hidden(entry));
+        self.findings.append(&mut sheet.survey.findings);
+        if self.exit == Exit::Refused {
+            self.exit = sheet.survey.exit();
+        }
+        (!sheet.survey.unsound).then_some(sheet)
+    }
 }
 
 /// The sheet that a form begins with, read.
@@ -270,11 +292,6 @@ pub(super) fn refusal(exit: Exit, mut findings: Vec<Finding>) -> Refusal {
     Refusal { exit, findings }
 }
 
-pub(super) fn no_cells(entry: &SheetEntry) -> Refusal {
-    let sheet = excerpt(&entry.name, SHOWN);
-    SheetWithoutCells { sheet }.refused(Exit::Refused, Place::Sheet(entry.name.clone()))
-}
-
 /// A note on a sheet that is read although it is not shown.
 pub(super) fn hidden(entry: &SheetEntry) -> Option<Finding> {
     let sheet = excerpt(&entry.name, SHOWN);
@@ -295,146 +312,6 @@ pub(super) fn calculated<'a>(sheet: &SheetCells, inputs: impl Iterator<Item = &'
         t("", "")
     };
     (count > 0).then(|| FormulasRead { count, first }.at(Place::Cells(cells)))
-}
-
-/// The sheet that a form begins with, and its language.
-fn first_sheet(
-    sheets: &[SheetEntry],
-    forms: &[&'static Form],
-    is_form: impl FnMut(&SheetEntry) -> bool,
-) -> Result<(SheetEntry, Language), Refusal> {
-    let mut names: Vec<(&str, Language)> = Vec::new();
-    for sheet in forms.iter().filter_map(|form| form.sheets.first()) {
-        for language in Language::ALL {
-            let name = sheet.name.get(language);
-            if names.iter().all(|known| known.0 != name) {
-                names.push((name, language));
-            }
-        }
-    }
-    sheet_named(sheets, &names, is_form, |wanted, there| SheetNotFound { wanted, there }.at(Place::File))
-}
-
-/// The one sheet that bears one of the names, and the language of that name; `is_it` judges one whose name is alike; `otherwise` tells
-/// that there is no such sheet and none alike, from the names and from those that are there.
-///
-/// # Errors
-/// [`Exit::Refused`] where there is none, or more than one that a person would take for it.
-pub(super) fn sheet_named(
-    sheets: &[SheetEntry],
-    names: &[(&str, Language)],
-    mut is_it: impl FnMut(&SheetEntry) -> bool,
-    otherwise: impl FnOnce(Text, String) -> Finding,
-) -> Result<(SheetEntry, Language), Refusal> {
-    let found: Vec<_> = sheets
-        .iter()
-        .filter_map(|entry| names.iter().find(|name| name.0 == entry.name).map(|name| (entry, name.1)))
-        .collect();
-    let alike: Vec<_> =
-        sheets.iter().filter(|entry| names.iter().any(|name| same_but_for_case(name.0, &entry.name))).collect();
-    let wanted = |or: &str| names.iter().map(|name| format!("\"{}\"", name.0)).collect::<Vec<_>>().join(or);
-    match found.as_slice() {
-        [] => {
-            let (wanted, there) = (Text::new(wanted(" o "), wanted(" or ")), list(sheets));
-            let finding = match alike.iter().find(|entry| is_it(entry)) {
-                Some(entry) => {
-                    let name = excerpt(&entry.name, SHOWN);
-                    let right =
-                        names.iter().find(|name| same_but_for_case(name.0, &entry.name)).map_or("", |name| name.0);
-                    SheetMisnamed { wanted, there, name, right: right.to_owned() }.at(Place::File)
-                }
-                None => otherwise(wanted, there),
-            };
-            Err(Refusal::new(Exit::Refused, finding))
-        }
-        [(entry, language)] if alike.len() == 1 => {
-            if entry.kind == listing::SheetKind::Cells {
-                Ok(((*entry).clone(), *language))
-            } else {
-                Err(no_cells(entry))
-            }
-        }
-        _ => Err(ambiguous(&alike)),
-    }
-}
-
-/// A further sheet of a form, in either language.
-pub(super) fn find(
-    sheets: &[SheetEntry],
-    name: &'static Text,
-    language: Language,
-    findings: &mut Vec<Finding>,
-) -> Result<Option<SheetEntry>, Refusal> {
-    let names = Language::ALL.map(|language| name.get(language));
-    let mut alike: Vec<_> =
-        sheets.iter().filter(|entry| names.iter().any(|name| same_but_for_case(name, &entry.name))).collect();
-    if alike.iter().any(|entry| names.contains(&entry.name.as_str())) {
-        // Beside the sheet itself, one whose name has an accent more is another: the table `Calibración` of results.
-        let plain = |name: &str| name.trim().to_lowercase();
-        alike.retain(|entry| names.iter().any(|name| plain(name) == plain(&entry.name)));
-    }
-    let [entry] = alike.as_slice() else {
-        return if alike.is_empty() { Ok(None) } else { Err(ambiguous(&alike)) };
-    };
-    if entry.kind != listing::SheetKind::Cells {
-        return Err(no_cells(entry));
-    }
-    if names.contains(&entry.name.as_str()) {
-        return Ok(Some((*entry).clone()));
-    }
-    // The name that it has in a workbook of this language, whatever the language of the message.
-    let (right, name) = (name.get(language), excerpt(&entry.name, SHOWN));
-    findings.push(SheetNotRead { name, right }.at(Place::Sheet(entry.name.clone())));
-    Ok(None)
-}
-
-/// The sheets of a list, in the order of the workbook.
-fn list_sheets(
-    list: &'static List,
-    sheets: &[SheetEntry],
-    language: Language,
-    findings: &mut Vec<Finding>,
-) -> Result<Vec<SheetEntry>, Refusal> {
-    match &list.naming {
-        Naming::One(name) => {
-            let found = find(sheets, name, language, findings)?;
-            if found.is_none() && !list.optional {
-                findings.push(SheetMissing { sheet: name.get(language) }.at(Place::File));
-            }
-            Ok(found.into_iter().collect())
-        }
-        Naming::Numbered(_) => Ok(sheets
-            .iter()
-            .filter(|entry| entry.kind == listing::SheetKind::Cells && is_numbered(&entry.name))
-            .cloned()
-            .collect()),
-    }
-}
-
-/// True for `O` and one to four digits.
-fn is_numbered(name: &str) -> bool {
-    let digits = name.trim().strip_prefix(['O', 'o']).unwrap_or_default();
-    (1..=4).contains(&digits.len()) && digits.bytes().all(|byte| byte.is_ascii_digit())
-}
-
-fn ambiguous(alike: &[&SheetEntry]) -> Refusal {
-    let names = alike.iter().map(|entry| format!("\"{}\"", excerpt(&entry.name, SHOWN))).collect::<Vec<_>>().join(", ");
-    SheetAmbiguous { names }.refused(Exit::Refused, Place::File)
-}
-
-/// The names of the sheets, ten of them at most.
-fn list(sheets: &[SheetEntry]) -> String {
-    let mut names: Vec<_> =
-        sheets.iter().take(10).map(|entry| format!("\"{}\"", excerpt(&entry.name, SHOWN))).collect();
-    if sheets.len() > 10 {
-        names.push("…".to_owned());
-    }
-    names.join(", ")
-}
-
-/// True for names that a person takes for one: alike but for capitals, accents and blanks around.
-fn same_but_for_case(one: &str, other: &str) -> bool {
-    words::fold(one) == words::fold(other)
 }
 
 /// A form, and its earlier version where the workbook follows that.

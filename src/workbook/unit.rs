@@ -2,7 +2,7 @@
 
 use crate::number::decimal;
 use crate::table::Unit;
-use crate::text::{Text, t};
+use crate::text::{Text, one_of, t};
 
 /// True where a unit cell says this unit, in one of its usual spellings. An empty one says only that there is none.
 #[must_use]
@@ -116,8 +116,7 @@ pub fn meant(value: f64, unit: Unit, min: f64, max: f64) -> Option<Text> {
         })
         .take(2)
         .collect();
-    let join = |pick: fn(&Text) -> &str, or: &str| guesses.iter().map(pick).collect::<Vec<_>>().join(or);
-    (!guesses.is_empty()).then(|| Text::new(join(|text| &text.es, " o "), join(|text| &text.en, " or ")))
+    (!guesses.is_empty()).then(|| one_of(guesses))
 }
 
 /// What an angle in degrees is when it was typed in radians, where that is the likelier reading.

@@ -8,7 +8,7 @@ use super::value::DATE;
 use super::words::fold;
 use crate::kind::live_form::says;
 use crate::parameter::{Choice, FieldKind, Parameter};
-use crate::text::{Language, Text, t};
+use crate::text::{Language, Text, one_of, t};
 
 /// Excel's limits for titles and messages, in UTF-16 units.
 const TITLE: usize = 32;
@@ -25,16 +25,7 @@ pub fn range(parameter: &Parameter) -> Text {
         FieldKind::Whole { min, max } => {
             Text::new(format!("entero de {min} a {max}"), format!("whole number, {min} to {max}"))
         }
-        FieldKind::Choice(choices) => {
-            let join = |language: Language, or: &str| {
-                let labels: Vec<&str> = choices.iter().map(|choice| choice.label.get(language)).collect();
-                match labels.split_last() {
-                    Some((last, rest)) if !rest.is_empty() => format!("{} {or} {last}", rest.join(", ")),
-                    _ => labels.concat(),
-                }
-            };
-            Text::new(join(Language::Es, "o"), join(Language::En, "or"))
-        }
+        FieldKind::Choice(choices) => one_of(choices.iter().map(|choice| choice.label.clone())),
         FieldKind::Line { max } => Text::new(format!("hasta {max} caracteres"), format!("up to {max} characters")),
         FieldKind::Date => t("una fecha, como 2026-11-23", "a date, such as 2026-11-23"),
         FieldKind::Codes => t(

@@ -9,7 +9,7 @@ use crate::parameter::{Form, Parameter, Values};
 
 use super::address::{self, Position};
 use super::book::Book;
-use super::guard::{self, Written};
+use super::guard::{self, CellCopies};
 use super::listing::SheetEntry;
 use super::names::MARK;
 use super::rules::form::{InputsChanged, NamesAstray};
@@ -39,7 +39,7 @@ pub(super) fn read(
     book: &mut Book<'_>,
     form: &'static Form,
     values: &Values,
-    written: &Written,
+    copies: &CellCopies,
 ) -> Result<Verified, Refusal> {
     // The sheet that the workbook's own names lead to, whatever it is called now; a copy of it is none.
     let own = book.gated.names.get(stamp::STALE).and_then(|formula| address::cell(formula));
@@ -52,7 +52,7 @@ pub(super) fn read(
     let mut verified = Verified { put_in, ..Verified::default() };
     for entry in sheets {
         let sheet = book.read(&entry, guard::COLUMNS)?;
-        let stale = guard::stale(&sheet, form, values, written).map(|stale| values.locate(changed(stale, put_in)));
+        let stale = guard::stale(&sheet, form, values, copies).map(|stale| values.locate(changed(stale, put_in)));
         verified.stale = stale.or(verified.stale);
         let astray = astray(&guard::astray(&sheet, form, values, &book.gated.names));
         verified.astray = astray.map(|astray| values.locate(astray)).or(verified.astray);

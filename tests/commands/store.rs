@@ -12,7 +12,7 @@ mod killed;
 mod replaced;
 
 use rodete::finding::{Exit, Refusal};
-use rodete::store::{Existing, Folder, Set, Written, namesake, sha256};
+use rodete::store::{Existing, Folder, Set, WrittenFile, namesake, sha256};
 use tempfile::TempDir;
 
 fn folder() -> TempDir {
@@ -23,7 +23,7 @@ fn set<'f>(folder: &'f Folder) -> Set<'f> {
     Set::new(folder, &[], Existing::Replace)
 }
 
-fn write(set: &mut Set<'_>, name: &str, contents: &str) -> Result<Written, Refusal> {
+fn write(set: &mut Set<'_>, name: &str, contents: &str) -> Result<WrittenFile, Refusal> {
     set.write(OsStr::new(name), |out| out.write_all(contents.as_bytes())).cloned()
 }
 

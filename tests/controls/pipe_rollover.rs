@@ -3,7 +3,7 @@
 use crate::common;
 
 use rodete::finding::Grade;
-use rodete::gcode::control::Rotary;
+use rodete::gcode::control::RotaryMode;
 use rodete::gcode::interpreter::Setting;
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::{Part, Program};
@@ -58,7 +58,7 @@ fn outcome(kind: &str, dialect: &'static str, changes: &[Change]) -> Outcome {
     outcome
 }
 
-fn motions(program: &Program, rotary: Rotary) -> Vec<Motion> {
+fn motions(program: &Program, rotary: RotaryMode) -> Vec<Motion> {
     let setting = Setting { rotary, ..program.setting() };
     program.read_back_with(setting).collect::<Result<_, _>>().expect("it is read")
 }
@@ -79,7 +79,7 @@ fn on_a_fagor_8055_both_kinds_of_rotary_axes_make_the_motions_of_the_plan() {
         for joint in joints() {
             let made = outcome(kind, "fagor-8055", &joint);
             let program = &made.programs[0];
-            let [rollover, linear] = [Rotary::Rollover, Rotary::Linear].map(|rotary| motions(program, rotary));
+            let [rollover, linear] = [RotaryMode::Rollover, RotaryMode::Linear].map(|rotary| motions(program, rotary));
             assert_eq!(rollover.len(), linear.len(), "{kind} {joint:?}");
             for (one, other) in rollover.iter().zip(&linear) {
                 assert_eq!((one.line, one.from, one.to), (other.line, other.from, other.to), "{kind} {joint:?}");
@@ -89,7 +89,7 @@ fn on_a_fagor_8055_both_kinds_of_rotary_axes_make_the_motions_of_the_plan() {
             }
             // The plan of the dialect whose axes are linear: the feeds do not bear on it here.
             let theirs = outcome(kind, "fagor-8070", &joint);
-            let [ours, theirs] = [cuts(&rollover), cuts(&motions(&theirs.programs[0], Rotary::Linear))];
+            let [ours, theirs] = [cuts(&rollover), cuts(&motions(&theirs.programs[0], RotaryMode::Linear))];
             assert!(ours.len() > 20 && ours.len() == theirs.len(), "{kind} {joint:?}");
             for (ours, theirs) in ours.iter().zip(&theirs) {
                 assert!(ours.iter().zip(theirs).all(|(one, other)| (one - other).abs() < 1e-6), "{ours:?} {theirs:?}");
@@ -162,13 +162,13 @@ fn header_notes_and_checks_say_which_rotary_axes_a_program_is_true_for() {
 fn an_absolute_program_is_stopped_where_the_axes_may_be_rollover() {
     for kind in KINDS {
         let absolute = outcome(kind, "fagor-8070", &[]).programs.remove(0).program;
-        let check = rollover::check(&absolute, Rotary::Rollover);
+        let check = rollover::check(&absolute, RotaryMode::Rollover);
         assert_eq!(check.grade(), Some(Grade::Stop), "{kind}");
         let mut words = outcome(kind, "fagor-8055", &[]).programs.remove(0).program;
-        assert_eq!(rollover::check(&words, Rotary::Rollover).grade(), None, "{kind}");
+        assert_eq!(rollover::check(&words, RotaryMode::Rollover).grade(), None, "{kind}");
         let incremental = [Word::whole('G', 91)];
         words.parts.retain(|part| !matches!(part, Part::Block(words) if *words == incremental));
-        assert_eq!(rollover::check(&words, Rotary::Rollover).grade(), Some(Grade::Stop), "{kind}");
+        assert_eq!(rollover::check(&words, RotaryMode::Rollover).grade(), Some(Grade::Stop), "{kind}");
     }
 }
 

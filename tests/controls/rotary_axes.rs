@@ -5,7 +5,7 @@ use crate::common;
 
 use common::{absolute, outcome, parameters, program, read_back};
 use rodete::finding::{Finding, Grade, Place};
-use rodete::gcode::control::Rotary;
+use rodete::gcode::control::RotaryMode;
 use rodete::gcode::interpreter::Setting;
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::Program;
@@ -22,7 +22,7 @@ fn milled<'a>(outcome: &'a Outcome, key: &str) -> &'a Program {
     outcome.programs.iter().find(|program| program.key == key).expect("the program")
 }
 
-fn motions(program: &Program, rotary: Rotary) -> Vec<Motion> {
+fn motions(program: &Program, rotary: RotaryMode) -> Vec<Motion> {
     let setting = Setting { rotary, ..program.setting() };
     program.read_back_with(setting).collect::<Result<_, _>>().expect("it is read")
 }
@@ -50,7 +50,7 @@ fn the_usual_programs_make_the_same_motions_on_rollover_and_on_linear_axes() {
     let outcome = outcome("full", &[]);
     for key in MILLED {
         let program = milled(&outcome, key);
-        let [rollover, linear] = [Rotary::Rollover, Rotary::Linear].map(|rotary| motions(program, rotary));
+        let [rollover, linear] = [RotaryMode::Rollover, RotaryMode::Linear].map(|rotary| motions(program, rotary));
         assert_eq!(rollover.len(), linear.len(), "{key}");
         for (one, other) in rollover.iter().zip(&linear) {
             assert_eq!((one.line, one.from, one.to), (other.line, other.from, other.to), "{key}");
@@ -140,9 +140,9 @@ fn positions_are_written_where_the_axes_are_linear_and_it_is_told() {
     assert!(told[0].1.starts_with("the programs are right only if B and C count as linear axes"), "{told:?}");
     let blade = milled(&outcome, "blade");
     assert!(blade.text().contains("VALID ONLY IF B AND C ARE NOT ROLLOVER AXES"));
-    assert_eq!(rollover::check(blade, Rotary::Linear).grade(), Some(Grade::Note));
+    assert_eq!(rollover::check(blade, RotaryMode::Linear).grade(), Some(Grade::Note));
     // The same program is none for an axis that is rollover.
-    let check = rollover::check(blade, Rotary::Rollover);
+    let check = rollover::check(blade, RotaryMode::Rollover);
     assert_eq!(check.grade(), Some(Grade::Stop));
     assert!(check.finding().expect("a finding").what.en.contains("turns differently on rollover axes"));
 }
@@ -156,7 +156,7 @@ fn every_program_says_which_rotary_axes_it_is_true_for() {
     ] {
         let outcome = outcome(case, &[("dialect", Value::Choice(dialect))]);
         for key in MILLED {
-            let check = rollover::check(milled(&outcome, key), Rotary::Rollover);
+            let check = rollover::check(milled(&outcome, key), RotaryMode::Rollover);
             assert_eq!(check.grade(), None, "{case} {dialect} {key}");
             assert!(check.value().en.starts_with(says), "{case} {dialect} {key}: {}", check.value().en);
         }
@@ -164,7 +164,7 @@ fn every_program_says_which_rotary_axes_it_is_true_for() {
         assert!(format!("{:?}", table.columns).contains(says), "{case}");
     }
     let linear = outcome("full", &absolute(&[("dialect", Value::Choice("linuxcnc"))]));
-    assert_eq!(rollover::check(milled(&linear, "blade"), Rotary::Linear).value().en, "linear axes only");
+    assert_eq!(rollover::check(milled(&linear, "blade"), RotaryMode::Linear).value().en, "linear axes only");
 }
 
 #[test]

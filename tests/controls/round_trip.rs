@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use rodete::gcode::code::{Cycle, G};
-use rodete::gcode::control::{ALL, Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC, Rotary, Writing, Written};
+use rodete::gcode::control::{ALL, Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC, Post, RotaryMode, Writing};
 use rodete::gcode::feed_word::FeedWord;
 use rodete::gcode::in_force::{Compensation, InForce, Speed, Spindle};
 use rodete::gcode::interpreter::{Interpreter, Setting, ToolOffset};
@@ -83,9 +83,9 @@ struct Text {
     tool: Option<(u32, u32)>,
 }
 
-fn write(written: Written, plan: &[Step], distance: Distance) -> Text {
-    let control = written.control;
-    let mut writer = Writer::new(written, Vec::new());
+fn write(post: Post, plan: &[Step], distance: Distance) -> Text {
+    let control = post.control;
+    let mut writer = Writer::new(post, Vec::new());
     let (mut made, mut tool) = (Vec::new(), None);
     writer.safety();
     let mut at = [0; 4];
@@ -134,7 +134,7 @@ fn write(written: Written, plan: &[Step], distance: Distance) -> Text {
                 made.push(Made::Dwell(seconds, if unit == 1.0 { 0.0005 } else { unit / 2.0 } + 1e-9));
             }
             Step::Hold(on) => {
-                if let Some(words) = written.writing.height.words(on) {
+                if let Some(words) = post.writing.height.words(on) {
                     writer.block(words);
                 }
             }
@@ -158,15 +158,15 @@ fn near(one: f64, other: f64) -> bool {
 ///
 /// # Errors
 /// Where the control reads something else than was written.
-fn reads_back(written: Written, plan: &[Step], distance: Distance, spoilt: (G, &str)) -> Result<(), String> {
-    let control = written.control;
-    let Text { text, made, tool } = write(written, plan, distance);
+fn reads_back(post: Post, plan: &[Step], distance: Distance, spoilt: (G, &str)) -> Result<(), String> {
+    let control = post.control;
+    let Text { text, made, tool } = write(post, plan, distance);
     let before = spoils(control, spoilt).map(|block| block + control.text.end_of_line).unwrap_or_default();
     let text = before.clone() + &text;
     let left = if before.is_empty() { "nothing" } else { before.trim_end() };
     let wrong = |what: String| Err(format!("{} after {left}: {what}\n{text}", control.name));
     // Absolute words of a counting plan are true where the axes count.
-    let rotary = if distance == Distance::Incremental { control.rotary.delivered } else { Rotary::Linear };
+    let rotary = if distance == Distance::Incremental { control.rotary.delivered } else { RotaryMode::Linear };
     let tools = (1..=99).map(|T| (T, ToolOffset { diameter: 4.0, ..ToolOffset::default() }));
     let setting = Setting { rotary, tools: Some(tools.collect()), ..Setting::new(control) };
     let mut interpreter = Interpreter::over(text.as_bytes(), setting);
@@ -223,7 +223,7 @@ fn a_safety_block_that_lacks_a_code_does_not_read_back() {
         (&FAGOR_8070, &[("G70", 71), ("G91", 90), ("G55", 54), ("G18", 17), ("G95", 94), ("G93", 94)]),
         (&FAGOR_8055_T, &[("G70", 71), ("G91", 90)]),
     ] {
-        let whole = Written::of(control).expect("rodete writes for it");
+        let whole = Post::of(control).expect("rodete writes for it");
         for &(left, code) in wanted {
             let spoilt = SPOILT
                 .into_iter()
@@ -233,7 +233,7 @@ fn a_safety_block_that_lacks_a_code_does_not_read_back() {
             let safety: Vec<_> = whole.writing.safety.iter().copied().filter(|word| *word != ('G', code)).collect();
             assert!(safety.len() < whole.writing.safety.len(), "{}: no G{code} in the safety block", control.name);
             let lacking: &Writing = Box::leak(Box::new(Writing { safety: safety.leak(), ..*whole.writing }));
-            let read = reads_back(Written { control, writing: lacking }, &plan, Distance::Absolute, spoilt);
+            let read = reads_back(Post { control, writing: lacking }, &plan, Distance::Absolute, spoilt);
             assert!(read.is_err(), "{}: {left} stays in force without G{code}, and nothing is told", control.name);
         }
     }
@@ -251,9 +251,9 @@ proptest! {
         let distance = if incremental { Distance::Incremental } else { Distance::Absolute };
         let mut controls = 0;
         for control in ALL {
-            let Some(written) = Written::of(control) else { continue };
+            let Some(post) = Post::of(control) else { continue };
             controls += 1;
-            if let Err(why) = reads_back(written, &plan, distance, spoilt) {
+            if let Err(why) = reads_back(post, &plan, distance, spoilt) {
                 return Err(TestCaseError::fail(why));
             }
         }

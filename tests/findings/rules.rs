@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use rodete::cli::rows;
 use rodete::finding::{Datum, Example, Finding, Grade, Place, Rule};
 use rodete::gcode::control::guess::tools_headed;
-use rodete::gcode::control::{Control, Rotary};
+use rodete::gcode::control::{Control, RotaryMode};
 use rodete::gcode::interpreter::{self, DecimalPoint, Files, HolePlane, Interpreter, Setting, tool_table};
 use rodete::gcode::rules::flow::FollowingErrors;
 use rodete::gcode::rules::lexis::MoreRefusals;
@@ -55,7 +55,7 @@ fn setting(control: &str, given: &[(&'static str, &'static str)]) -> Setting {
             }
             "--rotary" => {
                 assert!(["linear", "rollover"].contains(value), "{value}");
-                setting.rotary = if *value == "linear" { Rotary::Linear } else { Rotary::Rollover };
+                setting.rotary = if *value == "linear" { RotaryMode::Linear } else { RotaryMode::Rollover };
             }
             file => {
                 assert!(!file.starts_with('-'), "{file}");

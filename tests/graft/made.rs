@@ -88,7 +88,7 @@ impl Results {
     pub fn of(bytes: &[u8]) -> Self {
         let filled = read(bytes);
         let mut present: Present = host(bytes).present();
-        present.written = filled.written.clone();
+        present.copies = filled.copies.clone();
         let inputs = filled.form.parameters().filter_map(|(_, one)| {
             let cell = filled.values.cells.get(one.key)?;
             let digits = cell.cell.find(|one: char| one.is_ascii_digit())?;

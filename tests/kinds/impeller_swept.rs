@@ -10,7 +10,7 @@ use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::clear::tool::Tool;
 use rodete::kinds::impeller::clearance::Stand;
 use rodete::kinds::impeller::part::Part;
-use rodete::machine::rotary::Rotary;
+use rodete::machine::rotary::TiltingTable;
 use rodete::number::trig::{atan2, cos, sin};
 
 pub type Point = [f64; 3];
@@ -49,7 +49,7 @@ pub struct Design {
 impl Design {
     pub fn job(&self) -> Job {
         let part = Part::with(Torus { R: self.R, r: self.r }, self.e, self.a_p);
-        Job { part, N: self.N, machine: Rotary { L } }
+        Job { part, N: self.N, machine: TiltingTable { L } }
     }
 
     pub fn pitch(&self) -> f64 {

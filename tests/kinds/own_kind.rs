@@ -2,7 +2,7 @@
 
 use rodete::cli::codes;
 use rodete::finding::{Exit, Finding, Refusal, Rule};
-use rodete::gcode::control::{Control, FAGOR_8070, Written};
+use rodete::gcode::control::{Control, FAGOR_8070, Post};
 use rodete::gcode::feed_word::FeedWord;
 use rodete::gcode::fields::{DIALECT, PART, SCHEMA};
 use rodete::gcode::header::Origin;
@@ -11,7 +11,7 @@ use rodete::gcode::program::Program;
 use rodete::gcode::rules::modes::{CutsBeforeSpindle, SpindleStopped};
 use rodete::gcode::word::Word;
 use rodete::gcode::writer::Writer;
-use rodete::kind::method::{Method, Of, Written as Handed};
+use rodete::kind::method::{Method, Of, Unproved};
 use rodete::kind::{Chapters, Kind as _, Outcome, Proved, Provenance, Wants};
 use rodete::kinds::KINDS;
 use rodete::number::grid::Milli;
@@ -126,7 +126,7 @@ fn table(columns: Vec<Column>) -> Table {
 }
 
 impl<const SLIP: u8> Method for Slot<SLIP> {
-    type Design = Written;
+    type Design = Post;
     type Model = ();
     type Memo = ();
 
@@ -143,19 +143,19 @@ impl<const SLIP: u8> Method for Slot<SLIP> {
         if SLIP == slip::STILL_AND_ANSWERED { &[CutsBeforeSpindle::RULE, SpindleStopped::RULE] } else { &[] };
     const PROVED: Text = t("Leída del programa", "Read back from the program");
 
-    fn design(fields: &Fields) -> Result<Written, Vec<Finding>> {
+    fn design(fields: &Fields) -> Result<Post, Vec<Finding>> {
         Ok(fields.get(&DIALECT))
     }
 
-    fn control(written: &Written) -> &'static Control {
-        if SLIP == slip::OTHER_CONTROL { &FAGOR_8070 } else { written.control }
+    fn control(post: &Post) -> &'static Control {
+        if SLIP == slip::OTHER_CONTROL { &FAGOR_8070 } else { post.control }
     }
 
-    fn model(_: &Written) -> Result<(), Vec<Finding>> {
+    fn model(_: &Post) -> Result<(), Vec<Finding>> {
         Ok(())
     }
 
-    fn tables(_: &Written, (): &()) -> Vec<Table> {
+    fn tables(_: &Post, (): &()) -> Vec<Table> {
         let column = |symbol, short: bool| {
             let values = [1.0, 2.0, 3.0];
             Column::numbers(symbol, Unit::Millimetre, Law::None, &values[usize::from(short)..])
@@ -163,14 +163,14 @@ impl<const SLIP: u8> Method for Slot<SLIP> {
         vec![table(vec![column("z", SLIP == slip::FIRST_COLUMN), column("x", SLIP == slip::OTHER_COLUMN)])]
     }
 
-    fn lines(_: &Written, (): &(), _: &[Program]) -> Vec<Table> {
+    fn lines(_: &Post, (): &(), _: &[Program]) -> Vec<Table> {
         let column = |values: &[f64]| Column::numbers("n", Unit::One, Law::None, values);
         if SLIP == slip::LINE_COLUMN { vec![table(vec![column(&[1.0]), column(&[1.0, 2.0])])] } else { Vec::new() }
     }
 
-    fn programs(written: &Written, (): &(), _: &Origin<'_>) -> Result<Handed, Vec<Finding>> {
+    fn programs(post: &Post, (): &(), _: &Origin<'_>) -> Result<Unproved, Vec<Finding>> {
         let size = |letter, value: f64| Word::size(letter, Milli::round(value).unwrap());
-        let mut writer = Writer::new(*written, Vec::new()).along_the_path();
+        let mut writer = Writer::new(*post, Vec::new()).along_the_path();
         let F = FeedWord::lasting(writer.law(), 6.0, 10.0).unwrap();
         let still = [slip::STILL, slip::STILL_AND_ANSWERED].contains(&SLIP);
         let turn = [Word::whole('S', 900), Word::whole('M', 3)];
@@ -193,24 +193,24 @@ impl<const SLIP: u8> Method for Slot<SLIP> {
             slip::TWICE => vec![program.clone(), program],
             _ => vec![program],
         };
-        Ok(Handed { programs, findings: Vec::new() })
+        Ok(Unproved { programs, findings: Vec::new() })
     }
 
-    fn memo(_: &Written, (): &(), _: Wants) {}
+    fn memo(_: &Post, (): &(), _: Wants) {}
 
-    fn fewer(_: &Written, _: &Program) -> Text {
+    fn fewer(_: &Post, _: &Program) -> Text {
         t("menos", "fewer")
     }
 
-    fn judges<'a>(_: &'a Written, (): &(), (): &mut (), _: &Program) -> Vec<Box<dyn Judge + 'a>> {
+    fn judges<'a>(_: &'a Post, (): &(), (): &mut (), _: &Program) -> Vec<Box<dyn Judge + 'a>> {
         vec![Box::new(Cuts(0))]
     }
 
-    fn due(_: &Written, _: &Program) -> &'static [&'static str] {
+    fn due(_: &Post, _: &Program) -> &'static [&'static str] {
         if SLIP == slip::NOTHING_DUE { &[] } else { &["cuts"] }
     }
 
-    fn quantities(_: &Written, (): &(), _: &[Proved]) -> Vec<Quantity> {
+    fn quantities(_: &Post, (): &(), _: &[Proved]) -> Vec<Quantity> {
         let value = if SLIP == slip::QUANTITY { f64::NAN } else { 3.0 };
         let (meaning, source) = (t("Pasadas", "Passes"), t("dadas", "given"));
         vec![Quantity { symbol: "n", meaning, value, unit: Unit::Count, source, cell: None }]

@@ -14,7 +14,7 @@ use rodete::kinds::impeller::blade::Blade;
 use rodete::kinds::impeller::blade_count::{N_max, e_max};
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::machine::axis::Axis;
-use rodete::machine::rotary::Rotary;
+use rodete::machine::rotary::TiltingTable;
 use rodete::number::trig::{asin, atan2, hypot};
 use rodete::parameter::{FieldKind, Value};
 
@@ -34,8 +34,8 @@ prop_compose! {
 }
 
 prop_compose! {
-    fn blade()(torus in torus(), n in 2_usize..200, eps_v in 0.0..0.5_f64, spare in 1.0..500.0_f64) -> (Blade, Rotary) {
-        let machine = Rotary { L: torus.R + spare };
+    fn blade()(torus in torus(), n in 2_usize..200, eps_v in 0.0..0.5_f64, spare in 1.0..500.0_f64) -> (Blade, TiltingTable) {
+        let machine = TiltingTable { L: torus.R + spare };
         (Blade::new(torus, n, eps_v, machine), machine)
     }
 }
@@ -77,7 +77,7 @@ proptest! {
     fn tangent_and_binormal_are_constant_in_machine_axes((blade, _) in blade()) {
         let Torus { R, r } = blade.circle.torus;
         for i in 0..blade.points() {
-            let turned = |a: &Vector3<f64>| Rotary::direction_to_machine(a, blade.B[i], blade.C[i]);
+            let turned = |a: &Vector3<f64>| TiltingTable::direction_to_machine(a, blade.B[i], blade.C[i]);
             prop_assert!((turned(&blade.t[i]) - blade.t_machine).norm() < 1e-12);
             prop_assert!((turned(&blade.b[i]) - blade.b_machine).norm() < 1e-12);
             prop_assert!((turned(&blade.N[i]) - Vector3::new(0.0, 0.0, 1.0)).norm() < 1e-12);

@@ -10,7 +10,7 @@ use rodete::kinds::impeller::blade::Blade;
 use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::splitter::Splitter;
 use rodete::machine::calibration::{Slots, nearest};
-use rodete::machine::rotary::Rotary;
+use rodete::machine::rotary::TiltingTable;
 use rodete::number::trig::{acos, atan, sin_cos};
 
 fn published() -> (Design, Blade) {
@@ -73,7 +73,7 @@ fn equation_7_arctangent_of_c() {
 #[test]
 fn equations_8_to_12_sense_of_c() {
     let (_, blade) = published();
-    let normal = |i: usize, sense: f64| Rotary::direction_to_machine(&blade.N[i], blade.B[i], sense * blade.C[i]);
+    let normal = |i: usize, sense: f64| TiltingTable::direction_to_machine(&blade.N[i], blade.B[i], sense * blade.C[i]);
     let up = Vector3::new(0.0, 0.0, 1.0);
     assert!((0..blade.points()).all(|i| (normal(i, 1.0) - up).norm() < 1e-12));
     // `direction_to_machine` applies −C; the printed +C does not bring the normal under the tool.
@@ -84,7 +84,7 @@ fn equations_8_to_12_sense_of_c() {
 fn equation_14_arctangent_of_b() {
     let (_, blade) = published();
     let rows = golden("annex-04-angles");
-    let turned = |i: usize| Rotary::direction_to_machine(&blade.N[i], 0.0, blade.C[i]);
+    let turned = |i: usize| TiltingTable::direction_to_machine(&blade.N[i], 0.0, blade.C[i]);
     let printed = |i: usize| atan(turned(i).z / turned(i).x);
     assert!((0..blade.points()).filter(|&i| (printed(i) - rows[i][1]).abs() > 0.05).count() > 30);
     for (i, row) in rows.iter().enumerate() {
@@ -100,7 +100,7 @@ fn equation_16_pivot_length() {
     let path = |L: f64| {
         let shift = blade.b_machine * design.w() - Vector3::new(0.0, 0.0, design.a_p);
         let blade = &blade;
-        (0..blade.points()).map(move |i| Rotary { L }.to_machine(&blade.P[i], blade.B[i], blade.C[i]) + shift)
+        (0..blade.points()).map(move |i| TiltingTable { L }.to_machine(&blade.P[i], blade.B[i], blade.C[i]) + shift)
     };
     assert!(miss(path(0.0), &printed) > 200.0);
     assert!(miss(path(242.9), &printed) < 5.1e-6);
@@ -112,7 +112,7 @@ fn annex_5_has_its_own_pivot_length() {
     let printed = golden("annex-05-transformed");
     let with = |L: f64| {
         let blade = &blade;
-        miss((0..blade.points()).map(|i| Rotary { L }.to_machine(&blade.P[i], blade.B[i], blade.C[i])), &printed)
+        miss((0..blade.points()).map(|i| TiltingTable { L }.to_machine(&blade.P[i], blade.B[i], blade.C[i])), &printed)
     };
     assert!(with(233.95) < 5.1e-6);
     assert!(with(242.9) > 5.0 && with(147.5) > 50.0);

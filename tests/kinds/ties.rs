@@ -6,7 +6,7 @@ use crate::common;
 use common::{outcome, program, read_back};
 use nalgebra::Vector3;
 use rodete::machine::axis::{Axis, Position};
-use rodete::machine::rotary::Rotary;
+use rodete::machine::rotary::TiltingTable;
 use rodete::parameter::Value;
 
 /// 90 000·(n − i)/n thousandths, halves away from zero, in whole numbers.
@@ -51,7 +51,7 @@ fn ties_of_B_are_rounded_by_whole_numbers_and_F_follows_from_them() {
             assert_eq!(i64::from(at.get(Axis::B).thousandths()), away_from_zero(n, i), "n {n}, reverse, point {i}");
         }
 
-        let machine = Rotary { L: 147.5 + 95.4 };
+        let machine = TiltingTable { L: 147.5 + 95.4 };
         // The way of the tip over the part while the axes run evenly, by many chords.
         let way = |from: &Position, to: &Position| {
             let tip = |part: f64| {

@@ -6,9 +6,9 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
-    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
-    Rotary, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
-    Written,
+    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Post, Radii, RadiusRule, Reference, Retract,
+    Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange,
+    Turns, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -83,7 +83,7 @@ pub static FAGOR_8070: Control = Control {
         ..LEXIS
     },
     arcs: ArcWords { across: Across::Unknown, ..FAGOR_8055_BASE.arcs },
-    rotary: RotaryRule { delivered: Rotary::Linear, ..FAGOR_8055_BASE.rotary },
+    rotary: RotaryRule { delivered: RotaryMode::Linear, ..FAGOR_8055_BASE.rotary },
     ..FAGOR_8055_BASE
 };
 
@@ -121,7 +121,7 @@ const FAGOR_8055_BASE: Control = Control {
         negative: NegativeRadius::LongArc,
         radii: Radii::Parameter,
     },
-    rotary: RotaryRule { delivered: Rotary::Rollover, rollover: Rollover::Numbered },
+    rotary: RotaryRule { delivered: RotaryMode::Rollover, rollover: Rollover::Numbered },
     feed: FeedRule {
         law: FeedLaw::Resultant,
         codes: FeedCodes::G94,
@@ -157,7 +157,7 @@ static WRITING_8055_T: Writing =
     Writing { safety: &[('G', 71), ('G', 90), ('G', 94)], tool: ToolBlocks::Turret, height: HeightHold::Builder };
 
 /// The 8055 T, to be written for.
-pub const WRITTEN_8055_T: Written = Written { control: &FAGOR_8055_T, writing: &WRITING_8055_T };
+pub const POST_8055_T: Post = Post { control: &FAGOR_8055_T, writing: &WRITING_8055_T };
 
 /// How rodete writes for the 8070.
 static WRITING_8070: Writing = Writing {

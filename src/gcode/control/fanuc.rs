@@ -14,7 +14,7 @@ use crate::gcode::control::{
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
     NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
-    Rotary, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
+    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -77,7 +77,7 @@ pub static FANUC_LATHE_A: Control = Control {
         negative: NegativeRadius::Refused,
         radii: Radii::Parameter,
     },
-    rotary: RotaryRule { delivered: Rotary::Linear, rollover: Rollover::Numbered },
+    rotary: RotaryRule { delivered: RotaryMode::Linear, rollover: Rollover::Numbered },
     feed: FeedRule {
         law: FeedLaw::Resultant,
         codes: FeedCodes::G98,

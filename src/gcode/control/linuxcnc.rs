@@ -6,7 +6,7 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
-    NegativeRadius, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover, Rotary,
+    NegativeRadius, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode,
     RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
@@ -61,7 +61,7 @@ pub static LINUXCNC: Control = Control {
         negative: NegativeRadius::LongArc,
         radii: Radii::LinuxCnc,
     },
-    rotary: RotaryRule { delivered: Rotary::Linear, rollover: Rollover::Wrapped },
+    rotary: RotaryRule { delivered: RotaryMode::Linear, rollover: Rollover::Wrapped },
     feed: FeedRule {
         law: FeedLaw::InverseTime,
         codes: FeedCodes::G94,

@@ -25,7 +25,7 @@ mod writing;
 pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments, NegativeRadius, Radii};
 pub use self::codes::{Codes, code_name};
 pub use self::dwell::DwellWord;
-pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, WRITTEN_8055_T};
+pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, POST_8055_T};
 pub use self::fanuc::FANUC_LATHE_A;
 pub use self::feed::{FeedChange, FeedCodes, FeedPath, FeedRule, MissingFeed};
 pub use self::lexis::{
@@ -35,11 +35,11 @@ pub use self::linuxcnc::LINUXCNC;
 pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Reference};
 pub use self::output::HeightHold;
 pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};
-pub use self::rotary::{Rollover, Rotary, RotaryRule};
+pub use self::rotary::{Rollover, RotaryMode, RotaryRule};
 pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
 pub use self::told::Feature;
 pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
-pub use self::writing::{CommentForm, Opening, TextForm, Writing, Written};
+pub use self::writing::{CommentForm, Opening, Post, TextForm, Writing};
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 pub use crate::gcode::feed_law::{FeedLaw, Slower};
@@ -162,8 +162,8 @@ impl Control {
 
     /// The milling control with a name, to be written for.
     #[must_use]
-    pub fn milling(name: &str) -> Option<Written> {
-        MILLING.into_iter().find(|control| control.name == name).and_then(Written::of)
+    pub fn milling(name: &str) -> Option<Post> {
+        MILLING.into_iter().find(|control| control.name == name).and_then(Post::of)
     }
 
     /// True where an M code may stand by itself in a block of the control.

@@ -2,14 +2,14 @@
 
 /// What an absolute word of a rotary axis means: a setting of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rotary {
+pub enum RotaryMode {
     /// The position, counted on beyond a turn as on a linear axis.
     Linear,
     /// The number is the angle to go to, 0 to 359.9999 degrees, and the sign the direction of the turn.
     Rollover,
 }
 
-impl Rotary {
+impl RotaryMode {
     /// The name on the command line and in JSON.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -33,7 +33,7 @@ pub enum Rollover {
 #[derive(Clone, Copy, Debug)]
 pub struct RotaryRule {
     /// What they are on a machine as the control is delivered.
-    pub delivered: Rotary,
+    pub delivered: RotaryMode,
     /// Where they are rollover axes.
     pub rollover: Rollover,
 }

@@ -6,7 +6,7 @@ use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, CommentForm,
     Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange, FeedPath,
     FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius,
-    NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover, Rotary,
+    NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode,
     RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::finding::AlarmFamily;
@@ -332,7 +332,7 @@ told! {
         Self::LinuxCnc => "0.028 mm o una milésima del radio; 2.8 mm como mucho", "0.028 mm or a thousandth of the radius; 2.8 mm at most";
         Self::Parameter => "lo dice un parámetro de la máquina; más de 0.01 mm es una precaución", "a machine parameter says it; more than 0.01 mm is a caution";
     }
-    Rotary {
+    RotaryMode {
         Self::Linear => "cuentan más allá de una vuelta", "count on beyond a turn";
         Self::Rollover => "rollover: el número es el ángulo y el signo el sentido", "rollover: the number is the angle, the sign the direction";
     }

@@ -75,16 +75,16 @@ impl TextForm {
     }
 }
 
-/// A control that rodete writes for.
+/// The post-processor of a control that rodete writes for.
 #[derive(Clone, Copy, Debug)]
-pub struct Written {
+pub struct Post {
     /// The control.
     pub control: &'static Control,
     /// How rodete writes for it.
     pub writing: &'static Writing,
 }
 
-impl Written {
+impl Post {
     /// The control, where rodete writes for it.
     #[must_use]
     pub fn of(control: &'static Control) -> Option<Self> {

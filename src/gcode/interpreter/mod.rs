@@ -101,7 +101,7 @@ pub use self::standstill::Standstill;
 use self::structure::Structure;
 use crate::finding::{Finding, Place, Raise};
 use crate::gcode::code::TurningCycle;
-pub use crate::gcode::control::Rotary;
+pub use crate::gcode::control::RotaryMode;
 use crate::gcode::control::{Control, RadiusRule};
 use crate::gcode::in_force::InForce;
 use crate::gcode::motion::Motion;

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::gcode::control::{Control, Rotary};
+use crate::gcode::control::{Control, RotaryMode};
 use crate::gcode::turning::nose::Nose;
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
@@ -107,7 +107,7 @@ pub struct Setting {
     /// What R of a lathe's drilling cycles is; where it is not known it is taken as absolute, and said so.
     pub plane: Option<HolePlane>,
     /// What an absolute word of a rotary axis means.
-    pub rotary: Rotary,
+    pub rotary: RotaryMode,
     /// Blocks that begin with `/` are skipped.
     pub block_delete: bool,
     /// G92 and G52 outlive the program; else they are cleared at its start and its end.

@@ -145,7 +145,7 @@ impl<'a> Assembly<'a> {
         let turns = Milli::new(whole);
         let first = first.moved(Axis::C, turns);
         let mut assembly = {
-            let writer = Writer::new(design.written, Vec::new());
+            let writer = Writer::new(design.post, Vec::new());
             Self { design, mill, writer, start: first, first, at: first, turns }
         };
         match design.style {

@@ -9,7 +9,7 @@ use crate::geometry::darboux::Darboux;
 use crate::geometry::torus::Torus;
 use crate::geometry::villarceau::Villarceau;
 use crate::kinds::impeller::discretisation;
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 
 /// Vectors shared by every view of them.
 pub type Vectors = Arc<[Vector3<f64>]>;
@@ -51,7 +51,7 @@ impl Blade {
     ///
     /// b″ and t″ are constant because a Villarceau circle cuts every parallel at the same angle α = asin(r/R).
     #[must_use]
-    pub fn new(torus: Torus, n: usize, eps_v: f64, machine: Rotary) -> Self {
+    pub fn new(torus: Torus, n: usize, eps_v: f64, machine: TiltingTable) -> Self {
         let circle = Villarceau::new(torus);
         let v = discretisation::v(n, eps_v);
         let u: Vec<f64> = v.iter().map(|&v| circle.u(v)).collect();

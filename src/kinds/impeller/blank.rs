@@ -4,7 +4,7 @@
 //! The thesis, section 4.1: G85 X = 2R, Z = −r, Q = 2(R − r), R = 0, C = step, I = 0, K = r. Its table prints Z = −R; its
 //! program has −15, which is −r.
 
-use crate::gcode::control::WRITTEN_8055_T;
+use crate::gcode::control::POST_8055_T;
 use crate::gcode::program::Program;
 use crate::gcode::word::{NumberFormat, Word};
 use crate::gcode::writer::Writer;
@@ -78,7 +78,7 @@ impl BlankTurning {
     /// For a dimension that no program may carry.
     pub fn program(&self, torus: Torus, format: NumberFormat, block_step: u32) -> Result<Program, OutOfFormat> {
         let Torus { R, r } = torus;
-        let mut writer = Writer::new(WRITTEN_8055_T, Vec::new());
+        let mut writer = Writer::new(POST_8055_T, Vec::new());
         let size = |letter: char, value: f64| Ok::<_, OutOfFormat>(Word::size(letter, Milli::round(value)?));
         let g = |number| Word::whole('G', number);
         let full = format == NumberFormat::Fixed;

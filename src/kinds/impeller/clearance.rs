@@ -30,11 +30,12 @@ use std::sync::{Mutex, PoisonError};
 use nalgebra::{Vector2, Vector3};
 use rustc_hash::FxHashMap;
 
+use crate::kinds::impeller::corners::{Clip, Corners, STEEP, from_tip, least_between};
 use crate::kinds::impeller::limit::Limit;
 use crate::kinds::impeller::part::{Face, HUB, Part, Piece, RIM, Ruling};
 use crate::limits::PASS_CELLS;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::rotary::{Rotary, Turned};
+use crate::machine::rotary::{TiltingTable, Turned};
 use crate::number::queue::Waiting;
 use crate::number::trig::hypot;
 use crate::number::{greater, lesser};
@@ -48,8 +49,6 @@ const DEEP: f64 = 0.2;
 const COARSE: f64 = 0.01;
 /// What the arithmetic may lose, mm.
 const ARITHMETIC: f64 = 1e-9;
-/// A ruling steeper than this against the end's plane is not clipped by a limit of h.
-const STEEP: f64 = 0.02;
 /// How far limits of h may run beyond the rulings, in parts of their length.
 const BEYOND: f64 = 0.25;
 
@@ -115,7 +114,7 @@ pub enum Until {
 #[derive(Debug)]
 pub struct Walls {
     part: Part,
-    machine: Rotary,
+    machine: TiltingTable,
     radius: f64,
     pieces: Vec<Piece>,
     turns: Vec<f64>,
@@ -157,12 +156,6 @@ struct Cell {
 struct End {
     stand: Stand,
     turned: Turned,
-}
-
-/// The least of the straight line from `one` to `other` less k·s(1 − s)/2.
-fn sagging(one: f64, other: f64, k: f64) -> f64 {
-    let rise = (other - one).abs();
-    if 2.0 * rise >= k { lesser(one, other) } else { (one + other) / 2.0 - k / 8.0 - rise * rise / (2.0 * k) }
 }
 
 /// The least distance of the points from − h·along, h between two limits, from the origin of a plane; and the h.
@@ -211,7 +204,7 @@ struct Search<'a> {
 impl Walls {
     /// The faces of blades that stand turned by some angles about the axis of the part, each from some v on.
     #[must_use]
-    pub fn new(part: Part, machine: Rotary, radius: f64, turns: Vec<f64>, from: f64) -> Self {
+    pub fn new(part: Part, machine: TiltingTable, radius: f64, turns: Vec<f64>, from: f64) -> Self {
         let pieces = Face::ALL.into_iter().flat_map(|face| part.pieces(face)).filter_map(|piece| {
             let v = [piece.v[0].max(from), piece.v[1]];
             (v[0] < v[1]).then_some(Piece { v, ..piece })
@@ -386,57 +379,36 @@ impl Search<'_> {
         if known.outside {
             return None;
         }
-        let Span { rulings, tops, top, bottom, beyond, rho, .. } = *known;
+        let Span { rulings, tops, top, beyond, rho, .. } = *known;
         let [v_speed, v_bend, v_turn] = known.moves;
 
         let pivot = Vector3::new(0.0, 0.0, walls.machine.L);
         let Q = [ends[0].at + pivot, ends[1].at + pivot];
-        // Feet and directions seen from the tip, by time and v.
-        let feet = [rulings[0].foot + pivot, rulings[1].foot + pivot];
-        let see = |time: usize, v: usize| {
-            let turned = &tools[time].turned;
-            Ruling { foot: turned.direction(&feet[v]) - Q[time], N: turned.direction(&rulings[v].N) }
-        };
-        let seen = [[see(0, 0), see(0, 1)], [see(1, 0), see(1, 1)]];
-        let (mut far, mut highest, mut least) = (0.0_f64, f64::MIN, f64::INFINITY);
-        let upright = seen[0][0].N.z > 0.0;
-        let mut alike = true;
-        for ruling in [&seen[0][0], &seen[0][1], &seen[1][0], &seen[1][1]] {
-            far = greater(far, ruling.at(beyond[0]).norm_squared());
-            far = greater(far, ruling.at(beyond[1]).norm_squared());
-            let (foot, slope) = (ruling.foot.z, ruling.N.z);
-            highest = greater(greater(highest, foot - slope * top), foot - slope * bottom);
-            least = lesser(least, slope.abs());
-            alike &= (slope > 0.0) == upright;
-        }
-        let far = far.sqrt();
+        let from_pivot = |ruling: &Ruling| Ruling { foot: ruling.foot + pivot, N: ruling.N };
+        let from_pivot = [from_pivot(&rulings[0]), from_pivot(&rulings[1])];
+        let seen = from_tip([&tools[0].turned, &tools[1].turned], &Q, &from_pivot);
+        let corners = Corners::new(&seen, beyond, [top, known.bottom]);
         let step = ends[1].B - ends[0].B;
         let slide = |Q: &Vector3<f64>| (Vector3::new(-Q.z, 0.0, Q.x) * step - by).norm();
         let slide = greater(slide(&Q[0]), slide(&Q[1]));
-        let far = (far + v_speed / 2.0 + (slide + C * rho) / 2.0) / (1.0 - B / 2.0);
+        let far = (corners.far + v_speed / 2.0 + (slide + C * rho) / 2.0) / (1.0 - B / 2.0);
         let speed = slide + C * rho + B * far;
         let bend = |axis: usize| B * B * (greater(Q[0][axis].abs(), Q[1][axis].abs()) + far) + (2.0 * B + C) * C * rho;
         let (bend, rise_bend) = (bend(0), bend(2));
 
         // Nothing of it above the plane of the tool's end.
-        if highest + (rise_bend + v_bend) / 8.0 + strays < 0.0 {
+        if corners.highest + (rise_bend + v_bend) / 8.0 + strays < 0.0 {
             return None;
         }
 
         let (mut low, mut high) = (Limit::level(top), known.floors);
-        let least = least - (v_turn + B + C) / 2.0;
-        if least > STEEP && alike {
-            let end = |ruling: &Ruling| ruling.foot.z / ruling.N.z;
-            let limit = Limit::through([[end(&seen[0][0]), end(&seen[0][1])], [end(&seen[1][0]), end(&seen[1][1])]]);
-            let [in_time, in_v] = limit.changes;
-            let out = (rise_bend + 2.0 * (B + C) * in_time + v_bend + 2.0 * v_turn * in_v) / 8.0 + strays;
-            if upright {
-                let limit = limit.moved(out / least);
-                high = if limit.sum() < high.sum() && limit.within(beyond) { limit } else { high };
-            } else {
-                let limit = limit.moved(-out / least);
-                low = if limit.sum() > low.sum() && limit.within(beyond) { limit } else { low };
-            }
+        let end = corners.end(v_turn + B + C, |[in_time, in_v]| {
+            (rise_bend + 2.0 * (B + C) * in_time + v_bend + 2.0 * v_turn * in_v) / 8.0 + strays
+        });
+        match end {
+            Some(Clip::Above(limit)) if limit.sum() < high.sum() && limit.within(beyond) => high = limit,
+            Some(Clip::Below(limit)) if limit.sum() > low.sum() && limit.within(beyond) => low = limit,
+            _ => {}
         }
         if let Some(limit) = known.trim
             && limit.sum() > low.sum()
@@ -472,18 +444,7 @@ impl Search<'_> {
         let [in_time, in_v] = [0, 1].map(|side: usize| greater(low.changes[side], high.changes[side]));
         let (speed, v_speed) = (speed + in_time, v_speed + in_v);
         let (bend, v_bend) = (bend + 2.0 * (B + C) * in_time, v_bend + 2.0 * v_turn * in_v);
-        let nearest = lesser(lesser(d[0][0], d[0][1]), lesser(d[1][0], d[1][1]));
-        let mut bound = greater(0.0, nearest - (speed + v_speed) / 2.0);
-        let (mut k, mut before) = ([0.0; 2], 0.0);
-        for _ in 0..3 {
-            if bound > before {
-                before = bound;
-                k = [speed * speed / bound + bend, v_speed * v_speed / bound + v_bend];
-                let first = sagging(sagging(d[0][0], d[0][1], k[1]), sagging(d[1][0], d[1][1], k[1]), k[0]);
-                let other = sagging(sagging(d[0][0], d[1][0], k[0]), sagging(d[0][1], d[1][1], k[0]), k[1]);
-                bound = greater(greater(bound, first), other);
-            }
-        }
+        let (bound, k) = least_between(&d, [speed, v_speed], [bend, v_bend]);
         let in_time =
             if k[1] > 0.0 { k[0] + rise_bend + 16.0 * strays > k[1] + v_bend } else { speed + 2.0 * strays > v_speed };
         Some(((bound - strays).max(0.0), in_time))

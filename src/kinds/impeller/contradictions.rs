@@ -1,8 +1,8 @@
 //! What is valid alone but not together: the checks of one parameter of the impeller against another.
 
 use crate::finding::{Bare, Finding, Raise, Size, Typed};
-use crate::gcode::control::Rotary as Counting;
-use crate::gcode::machine_codes::{refused_codes, refused_retract, refused_spindle};
+use crate::gcode::control::RotaryMode;
+use crate::gcode::machine_codes::{CodesPlace, refused_codes, refused_retract, refused_spindle};
 use crate::gcode::word::Distance;
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
@@ -180,7 +180,7 @@ impl Design {
             let told = AnnexCarriesNoFeed { control: self.control.name };
             findings.push(told.at(at([form::STYLE.key(), form::DIALECT.key()])));
         }
-        if self.style == Style::Full && self.distance == Distance::Absolute && self.counting == Counting::Rollover {
+        if self.style == Style::Full && self.distance == Distance::Absolute && self.counting == RotaryMode::Rollover {
             let place = at([form::DISTANCE.key(), form::ROTARY.key(), form::DIALECT.key()]);
             findings.push(AbsoluteOnRollover {}.at(place));
         }
@@ -191,9 +191,15 @@ impl Design {
         findings.extend(refused);
         findings.extend(refused_spindle(form::COOLANT.key(), &self.coolant, false));
         findings.extend(refused_spindle(form::START_CODES.key(), &self.start_codes, true));
-        findings.extend(refused_codes(self.control, form::COOLANT.key(), &self.coolant, false, true));
-        findings.extend(refused_codes(self.control, form::START_CODES.key(), &self.start_codes, false, true));
-        findings.extend(refused_codes(self.control, form::END_CODES.key(), &self.end_codes, true, true));
+        let within = CodesPlace { last: false, tooled: true };
+        findings.extend(refused_codes(self.control, form::COOLANT.key(), &self.coolant, within));
+        findings.extend(refused_codes(self.control, form::START_CODES.key(), &self.start_codes, within));
+        findings.extend(refused_codes(
+            self.control,
+            form::END_CODES.key(),
+            &self.end_codes,
+            CodesPlace { last: true, ..within },
+        ));
         if self.clear.is_some() {
             return;
         }

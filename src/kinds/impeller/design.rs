@@ -1,7 +1,7 @@
 //! The design of an impeller: validated parameters with units settled, and the checks of one against another.
 
 use crate::finding::Finding;
-use crate::gcode::control::{Control, Rotary as Counting, Written};
+use crate::gcode::control::{Control, Post, RotaryMode};
 use crate::gcode::fields::{TOOL_CHANGE, rapids};
 pub use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Retract, Word};
@@ -16,7 +16,7 @@ use crate::kinds::impeller::tool_path::half_width;
 use crate::machine::axis::Axis;
 use crate::machine::calibration::Slots;
 use crate::machine::rapids::Rapids;
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::machine::travel::AxisTravel;
 use crate::parameter::field::{Field, Fields, Optional};
 
@@ -50,7 +50,7 @@ pub struct Design {
     /// H, height of the torus centre plane, the turned face, over that nose.
     pub H: f64,
     /// The rotary axes with L = R_B + H.
-    pub machine: Rotary,
+    pub machine: TiltingTable,
     /// Travel of X, Y, Z in mm and of B in degrees.
     pub travel: [AxisTravel; 4],
     /// F_max, greatest speed of an axis, mm/min or °/min.
@@ -74,13 +74,13 @@ pub struct Design {
     /// The dialect.
     pub control: &'static Control,
     /// How it is written for.
-    pub written: Written,
+    pub post: Post,
     /// The style.
     pub style: Style,
     /// Absolute or incremental, in full style.
     pub distance: Distance,
     /// How the machine's rotary axes count in G90, as the workbook says or, where it does not, as the control is delivered.
-    pub counting: Counting,
+    pub counting: RotaryMode,
     /// M codes at the start.
     pub start_codes: Vec<Word>,
     /// M codes for coolant.
@@ -141,7 +141,7 @@ impl Design {
     /// whether the rotary axes are rollover or not.
     #[must_use]
     pub fn turns_by_increments(&self) -> bool {
-        let may_roll = self.control.rotary.delivered == Counting::Rollover;
+        let may_roll = self.control.rotary.delivered == RotaryMode::Rollover;
         self.style == Style::Full && self.distance == Distance::Incremental && may_roll
     }
 
@@ -157,8 +157,8 @@ impl Design {
 
     fn of(fields: &Fields) -> Self {
         let (R_B, H) = (fields.get(&form::R_B), fields.get(&form::H));
-        let written = fields.get(&form::DIALECT);
-        let control = written.control;
+        let post = fields.get(&form::DIALECT);
+        let control = post.control;
         let linear = |axis, ends: [&'static Field<f64, Optional>; 2]| AxisTravel {
             axis,
             ends: ends.map(|end| fields.get(end)),
@@ -178,7 +178,7 @@ impl Design {
             D: fields.get(&form::D),
             R_B,
             H,
-            machine: Rotary { L: R_B + H },
+            machine: TiltingTable { L: R_B + H },
             travel: [
                 linear(Axis::X, [&form::X_MIN, &form::X_MAX]),
                 linear(Axis::Y, [&form::Y_MIN, &form::Y_MAX]),
@@ -199,7 +199,7 @@ impl Design {
             material: fields.get(&form::MATERIAL).unwrap_or_default(),
             program: fields.get(&form::NUMBER),
             control,
-            written,
+            post,
             counting: fields.get(&form::ROTARY).unwrap_or(control.rotary.delivered),
             style: fields.get(&form::STYLE),
             distance: fields.get(&form::DISTANCE),

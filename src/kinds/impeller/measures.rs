@@ -1,6 +1,6 @@
 //! What impellers are compared by, and what a new workbook suggests to vary.
 
-use crate::kind::measure::{From, Measure, Suggested, Varied};
+use crate::kind::measure::{Measure, Source, Suggested, Varied};
 use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::rules::IntoOwnFaces;
 use crate::table::Unit;
@@ -14,19 +14,19 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::of_programs(
         "time_s",
         Unit::Second,
-        From::Time(&[Operation::Whole.key(), Operation::Rough.key(), Operation::Finish.key()]),
+        Source::Time(&[Operation::Whole.key(), Operation::Rough.key(), Operation::Finish.key()]),
         t("Duración del fresado de toda la pieza", "Time of milling the whole part"),
     ),
     Measure::of_programs(
         "deviation_mm",
         MM,
-        From::Greatest(&["tip-path"]),
+        Source::Greatest(&["tip-path"]),
         t("Desviación de la punta entre bloques, como mucho", "Deviation of the tip between blocks, at most"),
     ),
     Measure::of_programs(
         "clearance_mm",
         MM,
-        From::Least(&["blades", "splitters", "faces"]),
+        Source::Least(&["blades", "splitters", "faces"]),
         t(
             "Holgura a álabes e intermedios, también a las caras del propio, como mínimo; negativa: la herramienta entra",
             "Clearance to blades and splitters, own faces included, at least; negative: the tool enters them",
@@ -35,7 +35,7 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::of_programs(
         "undercut_mm",
         MM,
-        From::Entered { code: IntoOwnFaces::RULE.code, under: "most", keys: &["faces"] },
+        Source::Entered { code: IntoOwnFaces::RULE.code, under: "most", keys: &["faces"] },
         t(
             "Cuánto entran las fresas en las propias caras del álabe, como mucho: el álabe queda más delgado",
             "How far the tools enter the blade's own faces, at most: the blade gets thinner",
@@ -44,7 +44,7 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::of_programs(
         "under_floor_mm",
         MM,
-        From::Greatest(&["floor"]),
+        Source::Greatest(&["floor"]),
         t("Profundidad por debajo del fondo, como mucho", "Depth below the floor, at most"),
     ),
     Measure::derived("L", MM),

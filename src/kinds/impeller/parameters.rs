@@ -6,7 +6,7 @@
 
 use crate::finding::Raise;
 use crate::gcode::chosen::Codes;
-use crate::gcode::control::Rotary;
+use crate::gcode::control::RotaryMode;
 use crate::gcode::fields;
 pub(super) use crate::gcode::fields::{DIALECT, MATERIAL, PART};
 use crate::gcode::program::Style;
@@ -164,7 +164,7 @@ pub(super) static H: Field<f64, Required> = Field::real(
         "L = R_B + H; not the tool length, which goes only into the Z zero",
     ),
 );
-pub(super) static ROTARY: Field<Rotary, Optional> = Field::choice(
+pub(super) static ROTARY: Field<RotaryMode, Optional> = Field::choice(
     "rotary",
     "rotary_axes",
     t("Cómo cuentan los ejes B y C de la máquina en G90", "How the machine's axes B and C count in G90"),

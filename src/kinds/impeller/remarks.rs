@@ -43,7 +43,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
         }
     }
     findings.extend(start(design));
-    if design.style == Style::Full && design.written.writing.tool.may_bring_length() {
+    if design.style == Style::Full && design.post.writing.tool.may_bring_length() {
         let own = [(design.D, form::D.key())].into_iter();
         let finishing = design.clear.as_ref().map(|asked| (asked.finish.D, D_F.key()));
         let called: Vec<(u32, Key)> = own.chain(finishing).collect();

@@ -1,7 +1,7 @@
 //! What a person must know before an impeller's program is started: rotary axes, clamps, spindle, coolant, and where the tool stands.
 
 use crate::finding::{Finding, Raise, Size};
-use crate::gcode::control::Rotary;
+use crate::gcode::control::RotaryMode;
 use crate::gcode::word::{Distance, Word};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters as form;
@@ -24,8 +24,8 @@ pub(super) fn start(design: &Design) -> Vec<Finding> {
     let mut findings = vec![rotary_axes(design)];
     // Of the clamps of other machines nothing was published.
     match design.control.rotary.delivered {
-        Rotary::Rollover => findings.push(clamps(design)),
-        Rotary::Linear => {}
+        RotaryMode::Rollover => findings.push(clamps(design)),
+        RotaryMode::Linear => {}
     }
     if !holds(&design.start_codes, 'M', 3) && !holds(&design.start_codes, 'M', 4) {
         findings.push(SpindleNotStarted {}.at(at([form::START_CODES.key()])));
@@ -50,8 +50,8 @@ fn rotary_axes(design: &Design) -> Finding {
         IncrementsFromZero {}.at(place)
     } else {
         match design.control.rotary.delivered {
-            Rotary::Rollover => OnLinearAxesUnproved {}.at(place),
-            Rotary::Linear => OnLinearAxes {}.at(place),
+            RotaryMode::Rollover => OnLinearAxesUnproved {}.at(place),
+            RotaryMode::Linear => OnLinearAxes {}.at(place),
         }
     }
 }
@@ -81,8 +81,8 @@ fn retract(design: &Design) -> Vec<Finding> {
     }
     let mut findings = Vec::new();
     match design.control.rotary.delivered {
-        Rotary::Rollover => findings.push(RetractIsAssumed {}.at(place())),
-        Rotary::Linear => {}
+        RotaryMode::Rollover => findings.push(RetractIsAssumed {}.at(place())),
+        RotaryMode::Linear => {}
     }
     if z != 0.0 {
         findings.push(RetractElsewhere { z: Size::mm(z) }.at(place()));

@@ -18,7 +18,7 @@ use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::programs::Tracks;
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
-use crate::machine::rotary::{Rotary, Turned};
+use crate::machine::rotary::{TiltingTable, Turned};
 use crate::number::trig::sin_cos;
 
 /// Most slack of blocks taken as one, mm.
@@ -32,7 +32,7 @@ type Stand = [f64; 5];
 pub struct Stretch {
     from: Stand,
     to: Stand,
-    machine: Rotary,
+    machine: TiltingTable,
     /// The point indices at its ends; −1 and n + 1 are the safe points.
     pub x: [f64; 2],
     /// How far any point of the axis up to the height [`Sweep::height`] is from where the blocks put it, at most.
@@ -71,13 +71,13 @@ fn between(from: &Stand, to: &Stand, part: f64) -> Stand {
 }
 
 /// Tip and axis of the tool where all axes stand somewhere.
-fn tool(machine: Rotary, [x, y, z, B, C]: &Stand) -> (Vector3<f64>, Vector3<f64>) {
+fn tool(machine: TiltingTable, [x, y, z, B, C]: &Stand) -> (Vector3<f64>, Vector3<f64>) {
     let [tip, axis] = machine.tool(&Vector3::new(*x, *y, *z), *B, *C);
     (tip, axis)
 }
 
 /// How far points of the tool's axis up to a height above the tip are at most from the axis of B, and from that of C.
-fn reach(machine: Rotary, [x, y, z, B, _]: &Stand, height: f64) -> [f64; 2] {
+fn reach(machine: TiltingTable, [x, y, z, B, _]: &Stand, height: f64) -> [f64; 2] {
     let (sin, cos) = sin_cos(*B);
     let up = z + machine.L;
     let out = x * cos + up * sin;
@@ -91,7 +91,7 @@ struct Seen {
 }
 
 impl Seen {
-    fn new(machine: Rotary, position: &Position, height: f64) -> Self {
+    fn new(machine: TiltingTable, position: &Position, height: f64) -> Self {
         let stand = stand(position);
         Self { stand, reach: reach(machine, &stand, height) }
     }
@@ -168,7 +168,7 @@ impl Sweep<Track> {
 impl<T> Sweep<T> {
     /// The way through some positions, block by block. The bounds hold up to a height above the tip.
     #[must_use]
-    pub fn through(track: T, machine: Rotary, positions: &[Position], height: f64) -> Self {
+    pub fn through(track: T, machine: TiltingTable, positions: &[Position], height: f64) -> Self {
         let at: Vec<Seen> = positions.iter().map(|position| Seen::new(machine, position, height)).collect();
         let mut sweep = Self { track, stretches: Vec::new(), height };
         if let Some(last) = at.len().checked_sub(1).filter(|last| *last > 0) {
@@ -178,7 +178,7 @@ impl<T> Sweep<T> {
     }
 
     /// Takes the blocks from one point to another as one stretch, or as the two halves of them.
-    fn take(&mut self, machine: Rotary, at: &[Seen], low: usize, high: usize) {
+    fn take(&mut self, machine: TiltingTable, at: &[Seen], low: usize, high: usize) {
         let Some(slack) = self.slack(machine, &at[low..=high]) else {
             let middle = low + (high - low) / 2;
             self.take(machine, at, low, middle);
@@ -192,7 +192,7 @@ impl<T> Sweep<T> {
 
     /// How far the axis is from that of one block through all of these points; `None` where that is too much. Between two of
     /// them both run evenly, so that it is the farthest at one of them.
-    fn slack(&self, machine: Rotary, at: &[Seen]) -> Option<f64> {
+    fn slack(&self, machine: TiltingTable, at: &[Seen]) -> Option<f64> {
         let (Some(from), Some(to)) = (at.first(), at.last()) else { return Some(0.0) };
         #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
         let off = |k: usize| {

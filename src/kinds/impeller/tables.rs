@@ -79,15 +79,68 @@ fn offset(side: char, fraction: &str) -> [String; 3] {
     ]
 }
 
+const XYZ: [&str; 3] = ["x", "y", "z"];
+
 /// Annexes 1 to 8, in order.
 #[must_use]
 pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
-    let xyz = ["x", "y", "z"];
-    let path = |law, points: &Vectors, side| -> Vec<Column> {
-        let mut columns = vectors(xyz, MM, law, points, offset(side, ""));
-        columns.extend(turns(blade));
-        columns
-    };
+    vec![
+        angles(blade),
+        mean_line(blade),
+        darboux_frame(blade),
+        rotary_angles(blade),
+        transformed(blade),
+        obverse(blade, passes),
+        reverse(blade, passes),
+        safety(passes),
+    ]
+}
+
+/// Annex 1.
+fn angles(blade: &Blade) -> Table {
+    annex(
+        "annex-1",
+        t("Anexo 1", "Annex 1"),
+        t("Discretización de los ángulos v y u", "Discretisation of the angles v and u"),
+        t("Anexo 1, ecuación (6) corregida", "Annex 1, equation (6) corrected"),
+        vec![
+            Column::numbers("v", RAD, Law::Told("v = π + i·h, h = (π/2)/n"), Arc::clone(&blade.v))
+                .by("PI()+PI()/2/intervals_n*IF([i]=intervals_n,intervals_n-end_backoff_eps_v,[i])"),
+            Column::numbers(
+                "u",
+                RAD,
+                Law::Told("u = atan2(−(r + R·cos v), k·sin v), k = √(R² − r²)"),
+                Arc::clone(&blade.u),
+            )
+            // Turned by π/2, so that the cut of the arctangent is never met.
+            .by("PI()/2+ATAN2(-(meridian_r+torus_R*COS([v])),-derived_k*SIN([v]))"),
+        ],
+    )
+}
+
+/// Annex 2.
+fn mean_line(blade: &Blade) -> Table {
+    annex(
+        "annex-2",
+        t("Anexo 2", "Annex 2"),
+        t("Geometría de la fibra media de un álabe", "Mean line of a blade"),
+        t("Anexo 2, ecuación (4)", "Annex 2, equation (4)"),
+        vectors(
+            XYZ,
+            MM,
+            Law::Told("P = (ρ·cos u, ρ·sin u, r·sin v), ρ = R + r·cos v"),
+            &blade.P,
+            [
+                "(torus_R+meridian_r*COS([annex-1.v]))*COS([annex-1.u])",
+                "(torus_R+meridian_r*COS([annex-1.v]))*SIN([annex-1.u])",
+                "meridian_r*SIN([annex-1.v])",
+            ],
+        ),
+    )
+}
+
+/// Annex 3.
+fn darboux_frame(blade: &Blade) -> Table {
     let frame = [
         vectors(
             ["N_x", "N_y", "N_z"],
@@ -115,96 +168,80 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
             ["[t_y]*[N_z]-[t_z]*[N_y]", "[t_z]*[N_x]-[t_x]*[N_z]", "[t_x]*[N_y]-[t_y]*[N_x]"],
         ),
     ];
-    vec![
-        annex(
-            "annex-1",
-            t("Anexo 1", "Annex 1"),
-            t("Discretización de los ángulos v y u", "Discretisation of the angles v and u"),
-            t("Anexo 1, ecuación (6) corregida", "Annex 1, equation (6) corrected"),
-            vec![
-                Column::numbers("v", RAD, Law::Told("v = π + i·h, h = (π/2)/n"), Arc::clone(&blade.v))
-                    .by("PI()+PI()/2/intervals_n*IF([i]=intervals_n,intervals_n-end_backoff_eps_v,[i])"),
-                Column::numbers(
-                    "u",
-                    RAD,
-                    Law::Told("u = atan2(−(r + R·cos v), k·sin v), k = √(R² − r²)"),
-                    Arc::clone(&blade.u),
-                )
-                // Turned by π/2, so that the cut of the arctangent is never met.
-                .by("PI()/2+ATAN2(-(meridian_r+torus_R*COS([v])),-derived_k*SIN([v]))"),
+    annex(
+        "annex-3",
+        t("Anexo 3", "Annex 3"),
+        t("Triedro de Darboux", "Darboux frame"),
+        t("Anexo 3, sección 2.2.3", "Annex 3, section 2.2.3"),
+        frame.into_iter().flatten().collect(),
+    )
+}
+
+/// Annex 4.
+fn rotary_angles(blade: &Blade) -> Table {
+    annex(
+        "annex-4",
+        t("Anexo 4", "Annex 4"),
+        t("Ángulos de giro C y B", "Rotary angles C and B"),
+        t("Anexo 4, ecuaciones (7) y (14) corregidas", "Annex 4, equations (7) and (14) corrected"),
+        vec![
+            Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)).by("[annex-1.u]-2*PI()"),
+            Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B)).by("PI()+PI()/2-[annex-1.v]"),
+        ],
+    )
+}
+
+/// Annex 5.
+fn transformed(blade: &Blade) -> Table {
+    annex(
+        "annex-5",
+        t("Anexo 5", "Annex 5"),
+        t("Geometría de un álabe transformada", "Blade in machine coordinates"),
+        t(
+            "Anexo 5, ecuación (16) corregida con la longitud de pivote",
+            "Annex 5, equation (16) corrected with the pivot length",
+        ),
+        vectors(
+            XYZ,
+            MM,
+            Law::Told("P″ = M2(B)·(M1(−C)·P + L·k̂) − L·k̂"),
+            &blade.machine,
+            [
+                "([annex-2.x]*COS([annex-4.C])+[annex-2.y]*SIN([annex-4.C]))*COS([annex-4.B])-([annex-2.z]+derived_L)*SIN([annex-4.B])",
+                "[annex-2.y]*COS([annex-4.C])-[annex-2.x]*SIN([annex-4.C])",
+                "([annex-2.x]*COS([annex-4.C])+[annex-2.y]*SIN([annex-4.C]))*SIN([annex-4.B])+([annex-2.z]+derived_L)*COS([annex-4.B])-derived_L",
             ],
         ),
-        annex(
-            "annex-2",
-            t("Anexo 2", "Annex 2"),
-            t("Geometría de la fibra media de un álabe", "Mean line of a blade"),
-            t("Anexo 2, ecuación (4)", "Annex 2, equation (4)"),
-            vectors(
-                xyz,
-                MM,
-                Law::Told("P = (ρ·cos u, ρ·sin u, r·sin v), ρ = R + r·cos v"),
-                &blade.P,
-                [
-                    "(torus_R+meridian_r*COS([annex-1.v]))*COS([annex-1.u])",
-                    "(torus_R+meridian_r*COS([annex-1.v]))*SIN([annex-1.u])",
-                    "meridian_r*SIN([annex-1.v])",
-                ],
-            ),
-        ),
-        annex(
-            "annex-3",
-            t("Anexo 3", "Annex 3"),
-            t("Triedro de Darboux", "Darboux frame"),
-            t("Anexo 3, sección 2.2.3", "Annex 3, section 2.2.3"),
-            frame.into_iter().flatten().collect(),
-        ),
-        annex(
-            "annex-4",
-            t("Anexo 4", "Annex 4"),
-            t("Ángulos de giro C y B", "Rotary angles C and B"),
-            t("Anexo 4, ecuaciones (7) y (14) corregidas", "Annex 4, equations (7) and (14) corrected"),
-            vec![
-                Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)).by("[annex-1.u]-2*PI()"),
-                Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B))
-                    .by("PI()+PI()/2-[annex-1.v]"),
-            ],
-        ),
-        annex(
-            "annex-5",
-            t("Anexo 5", "Annex 5"),
-            t("Geometría de un álabe transformada", "Blade in machine coordinates"),
-            t(
-                "Anexo 5, ecuación (16) corregida con la longitud de pivote",
-                "Annex 5, equation (16) corrected with the pivot length",
-            ),
-            vectors(
-                xyz,
-                MM,
-                Law::Told("P″ = M2(B)·(M1(−C)·P + L·k̂) − L·k̂"),
-                &blade.machine,
-                [
-                    "([annex-2.x]*COS([annex-4.C])+[annex-2.y]*SIN([annex-4.C]))*COS([annex-4.B])-([annex-2.z]+derived_L)*SIN([annex-4.B])",
-                    "[annex-2.y]*COS([annex-4.C])-[annex-2.x]*SIN([annex-4.C])",
-                    "([annex-2.x]*COS([annex-4.C])+[annex-2.y]*SIN([annex-4.C]))*SIN([annex-4.B])+([annex-2.z]+derived_L)*COS([annex-4.B])-derived_L",
-                ],
-            ),
-        ),
-        annex(
-            "annex-6",
-            t("Anexo 6", "Annex 6"),
-            t("Trayectoria de la herramienta, anverso", "Tool path along the obverse"),
-            t("Anexo 6, ecuación (20) corregida", "Annex 6, equation (20) corrected"),
-            path(Law::Told("P″ + w·b″ − a_p·N″, w = (e + d_t)/2"), &passes.obverse, '+'),
-        ),
-        annex(
-            "annex-7",
-            t("Anexo 7", "Annex 7"),
-            t("Trayectoria de la herramienta, reverso", "Tool path along the reverse"),
-            t("Anexo 7, ecuación (21) corregida", "Annex 7, equation (21) corrected"),
-            path(Law::Told("P″ − w·b″ − a_p·N″, w = (e + d_t)/2"), &passes.reverse, '-'),
-        ),
-        safety(passes),
-    ]
+    )
+}
+
+/// Annex 6.
+fn obverse(blade: &Blade, passes: &ToolPaths) -> Table {
+    annex(
+        "annex-6",
+        t("Anexo 6", "Annex 6"),
+        t("Trayectoria de la herramienta, anverso", "Tool path along the obverse"),
+        t("Anexo 6, ecuación (20) corregida", "Annex 6, equation (20) corrected"),
+        path(blade, Law::Told("P″ + w·b″ − a_p·N″, w = (e + d_t)/2"), &passes.obverse, '+'),
+    )
+}
+
+/// Annex 7.
+fn reverse(blade: &Blade, passes: &ToolPaths) -> Table {
+    annex(
+        "annex-7",
+        t("Anexo 7", "Annex 7"),
+        t("Trayectoria de la herramienta, reverso", "Tool path along the reverse"),
+        t("Anexo 7, ecuación (21) corregida", "Annex 7, equation (21) corrected"),
+        path(blade, Law::Told("P″ − w·b″ − a_p·N″, w = (e + d_t)/2"), &passes.reverse, '-'),
+    )
+}
+
+/// The columns of a path beside the blade.
+fn path(blade: &Blade, law: Law, points: &Vectors, side: char) -> Vec<Column> {
+    let mut columns = vectors(XYZ, MM, law, points, offset(side, ""));
+    columns.extend(turns(blade));
+    columns
 }
 
 /// The ends of the paths in the rows of annex 8, of which every other is the reverse's.
@@ -216,6 +253,7 @@ fn at_ends(axis: &str, and: &str) -> [String; 4] {
     ENDS.map(|end| format!("[annex-{}.{axis} {end}]{and}", annex.next().unwrap_or(6)))
 }
 
+/// Annex 8.
 fn safety(passes: &ToolPaths) -> Table {
     let rows: [(&SafeEnd, bool); 4] =
         [(&passes.entry, true), (&passes.entry, false), (&passes.exit, true), (&passes.exit, false)];

@@ -5,9 +5,9 @@ use crate::gcode::control::Control;
 use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, says};
 use crate::kinds::lathe::parameters::DIALECTS;
 use crate::kinds::lathe::setup::MARGIN;
-use crate::removal::turning::machine::Lathe;
+use crate::removal::turning::machine::{Chuck, Lathe, Tailstock};
 use crate::table::{Formula, Unit};
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// The places of a turret.
 const PLACES: usize = 8;
@@ -29,24 +29,12 @@ pub fn live() -> LiveForm {
 }
 
 fn rows() -> Vec<LiveRow> {
-    let travel = |symbol, name, meaning, [least, most]: [&'static str; 2]| {
-        let both = format!("COUNT({least},{most})=2");
-        LiveRow::length(symbol, name, meaning, format!("IF({both},{most}-{least},\"\")")).wrong(
-            format!("AND({both},{least}>={most})"),
-            t("el mínimo no es menor que el máximo", "the minimum is not below the maximum"),
-            least,
-        )
-    };
-    let body = |symbol, name, meaning, ends: [&'static str; 2]| {
-        ends.into_iter().fold(travel(symbol, name, meaning, ends), |row, end| {
-            row.wrong(
-                format!("AND(COUNT(body_BX_min,body_BX_max,body_BZ_min,body_BZ_max)>0,NOT(ISNUMBER({end})))"),
-                t("el cuerpo lleva sus cuatro medidas", "the body needs all four sizes"),
-                end,
-            )
-        })
-    };
-    vec![
+    stock().into_iter().chain(ranges()).chain(reference()).chain(turret_and_control()).collect()
+}
+
+/// The stock in the chuck, and the part zero on it.
+fn stock() -> [LiveRow; 5] {
+    [
         LiveRow::length("L3", "live_stick_out", t("Voladizo: L − L4", "Stick-out: L − L4"), "stock_L-held_L4").wrong(
             "held_L4>=stock_L",
             t("L4 debe ser menor que L", "L4 must be less than L"),
@@ -87,13 +75,19 @@ fn rows() -> Vec<LiveRow> {
             t("d debe ser menor que D", "d must be less than D"),
             "stock_bore_d",
         ),
-        travel(
+    ]
+}
+
+/// How far the axes travel, and the turret's body reaches.
+fn ranges() -> [LiveRow; 4] {
+    [
+        range(
             "ΔX",
             "live_travel_X",
             t("Recorrido en X, en diámetro", "Travel in X, as a diameter"),
             ["travel_X_min", "travel_X_max"],
         ),
-        travel("ΔZ", "live_travel_Z", t("Recorrido en Z", "Travel in Z"), ["travel_Z_min", "travel_Z_max"]),
+        range("ΔZ", "live_travel_Z", t("Recorrido en Z", "Travel in Z"), ["travel_Z_min", "travel_Z_max"]),
         body(
             "ΔBX",
             "live_body_X",
@@ -106,6 +100,33 @@ fn rows() -> Vec<LiveRow> {
             t("Cuerpo de la torreta en Z", "Turret's body in Z"),
             ["body_BZ_min", "body_BZ_max"],
         ),
+    ]
+}
+
+/// From one cell to another, of which the first must be the less.
+fn range(symbol: &'static str, name: &'static str, meaning: Text, [least, most]: [&'static str; 2]) -> LiveRow {
+    let both = format!("COUNT({least},{most})=2");
+    LiveRow::length(symbol, name, meaning, format!("IF({both},{most}-{least},\"\")")).wrong(
+        format!("AND({both},{least}>={most})"),
+        t("el mínimo no es menor que el máximo", "the minimum is not below the maximum"),
+        least,
+    )
+}
+
+/// A size of the turret's body, which has all four of its cells or none.
+fn body(symbol: &'static str, name: &'static str, meaning: Text, ends: [&'static str; 2]) -> LiveRow {
+    ends.into_iter().fold(range(symbol, name, meaning, ends), |row, end| {
+        row.wrong(
+            format!("AND(COUNT(body_BX_min,body_BX_max,body_BZ_min,body_BZ_max)>0,NOT(ISNUMBER({end})))"),
+            t("el cuerpo lleva sus cuatro medidas", "the body needs all four sizes"),
+            end,
+        )
+    })
+}
+
+/// The reference point, of which both coordinates are given or none.
+fn reference() -> [LiveRow; 2] {
+    [
         LiveRow::length(
             "R_X",
             "live_reference_X",
@@ -128,6 +149,12 @@ fn rows() -> Vec<LiveRow> {
             t("con R_X va R_Z", "R_X needs R_Z"),
             "reference_R_Z",
         ),
+    ]
+}
+
+/// The mounted tools, and how the control reads a dimension.
+fn turret_and_control() -> [LiveRow; 2] {
+    [
         LiveRow::length(
             "T",
             "live_tools",
@@ -159,19 +186,158 @@ fn by_setting() -> String {
     format!("OR({})", asking.collect::<Vec<_>>().join(","))
 }
 
+/// A point of a curve, `[z, r]`, each a formula.
+type Point = [String; 2];
+
+fn at(z: &str, r: &str) -> Point {
+    [z.to_owned(), r.to_owned()]
+}
+
+/// A formula for each place of the turret, whose number stands for `#`.
+fn by_place(formula: &str) -> Vec<Formula> {
+    (1..=PLACES).map(|at| formula.replace('#', &at.to_string()).into()).collect()
+}
+
+/// The right and the left end of the stock, and the front of the jaws.
+const RIGHT: &str = "(chuck_L1+jaws_L2+stock_L-held_L4)";
+const LEFT: &str = "(chuck_L1+jaws_L2-held_L4)";
+const FRONT: &str = "(chuck_L1+jaws_L2)";
+
 /// The mounted tools in columns A to F, by their places: row of the list, Q_x, Q_z, width, length, whether it is a bar; single
 /// cells in G; then the curves, in mm from machine zero M in H to Q, and scaled behind them.
 fn view() -> LiveView {
-    let place = |formula: &str| -> Vec<Formula> {
-        (1..=PLACES).map(|at| formula.replace('#', &at.to_string()).into()).collect()
-    };
-    let own = |symbol: &str| place(&format!("IF($A#>0,N(INDEX([tools.{symbol}],$A#)),0)"));
+    let Lathe { chuck, tailstock, .. } = Lathe::default();
+    // From the stock on, G10: whether the tailstock supports it.
+    let behind = format!("IF($G$10,{RIGHT}+{QUILL},{RIGHT})");
+    let outlines = [
+        chuck_outline(&chuck),
+        stock_outline(),
+        bore_and_zero(&behind),
+        quill_outline(&tailstock, &behind),
+        turret_outline(),
+    ];
+    let lines = outlines.map(|points| {
+        [0, 1].map(|axis| points.iter().map(|point| format!("IF(live_ok,{},0)", point[axis]).into()).collect())
+    });
+    let mut columns = Vec::from(mounted_tools());
+    columns.push(single_cells(&lines, &tailstock));
+    columns.extend(lines.iter().flatten().cloned());
+    let curves = scaled(&lines, &mut columns);
+    LiveView {
+        title: t("Planta: plato, bruto, torreta", "Plan view: chuck, stock, turret"),
+        height: HEIGHT,
+        drawn: "live_ok",
+        columns,
+        curves,
+    }
+}
+
+/// Columns A to F.
+fn mounted_tools() -> [Vec<Formula>; 6] {
+    let own = |symbol: &str| by_place(&format!("IF($A#>0,N(INDEX([tools.{symbol}],$A#)),0)"));
     let kind = "INDEX([tools.type],$A#)";
     // Boring bars and drills lie along the axis, whatever the language of their type.
     let bar = format!(
         "IF($A#>0,IF(OR(LEFT({kind},5)=\"broca\",RIGHT({kind},5)=\"drill\",RIGHT({kind},8)=\"interior\",LEFT({kind},8)=\"internal\"),1,0),0)"
     );
-    let Lathe { chuck, tailstock, .. } = Lathe::default();
+    [
+        by_place("IF(ISNUMBER(MATCH(#,[tools.T],0)),MATCH(#,[tools.T],0),0)"),
+        own("Q_x"),
+        own("Q_z"),
+        own("b"),
+        own("l"),
+        by_place(&bar),
+    ]
+}
+
+/// The chuck with its jaws.
+fn chuck_outline(chuck: &Chuck) -> Vec<Point> {
+    let jaw = format!("(stock_D/2+{})", chuck.jaw_height);
+    vec![
+        at("chuck_L1", "stock_D/2"),
+        at(FRONT, "stock_D/2"),
+        at(FRONT, &jaw),
+        at("chuck_L1", &jaw),
+        at("chuck_L1", "chuck_D_c/2"),
+        at("0", "chuck_D_c/2"),
+        at("0", "-chuck_D_c/2"),
+        at("chuck_L1", "-chuck_D_c/2"),
+        at("chuck_L1", &format!("-{jaw}")),
+        at(FRONT, &format!("-{jaw}")),
+        at(FRONT, "-stock_D/2"),
+        at("chuck_L1", "-stock_D/2"),
+        at("chuck_L1", "stock_D/2"),
+    ]
+}
+
+fn stock_outline() -> Vec<Point> {
+    vec![
+        at(LEFT, "stock_D/2"),
+        at(RIGHT, "stock_D/2"),
+        at(RIGHT, "-stock_D/2"),
+        at(LEFT, "-stock_D/2"),
+        at(LEFT, "stock_D/2"),
+    ]
+}
+
+/// The bore; of a solid stock its axis. Then the part zero.
+fn bore_and_zero(behind: &str) -> Vec<Point> {
+    vec![
+        at("0", "0"),
+        at(LEFT, "0"),
+        at(LEFT, "N(stock_bore_d)/2"),
+        at(RIGHT, "N(stock_bore_d)/2"),
+        at(RIGHT, "-N(stock_bore_d)/2"),
+        at(LEFT, "-N(stock_bore_d)/2"),
+        at(LEFT, "0"),
+        at("live_Z_W1", "0"),
+        at("live_Z_W1", "0.7*stock_D"),
+        at("live_Z_W1", "-0.7*stock_D"),
+        at("live_Z_W1", "0"),
+        at(behind, "0"),
+    ]
+}
+
+/// The tailstock's quill; a point where none supports the stock.
+fn quill_outline(tailstock: &Tailstock, behind: &str) -> Vec<Point> {
+    let half = (tailstock.diameter / 2.0).to_string();
+    let tip = format!("({RIGHT}-{})", tailstock.depth);
+    let shoulder = format!("{tip}+{half}/TAN(RADIANS(30))");
+    let below = format!("-{half}");
+    [at(&tip, "0"), at(&shoulder, &half), at(behind, &half), at(behind, &below), at(&shoulder, &below), at(&tip, "0")]
+        .into_iter()
+        .map(|[z, r]| [format!("IF($G$10,{z},{RIGHT})"), format!("IF($G$10,{r},0)")])
+        .collect()
+}
+
+/// From the reference point to the end of each tool's shank, round it, and back. G3: 1 for a rear turret, −1 for a front one.
+fn turret_outline() -> Vec<Point> {
+    let reference = || at("$G$2", "$G$3*$G$1");
+    let mut points = Vec::new();
+    for place in 1..=PLACES {
+        let (tip_z, tip_x) = (format!("($G$2-$C${place})"), format!("($G$1-$B${place})"));
+        let corner = |(along, beside): (f64, f64)| {
+            let (long, wide) = (format!("{along}*$E${place}"), format!("{beside}*$D${place}/2"));
+            let bar = format!("$F${place}=1");
+            let z = format!("{tip_z}+IF({bar},{long},{wide})");
+            let x = format!("$G$3*({tip_x}+IF({bar},{wide},{long}))");
+            [format!("IF($A${place}>0,{z},$G$2)"), format!("IF($A${place}>0,{x},$G$3*$G$1)")]
+        };
+        points.push(reference());
+        points.extend([(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, -1.0), (1.0, -1.0), (1.0, 0.0)].map(corner));
+        points.push(reference());
+    }
+    points
+}
+
+/// The columns of the curves, H to Q.
+const LETTERS: [[char; 2]; 5] = [['H', 'I'], ['J', 'K'], ['L', 'M'], ['N', 'O'], ['P', 'Q']];
+
+/// The points of the curves, by their axes.
+type Lines = [[Vec<Formula>; 2]; LETTERS.len()];
+
+/// The cells of column G.
+fn single_cells(lines: &Lines, tailstock: &Tailstock) -> Vec<Formula> {
     let free = |far: &str, [least, most]: [&str; 2], scale: &str| {
         format!("MAX(IF(ISNUMBER({least}),{least}{scale},-5000),MIN(IF(ISNUMBER({most}),{most}{scale},5000),{far}))")
     };
@@ -182,92 +348,13 @@ fn view() -> LiveView {
     ];
     let [free_x, free_z] =
         [free(&far_x, ["travel_X_min", "travel_X_max"], "/2"), free(&far_z, ["travel_Z_min", "travel_Z_max"], "")];
-    let (right, left) = ("(chuck_L1+jaws_L2+stock_L-held_L4)", "(chuck_L1+jaws_L2-held_L4)");
-    let tip = format!("({right}-{})", tailstock.depth);
-    let cone = format!("{}/TAN(RADIANS(30))", tailstock.diameter / 2.0);
-    // G10: whether the tailstock supports the stock.
-    let behind = format!("IF($G$10,{right}+{QUILL},{right})");
-    let half = tailstock.diameter / 2.0;
-    let jaw = format!("(stock_D/2+{})", chuck.jaw_height);
-    let front = "(chuck_L1+jaws_L2)";
-    let raw = |points: &[[String; 2]]| -> [Vec<Formula>; 2] {
-        [0, 1].map(|axis| points.iter().map(|point| format!("IF(live_ok,{},0)", point[axis]).into()).collect())
-    };
-    let at = |z: &str, r: &str| [z.to_owned(), r.to_owned()];
-    let fixtures = raw(&[
-        at("chuck_L1", "stock_D/2"),
-        at(front, "stock_D/2"),
-        at(front, &jaw),
-        at("chuck_L1", &jaw),
-        at("chuck_L1", "chuck_D_c/2"),
-        at("0", "chuck_D_c/2"),
-        at("0", "-chuck_D_c/2"),
-        at("chuck_L1", "-chuck_D_c/2"),
-        at("chuck_L1", &format!("-{jaw}")),
-        at(front, &format!("-{jaw}")),
-        at(front, "-stock_D/2"),
-        at("chuck_L1", "-stock_D/2"),
-        at("chuck_L1", "stock_D/2"),
-    ]);
-    let stock = raw(&[
-        at(left, "stock_D/2"),
-        at(right, "stock_D/2"),
-        at(right, "-stock_D/2"),
-        at(left, "-stock_D/2"),
-        at(left, "stock_D/2"),
-    ]);
-    // The bore; of a solid stock its axis. Then the part zero.
-    let bore = raw(&[
-        at("0", "0"),
-        at(left, "0"),
-        at(left, "N(stock_bore_d)/2"),
-        at(right, "N(stock_bore_d)/2"),
-        at(right, "-N(stock_bore_d)/2"),
-        at(left, "-N(stock_bore_d)/2"),
-        at(left, "0"),
-        at("live_Z_W1", "0"),
-        at("live_Z_W1", "0.7*stock_D"),
-        at("live_Z_W1", "-0.7*stock_D"),
-        at("live_Z_W1", "0"),
-        at(&behind, "0"),
-    ]);
-    let quill = |point: [String; 2]| [format!("IF($G$10,{},{right})", point[0]), format!("IF($G$10,{},0)", point[1])];
-    let quill = raw(&[
-        quill(at(&tip, "0")),
-        quill([format!("{tip}+{cone}"), half.to_string()]),
-        quill([behind.clone(), half.to_string()]),
-        quill([behind.clone(), format!("-{half}")]),
-        quill([format!("{tip}+{cone}"), format!("-{half}")]),
-        quill(at(&tip, "0")),
-    ]);
-    // From the reference point to the end of the shank, round it, and back. G3: 1 for a rear turret, −1 for a front one.
-    let mut points = Vec::new();
-    for place in 1..=PLACES {
-        let (tip_z, tip_x) = (format!("($G$2-$C${place})"), format!("($G$1-$B${place})"));
-        let corner = |along: f64, beside: f64| {
-            let (long, wide) = (format!("{along}*$E${place}"), format!("{beside}*$D${place}/2"));
-            let bar = format!("$F${place}=1");
-            [format!("{tip_z}+IF({bar},{long},{wide})"), format!("$G$3*({tip_x}+IF({bar},{wide},{long}))")]
-        };
-        let reference = || at("$G$2", "$G$3*$G$1");
-        let mounted =
-            |[z, x]: [String; 2]| [format!("IF($A${place}>0,{z},$G$2)"), format!("IF($A${place}>0,{x},$G$3*$G$1)")];
-        points.push(reference());
-        let outline = [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, -1.0), (1.0, -1.0), (1.0, 0.0)];
-        points.extend(outline.map(|(along, beside)| mounted(corner(along, beside))));
-        points.push(reference());
-    }
-    let tools = raw(&points);
-    let lines = [fixtures, stock, bore, quill, tools];
-    // H to Q.
-    let letters = [['H', 'I'], ['J', 'K'], ['L', 'M'], ['N', 'O'], ['P', 'Q']];
     let all = |axis: usize| {
         let ranges =
-            lines.iter().zip(letters).map(|(line, letter)| format!("${0}$1:${0}${1}", letter[axis], line[axis].len()));
+            lines.iter().zip(LETTERS).map(|(line, letter)| format!("${0}$1:${0}${1}", letter[axis], line[axis].len()));
         ranges.collect::<Vec<_>>().join(",")
     };
     // Without sound inputs there is nothing to compute with.
-    let single: Vec<Formula> = vec![
+    vec![
         format!("IF(live_ok,IF({referred},reference_R_X/2,{free_x}),0)").into(),
         format!("IF(live_ok,IF({referred},reference_R_Z,{free_z}),0)").into(),
         "IF(OR(TRIM(turret)=\"rear\",TRIM(turret)=\"trasera\"),1,-1)".into(),
@@ -283,31 +370,19 @@ fn view() -> LiveView {
             tailstock.beyond
         )
         .into(),
-    ];
-    let mut columns = vec![
-        place("IF(ISNUMBER(MATCH(#,[tools.T],0)),MATCH(#,[tools.T],0),0)"),
-        own("Q_x"),
-        own("Q_z"),
-        own("b"),
-        own("l"),
-        place(&bar),
-        single,
-    ];
-    columns.extend(lines.iter().flatten().cloned());
-    let mut curves = Vec::new();
+    ]
+}
+
+/// The curves, whose points are put behind the other columns to the view's scale.
+fn scaled(lines: &Lines, columns: &mut Vec<Vec<Formula>>) -> Vec<LiveCurve> {
     let looks = [LiveLook::Faint, LiveLook::Part, LiveLook::Dashed, LiveLook::Faint, LiveLook::Dashed];
-    for ((line, letter), look) in lines.iter().zip(letters).zip(looks) {
+    let mut curves = Vec::new();
+    for ((line, letter), look) in lines.iter().zip(LETTERS).zip(looks) {
         for (axis, [low, high]) in [["$G$4", "$G$5"], ["$G$6", "$G$7"]].into_iter().enumerate() {
             let scaled = |row: usize| format!("(${}{row}-({low}+{high})/2)*$G$8", letter[axis]).into();
             columns.push((1..=line[axis].len()).map(scaled).collect());
         }
         curves.push(LiveCurve { columns: [columns.len() - 2, columns.len() - 1], look });
     }
-    LiveView {
-        title: t("Planta: plato, bruto, torreta", "Plan view: chuck, stock, turret"),
-        height: HEIGHT,
-        drawn: "live_ok",
-        columns,
-        curves,
-    }
+    curves
 }

@@ -12,18 +12,20 @@ pub mod size;
 mod sketch;
 mod switching;
 
-use crate::gcode::control::Rotary;
+use crate::gcode::control::RotaryMode;
 use crate::gcode::word::Distance;
 use crate::kind::{Proved, Shown};
 use crate::kinds::pipe::dimensions::Pipe;
 use crate::proof::account::Account;
+use crate::table::{Quantity, Unit};
+use crate::text::{Text, t};
 
 /// How a program turns its rotary axes: where those of the control are rollover as delivered, the number of an absolute word
 /// would be an angle from 0 to 360 and its sign the direction. Increments are the same motions on either axis.
-const fn counted(rotary: Rotary) -> Distance {
+const fn counted(rotary: RotaryMode) -> Distance {
     match rotary {
-        Rotary::Rollover => Distance::Incremental,
-        Rotary::Linear => Distance::Absolute,
+        RotaryMode::Rollover => Distance::Incremental,
+        RotaryMode::Linear => Distance::Absolute,
     }
 }
 
@@ -36,4 +38,16 @@ fn sizes(branch: Pipe, header: Pipe) -> Vec<(&'static str, Shown)> {
 /// What the program of a pipe comes to.
 fn account(programs: &[Proved]) -> Account {
     programs.last().map(|program| program.account.clone()).unwrap_or_default()
+}
+
+/// A derived value that has no cell of its own yet.
+const fn quantity(symbol: &'static str, meaning: Text, value: f64, unit: Unit, source: Text) -> Quantity {
+    Quantity { symbol, meaning, value, unit, source, cell: None }
+}
+
+/// How long the torch takes, where every motion has its time.
+fn time(account: &Account) -> Option<Quantity> {
+    let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");
+    let known = !account.untimed && account.seconds > 0.0;
+    known.then(|| quantity("t_c", meaning, account.seconds, Unit::Second, t("programa leído", "program read back")))
 }

@@ -15,6 +15,7 @@ mod change;
 pub mod contact;
 pub mod detached;
 pub mod deviation;
+mod engagement;
 pub mod in_force;
 pub mod machine;
 pub mod mesh;

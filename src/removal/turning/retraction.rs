@@ -4,8 +4,8 @@
 //! Millimetres, `[z, r]`.
 
 use super::alarm::{Cause, SCRAPE};
+use super::engagement::near;
 use super::path::Piece;
-use super::simulation::near;
 use super::tool::{Cutter, TurningTool};
 use super::workpiece::section;
 use crate::geometry::exact::meeting::Meeting;

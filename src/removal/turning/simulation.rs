@@ -2,24 +2,21 @@
 
 use std::collections::BTreeMap;
 
-use super::alarm::{Alarm, Cause, Moving, TOUCH};
-use super::boring::Hole;
+use super::alarm::{Alarm, Cause, TOUCH};
 use super::change;
-use super::contact::{Contact, Ride, depth, far_end};
-use super::detached::judged;
-use super::motion_totals::{Tally, collide, travel};
+use super::contact::Contact;
+use super::engagement::{Engagement, Led, Ready, WITHIN};
+use super::motion_totals::{Tally, travel};
 use super::once::Watch;
-use super::outline::Outline;
 use super::path::{self, Piece};
-use super::retraction::{Scraped, retracts};
+use super::retraction::retracts;
 use super::rules::{ArcTolerance, PartBeyondSpace, ToolWithoutOutline};
-use super::spindle::{SpindleUse, begun, extent, revolutions, ribs};
+use super::spindle::SpindleUse;
 pub use super::start::Setup;
 use super::step::{Edit, Step, Totals};
 use super::stock::{Fixture, turned_about};
-use super::surface_origin::{self, Chain, SweptPiece};
-use super::tool::{Cutter, TurningTool};
-use super::workpiece::{CHIP, Removed, TURN, Workpiece};
+use super::surface_origin::{self, Chain};
+use super::workpiece::{CHIP, Removed, Workpiece};
 use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::gcode::in_force::{InForce, Speed};
 use crate::gcode::motion::{Feed, Motion, MotionKind};
@@ -27,19 +24,7 @@ use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::Point;
 use crate::geometry::exact::region::{Labelled, Ring};
 use crate::machine::axis::{Axis, Pose};
-use crate::number::trig::hypot;
 
-/// Ways of tools are cut off at this distance from the middle of the blank, mm: with what a tool reaches they stay on the
-/// grid, and past it no tool reaches the blank.
-const WITHIN: f64 = 780.0;
-
-/// A tool made ready.
-#[derive(Clone, Debug)]
-struct Ready {
-    tool: TurningTool,
-    outline: Outline,
-    bodies: Vec<Convex>,
-}
 /// A simulation under way.
 #[derive(Clone, Debug)]
 pub struct Simulation {
@@ -66,16 +51,6 @@ pub struct Simulation {
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
     swept: Convex,
-}
-
-/// Where a thread's pass has come to.
-#[derive(Clone, Copy, Debug)]
-struct Led {
-    tool: u32,
-    /// On the grid, `[z, r]`.
-    at: [f64; 2],
-    /// What is left of the revolution that has begun, as a share.
-    left: f64,
 }
 
 impl Simulation {
@@ -334,7 +309,7 @@ impl Simulation {
         }
 
         let mut contact = Contact::default();
-        let begins = !self.led.is_some_and(|led| led.tool == control.tool && near(led.at, start));
+        let begins = !self.led.is_some_and(|led| led.leads(control.tool, start));
         let removed =
             if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
         self.judge(control, &pieces, begins, &contact, &mut tally);
@@ -389,122 +364,41 @@ impl Simulation {
 
     /// Takes away what the tool sweeps, and looks where the rest of it goes.
     fn cut(&mut self, pieces: &[Piece], control: &InForce, contact: &mut Contact, tally: &mut Tally) -> Removed {
-        let mut removed = Removed::default();
+        let removed = Removed::default();
         let Some(ready) = self.tools.get(&control.tool) else { return removed };
-        let (part, swept, chain) = (&mut self.part, &mut self.swept, &mut self.chain);
-        let rapid = tally.motion.kind == MotionKind::Rapid;
-        let insert = matches!(ready.tool.cutter, Cutter::Insert { .. });
-        if !matches!(tally.motion.kind, MotionKind::Feed(_) | MotionKind::Arc(..)) {
-            chain.end();
+        let kind = tally.motion.kind;
+        if !matches!(kind, MotionKind::Feed(_) | MotionKind::Arc(..)) {
+            self.chain.end();
         }
         let leaves = self.stands.is_some_and(|stands| retracts(&ready.tool, stands, control.tool, pieces));
-        let mut scraped: Option<Scraped> = None;
-        let mut add = |more: Removed| {
-            removed.volume += more.volume;
-            removed.parted += more.parted;
+        let mut engagement = Engagement {
+            place: control.tool,
+            ready,
+            fixtures: &self.fixtures,
+            part: &mut self.part,
+            chain: &mut self.chain,
+            contact,
+            tally,
+            swept: &mut self.swept,
+            removed,
+            scraped: None,
         };
-        let mut ring = |at: [f64; 2], part: &mut Workpiece, swept: &mut Convex, tally: &mut Tally| {
-            let Some(at) = Point::near(at) else { return };
-            for cutter in &ready.outline.cutter {
-                if cutter.polygon.sweep(at, at, swept) {
-                    add(part.cut_rib(swept, |meeting, mirrored, _| {
-                        let ride = Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored };
-                        if let Some(bite) = contact.add_rib(meeting, &ride) {
-                            tally.met(bite, [at.mm(); 2], mirrored);
-                            tally.weigh(meeting, mirrored);
-                        }
-                    }));
-                }
-            }
-        };
-        if let MotionKind::Thread(thread) = tally.motion.kind {
-            for &piece in pieces {
-                // Blocks of a thread that follow one another go on in its revolution; a new pass at its angle.
-                let goes_on = self.led.filter(|led| led.tool == control.tool && near(led.at, piece[0]));
-                let left = goes_on.map_or_else(|| begun(thread), |led| led.left);
-                // A place out of the grid is a step too.
-                for at in ribs(thread, piece, left) {
-                    if !part.spend(TURN) {
-                        break;
-                    }
-                    ring(at, part, swept, tally);
-                }
-                let length = extent(piece);
-                let turned = revolutions(thread, length).unwrap_or(0.0) - left;
-                let left = if thread.lead > 0.0 { turned.ceil() - turned } else { 0.0 };
-                self.led = Some(Led { tool: control.tool, at: piece[1], left });
-            }
+        if let MotionKind::Thread(thread) = kind {
+            engagement.thread(thread, pieces, &mut self.led);
         } else if let Some(led) = self.led.take()
-            && led.tool == control.tool
             && let Some(&[from, _]) = pieces.first()
-            && near(led.at, from)
+            && led.leads(control.tool, from)
         {
             // Where the thread ends in metal, the spindle turns on while the tool stands: there it cuts a ring.
-            ring(from, part, swept, tally);
+            engagement.ring(from);
         }
         for &piece in pieces {
-            if part.is_spent() {
+            if engagement.part.is_spent() {
                 break;
             }
-            let [from, to] = piece;
-            let Some([first, last]) = path::on_grid(piece, WITHIN) else { continue };
-            let long = hypot(to[0] - from[0], to[1] - from[1]);
-            let way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
-            let ends = [first.mm(), last.mm()];
-            let hole = if rapid { None } else { Hole::before(part, &ready.tool, &ready.outline, ends) };
-            if let Some(hole) = hole.filter(Hole::is_solid) {
-                contact.solid = contact.solid.or(hole.cause());
-            }
-            for cutter in &ready.outline.cutter {
-                if !cutter.polygon.sweep(first, last, swept) {
-                    continue;
-                }
-                collide(&self.fixtures, swept, Moving::Cutter, tally);
-                if matches!(tally.motion.kind, MotionKind::Thread(_)) {
-                    continue;
-                }
-                add(part.cut(swept, |meeting, mirrored, labels| {
-                    if rapid {
-                        let (deep, place) = depth(meeting);
-                        if deep > TOUCH {
-                            let place = if mirrored { [place[0], -place[1]] } else { place };
-                            Scraped::take(&mut scraped, meeting, deep, place);
-                        }
-                    } else {
-                        let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
-                        if let Some(bite) = contact.add(meeting, &ride) {
-                            tally.met(bite, ends, mirrored);
-                            tally.weigh(meeting, mirrored);
-                        }
-                        if insert && !mirrored {
-                            let pass = SweptPiece { part: cutter, meeting, way, ends };
-                            let alarm = |deep, place| tally.alarm(Cause::BackCutting, place, Some(deep));
-                            chain.label(pass, alarm, |at| far_end(meeting, &ride, at), labels);
-                        }
-                    }
-                }));
-            }
-            let holder = ready.outline.holder.iter().map(|body| (Moving::Holder, body));
-            for (moving, body) in holder.chain(ready.bodies.iter().map(|body| (Moving::Turret, body))) {
-                if !body.sweep(first, last, swept) {
-                    continue;
-                }
-                collide(&self.fixtures, swept, moving, tally);
-                part.probe(swept, |meeting, _| {
-                    let (deep, place) = depth(meeting);
-                    if deep > TOUCH {
-                        let ahead = hole.filter(|hole| moving == Moving::Holder && place[0] < hole.end + TOUCH);
-                        let cause = ahead.and_then(|hole| hole.cause()).unwrap_or(Cause::BodyInMetal(moving));
-                        tally.raise(cause, place, Some(deep));
-                    }
-                });
-            }
-            add(part.drop_loose(|ring| judged(&ready.tool.cutter, &ready.outline.cutter, ends, ring)));
+            engagement.along(piece);
         }
-        if let Some(scraped) = scraped {
-            tally.raise(scraped.cause(&ready.tool, leaves), scraped.place, Some(scraped.deep));
-        }
-        removed
+        engagement.end(leaves)
     }
 
     /// What the motion's contact with metal, and what is in force, give rise to.
@@ -589,8 +483,4 @@ impl Simulation {
 
 fn labels(rings: &[Labelled]) -> impl Iterator<Item = u32> + '_ {
     rings.iter().flat_map(|(_, labels)| labels.iter().copied())
-}
-
-pub(super) fn near(one: [f64; 2], two: [f64; 2]) -> bool {
-    hypot(two[0] - one[0], two[1] - one[1]) < TOUCH
 }

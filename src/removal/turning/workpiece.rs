@@ -29,6 +29,14 @@ pub struct Removed {
     pub parted: f64,
 }
 
+impl Removed {
+    /// Adds what a further cut took away.
+    pub fn add(&mut self, more: Self) {
+        self.volume += more.volume;
+        self.parted += more.parted;
+    }
+}
+
 /// The part: the half of its section at r ≥ 0, turned about the axis.
 #[derive(Debug, Default)]
 pub struct Workpiece {

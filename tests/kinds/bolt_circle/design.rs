@@ -1,7 +1,7 @@
 //! The checked values, and where the holes are.
 
 use rodete::finding::{Finding, Raise, Size};
-use rodete::gcode::control::Written;
+use rodete::gcode::control::Post;
 use rodete::gcode::fields::{DIALECT, PART};
 use rodete::number::trig::sin_cos;
 use rodete::parameter::at;
@@ -28,7 +28,7 @@ pub struct BoltCircle {
     pub F: f64,
     pub S: u32,
     pub part: String,
-    pub written: Written,
+    pub post: Post,
 }
 
 impl BoltCircle {
@@ -47,7 +47,7 @@ impl BoltCircle {
             F: fields.get(&FEED),
             S: fields.get(&SPEED),
             part: fields.get(&PART),
-            written: fields.get(&DIALECT),
+            post: fields.get(&DIALECT),
         };
         let mut found = Vec::new();
         let (between, most) = (circle.D * sin_cos(std::f64::consts::PI / f64::from(circle.N)).0, IN_ONE_GO * circle.d);

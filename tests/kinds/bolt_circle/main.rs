@@ -24,7 +24,7 @@ use rodete::gcode::control::Control;
 use rodete::gcode::header::Origin;
 use rodete::gcode::in_force::Spindle;
 use rodete::gcode::program::Program;
-use rodete::kind::method::{Method, Of, Written};
+use rodete::kind::method::{Method, Of, Unproved};
 use rodete::kind::{Chapters, Proved, Wants, out_of_format};
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Form};
@@ -63,7 +63,7 @@ impl Method for Kind {
     }
 
     fn control(circle: &BoltCircle) -> &'static Control {
-        circle.written.control
+        circle.post.control
     }
 
     fn model(_: &BoltCircle) -> Result<(), Vec<Finding>> {
@@ -90,10 +90,10 @@ impl Method for Kind {
         }]
     }
 
-    fn programs(circle: &BoltCircle, (): &(), origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+    fn programs(circle: &BoltCircle, (): &(), origin: &Origin<'_>) -> Result<Unproved, Vec<Finding>> {
         let program =
             program::program(circle, origin).map_err(|error| vec![out_of_format(error, [PITCH.key(), DEPTH.key()])])?;
-        Ok(Written { programs: vec![program], findings: Vec::new() })
+        Ok(Unproved { programs: vec![program], findings: Vec::new() })
     }
 
     fn memo(_: &BoltCircle, (): &(), _: Wants) {}

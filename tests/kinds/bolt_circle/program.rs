@@ -13,9 +13,9 @@ use crate::design::{BoltCircle, CLEAR};
 pub fn program(circle: &BoltCircle, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
     let title = t("Agujeros", "Holes");
     let work = Work { part: &circle.part, material: "", number: 1 };
-    let control = circle.written.control;
+    let control = circle.post.control;
     let mut writer =
-        Writer::new(circle.written, Header::new(control, "holes", &title, work, origin).parts).along_the_path();
+        Writer::new(circle.post, Header::new(control, "holes", &title, work, origin).parts).along_the_path();
     let (up, down) = (Milli::round(CLEAR)?, Milli::round(-circle.h)?);
     let way = CLEAR + circle.h;
     let F = FeedWord::lasting(writer.law(), 60.0 * way / circle.F, way)?;

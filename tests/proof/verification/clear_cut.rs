@@ -25,7 +25,7 @@ use rodete::kinds::impeller::proof::nose::Nose;
 use rodete::kinds::impeller::sweep::Sweep;
 use rodete::kinds::impeller::{self, Impeller};
 use rodete::machine::axis::{Axis, Pose, Position};
-use rodete::machine::rotary::Rotary;
+use rodete::machine::rotary::TiltingTable;
 use rodete::number::grid::Milli;
 use rodete::parameter::Value;
 use rodete::text::Language;
@@ -156,7 +156,7 @@ fn points(design: &Design, v_s: f64) -> [Vec<Vector3<f64>>; 2] {
 }
 
 /// Where from the tool's axis, across it, the nearest of some points lies.
-fn nearest(machine: Rotary, at: &Stand, points: &[Vector3<f64>]) -> Option<[f64; 2]> {
+fn nearest(machine: TiltingTable, at: &Stand, points: &[Vector3<f64>]) -> Option<[f64; 2]> {
     let seen = points.iter().map(|x| machine.to_machine(x, at.B, at.C) - at.at).filter(|x| x.z >= 0.0);
     let least = seen.min_by(|one, two| one.xy().norm_squared().total_cmp(&two.xy().norm_squared()))?;
     Some([least.x, least.y])

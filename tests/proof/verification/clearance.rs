@@ -12,13 +12,13 @@ use rodete::kinds::impeller::part::Part;
 use rodete::kinds::impeller::proof::flanks::{Clearance, Clearances, checks};
 use rodete::kinds::impeller::tool_path::tool_path;
 use rodete::kinds::impeller::track::Track;
-use rodete::machine::rotary::Rotary;
+use rodete::machine::rotary::TiltingTable;
 use rodete::parameter::Value;
 use rodete::proof::check::At;
 
 use super::{common, published as design, real};
 
-const MACHINE: Rotary = Rotary { L: 242.9 };
+const MACHINE: TiltingTable = TiltingTable { L: 242.9 };
 
 /// The published path of 40 blocks along one side of a blade, d_t = 6, a_p = 2, not rounded.
 fn published(e: f64, side: f64) -> Vec<Stand> {

@@ -12,7 +12,7 @@ use rodete::kinds::impeller::splitter::Splitter;
 use rodete::kinds::impeller::tables::ToolPaths;
 use rodete::kinds::impeller::track::Track;
 use rodete::machine::axis::{Axis, Pose};
-use rodete::machine::rotary::Rotary;
+use rodete::machine::rotary::TiltingTable;
 use rodete::number::grid::Milli;
 use rodete::proof::agreement::tip;
 
@@ -89,7 +89,7 @@ proptest! {
         at in [-400.0..400.0_f64, -50.0..50.0, -400.0..100.0, -5.0..95.0, -800.0..800.0], L in 0.0..500.0_f64,
         steps in prop::collection::vec([-1.0..1.0_f64, -1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0], 600),
     ) {
-        let machine = Rotary { L };
+        let machine = TiltingTable { L };
         let pose = |off: [f64; 5]| {
             let mut pose = Pose::default();
             for (k, axis) in [Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C].into_iter().enumerate() {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use rodete::finding::Grade;
 use rodete::gcode::control::{ALL, Control, FAGOR_8055, LINUXCNC};
-use rodete::gcode::interpreter::{Interpreter, Rotary, Setting};
+use rodete::gcode::interpreter::{Interpreter, RotaryMode, Setting};
 use rodete::machine::axis::Axis;
 
 /// Where C goes, counted on beyond a turn, what is refused and what is remarked.
@@ -15,7 +15,7 @@ struct Read {
     cautions: Vec<String>,
 }
 
-fn read(dialect: &'static Control, rotary: Option<Rotary>, program: &str) -> Read {
+fn read(dialect: &'static Control, rotary: Option<RotaryMode>, program: &str) -> Read {
     let mut setting = Setting::new(dialect);
     setting.rotary = rotary.unwrap_or(setting.rotary);
     let mut interpreter = Interpreter::over(program.as_bytes(), setting);
@@ -31,7 +31,7 @@ fn read(dialect: &'static Control, rotary: Option<Rotary>, program: &str) -> Rea
     read
 }
 
-fn ends(rotary: Rotary, program: &str) -> Vec<f64> {
+fn ends(rotary: RotaryMode, program: &str) -> Vec<f64> {
     let read = read(&FAGOR_8055, Some(rotary), program);
     assert!(read.refused.is_empty(), "{read:?}");
     read.ends
@@ -41,7 +41,7 @@ fn ends(rotary: Rotary, program: &str) -> Vec<f64> {
 fn only_a_fagor_8055_has_rollover_axes_as_delivered() {
     let rollover: Vec<_> = ALL
         .into_iter()
-        .filter(|dialect| dialect.rotary.delivered == Rotary::Rollover)
+        .filter(|dialect| dialect.rotary.delivered == RotaryMode::Rollover)
         .map(|dialect| dialect.name)
         .collect();
     assert_eq!(rollover, ["fagor-8055", "fagor-8055-t"]);
@@ -49,7 +49,7 @@ fn only_a_fagor_8055_has_rollover_axes_as_delivered() {
 
 #[test]
 fn the_sign_is_the_direction_and_the_number_the_angle() {
-    let to = |from: &str, word: &str| ends(Rotary::Rollover, &format!("G91 G0 {from}\nG90 {word}\nM30\n"))[1];
+    let to = |from: &str, word: &str| ends(RotaryMode::Rollover, &format!("G91 G0 {from}\nG90 {word}\nM30\n"))[1];
     for (from, word, end) in [
         ("C10", "C350", 350.0),
         ("C10", "C-350", -10.0),
@@ -75,7 +75,7 @@ fn increments_are_the_same_under_both_settings() {
         published("annex-10-splitter-as-printed.nc"),
     ];
     for program in programs {
-        let [linear, rollover] = [Rotary::Linear, Rotary::Rollover].map(|rotary| ends(rotary, &program));
+        let [linear, rollover] = [RotaryMode::Linear, RotaryMode::Rollover].map(|rotary| ends(rotary, &program));
         assert_eq!(linear, rollover);
     }
 }
@@ -83,7 +83,7 @@ fn increments_are_the_same_under_both_settings() {
 #[test]
 fn an_absolute_program_for_linear_axes_turns_the_other_way_where_they_are_rollover() {
     let program = "G90 G0 C-270\nG1 F100 C-265.5\nX1 C-261\nX2 C270\nX3 C265.5\nX4 C261.25\nM30\n";
-    let linear = read(&FAGOR_8055, Some(Rotary::Linear), program);
+    let linear = read(&FAGOR_8055, Some(RotaryMode::Linear), program);
     assert_eq!(linear.ends, [-270.0, -265.5, -261.0, 270.0, 265.5, 261.25]);
     let rollover = read(&FAGOR_8055, None, program);
     assert_eq!(rollover.ends, [-90.0, -94.5, -99.0, -90.0, 265.5, 621.25]);
@@ -116,7 +116,7 @@ fn a_target_beyond_the_turn_is_refused() {
     assert!(refused("C359.9999").is_empty() && refused("X0\nG91 C720").is_empty());
     let preset = read(&FAGOR_8055, None, "G92 C-10\nG92 C350\nM30\n").refused;
     assert!(preset.len() == 1 && preset[0].starts_with("0199: C-10"), "{preset:?}");
-    assert!(read(&FAGOR_8055, Some(Rotary::Linear), "G90 G0 C370\nM30\n").refused.is_empty());
+    assert!(read(&FAGOR_8055, Some(RotaryMode::Linear), "G90 G0 C370\nM30\n").refused.is_empty());
 }
 
 #[test]
@@ -127,12 +127,12 @@ fn what_the_manuals_do_not_say_is_a_caution() {
     assert_eq!(cautions("G91 G0 C-0.001\nC0.001\nG90 C0\nM30\n"), [reached]);
     let minus = cautions("G91 G0 C90\nG90 C-0\nM30\n");
     assert_eq!(minus, ["C-0 in G90: undefined on this control; rodete reads it as a turn in minus to 0"]);
-    assert_eq!(ends(Rotary::Rollover, "G91 G0 C90\nG90 C-0\nM30\n"), [90.0, 0.0]);
+    assert_eq!(ends(RotaryMode::Rollover, "G91 G0 C90\nG90 C-0\nM30\n"), [90.0, 0.0]);
 }
 
 #[test]
 fn a_wrapped_axis_of_linuxcnc_is_read_by_the_same_rule() {
-    let wrapped = |program: &str| read(&LINUXCNC, Some(Rotary::Rollover), program);
+    let wrapped = |program: &str| read(&LINUXCNC, Some(RotaryMode::Rollover), program);
     let read = wrapped("G21 G90 G0 C350\nC10\nC10\nC-350\nM2\n");
     assert_eq!((read.ends, read.cautions), (vec![350.0, 370.0, 370.0, 350.0], Vec::<String>::new()));
     assert!(wrapped("G21 G90 G0 C360\nM2\n").refused[0].starts_with("C360 in G90"));

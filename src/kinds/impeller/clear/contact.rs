@@ -322,7 +322,7 @@ mod tests {
     use crate::kinds::impeller::clear::tool::Tool;
     use crate::kinds::impeller::clearance::{Until, WORK, Walls};
     use crate::kinds::impeller::gap::gap;
-    use crate::machine::rotary::Rotary;
+    use crate::machine::rotary::TiltingTable;
 
     /// Check designs: R, r, N, e, a_p; d is 6.
     const DESIGNS: [(f64, f64, u32, f64, f64); 3] =
@@ -402,7 +402,7 @@ mod tests {
     /// bounds on what a contact leaves of it: one of the two was missed by up to 0.012 mm, at a few stations.
     #[test]
     fn no_contact_enters_its_face_where_two_valleys_are_close() {
-        let machine = Rotary { L: 242.9 };
+        let machine = TiltingTable { L: 242.9 };
         for (R, r, e, a_p, d, from) in [
             (59.316_178, 36.362_847, 3.062_063, 3.676_030, 4.366_578, 0.283),
             (49.193_177, 30.147_682, 2.959_548, 3.823_215, 4.389_527, 0.315),

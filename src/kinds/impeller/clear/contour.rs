@@ -23,7 +23,7 @@ use crate::kinds::impeller::clear::lane::v_at;
 use crate::kinds::impeller::clear::table::Table;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::part::{HUB, Part, RIM};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::number::trig::sin_cos;
 
 /// How close the way round the nose is kept, radians of v and of ψ.
@@ -180,7 +180,7 @@ impl<'a> Contour<'a> {
 
     /// Where the machine's axes stand at x.
     #[must_use]
-    pub fn stand(&self, machine: Rotary, x: f64, m: f64) -> Stand {
+    pub fn stand(&self, machine: TiltingTable, x: f64, m: f64) -> Stand {
         let [q, psi] = self.place(x, m);
         self.contacts.lane.stand(machine, q, psi)
     }

@@ -6,7 +6,7 @@
 use crate::kinds::impeller::clear::holder::Stage;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::part::Part;
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 
 /// The part and the machine it is cut on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,7 +16,7 @@ pub struct Job {
     /// N, the number of blades.
     pub N: u32,
     /// The rotary axes.
-    pub machine: Rotary,
+    pub machine: TiltingTable,
 }
 
 /// Which of the two tools.

@@ -152,11 +152,11 @@ mod tests {
     use crate::kinds::impeller::clear::pass::Direction;
     use crate::kinds::impeller::clear::plan::Plan;
     use crate::kinds::impeller::part::Part;
-    use crate::machine::rotary::Rotary;
+    use crate::machine::rotary::TiltingTable;
 
     fn planned(splitters: bool, spindle: Spindle) -> (Job, Cut, Vec<Pass>) {
         let part = Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, 2.0);
-        let job = Job { part, N: 4, machine: Rotary { L: 242.9 } };
+        let job = Job { part, N: 4, machine: TiltingTable { L: 242.9 } };
         let cut = Cut { splitters, spindle, ..Cut::usual(6.0, 3.0) };
         let passes = Plan::new(&job, &cut).expect("a plan").passes;
         (job, cut, passes)

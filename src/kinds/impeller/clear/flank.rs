@@ -22,7 +22,7 @@ use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::gap::over_tops;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB, Part, Piece, RIM};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::number::root::quadratic;
 use crate::number::trig::{atan2, hypot, sin_cos};
 
@@ -96,7 +96,7 @@ pub fn as_metal(axis: &Axis, torus: Torus, reach: f64, psi: f64) -> Axis {
 /// Where the machine's axes stand for a tool's axis, turned about the axis of the part; C is that of the direction `round`,
 /// in the turn that is near to some angle.
 #[must_use]
-pub fn stand(machine: Rotary, axis: &Axis, round: &Vector3<f64>, near: f64, turn: f64) -> Stand {
+pub fn stand(machine: TiltingTable, axis: &Axis, round: &Vector3<f64>, near: f64, turn: f64) -> Stand {
     let Axis { foot, along, range } = axis;
     let B = atan2(hypot(along.x, along.y), along.z);
     let C = atan2(round.y, round.x);
@@ -242,7 +242,7 @@ impl FlankWay {
 
     /// Where the machine's axes stand at v, the blade turned about the axis of the part.
     #[must_use]
-    pub fn stand(&self, machine: Rotary, v: f64, turn: f64) -> Stand {
+    pub fn stand(&self, machine: TiltingTable, v: f64, turn: f64) -> Stand {
         // At the pole the axis is upright and says nothing of C: it comes there from one side.
         let round = self.axis(v.min(RIM - POLE)).along;
         stand(machine, &self.axis(v), &round, self.part.circle.u(v.clamp(HUB, RIM)) - TAU, turn)
@@ -445,7 +445,7 @@ mod tests {
     fn a_way_is_smooth_up_to_the_pole_leaves_no_undercut_and_ends_clear_of_the_blank() {
         let (R, r, e, a_p) = DESIGNS[0];
         let part = Part::with(Torus { R, r }, e, a_p);
-        let machine = Rotary { L: 242.9 };
+        let machine = TiltingTable { L: 242.9 };
         for face in Face::ALL {
             let way = FlankWay::new(&part, face, Tool::flat(3.0), [0.0, a_p], 5.0);
             let steps = 400;

@@ -432,7 +432,7 @@ mod tests {
     use crate::kinds::impeller::clear::lane::v_at;
     use crate::kinds::impeller::clear::plan::Plan;
     use crate::kinds::impeller::part::HUB;
-    use crate::machine::rotary::Rotary;
+    use crate::machine::rotary::TiltingTable;
 
     #[test]
     fn a_tool_is_left_through_its_side_or_its_end() {
@@ -485,7 +485,7 @@ mod tests {
             ([57.8, 39.3], 4, [4.4, 3.8], [7.6, 4.8], true),
         ];
         for ([R, r], N, [e, a_p], [rough, finish], splitters) in designs {
-            let job = Job { part: Part::with(Torus { R, r }, e, a_p), N, machine: Rotary { L: 242.9 } };
+            let job = Job { part: Part::with(Torus { R, r }, e, a_p), N, machine: TiltingTable { L: 242.9 } };
             let cut = Cut { splitters, blank: 1.6 * R, partly: true, ..Cut::usual(rough, finish) };
             let plan = Plan::new(&job, &cut).expect("a plan");
             let finishing = plan.passes.iter().filter(|pass| pass.tool == Which::Finish);

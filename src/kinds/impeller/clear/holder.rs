@@ -109,7 +109,7 @@ mod tests {
     use nalgebra::Vector3;
 
     use super::*;
-    use crate::machine::rotary::Rotary;
+    use crate::machine::rotary::TiltingTable;
     use crate::number::trig::hypot;
 
     const BLANK: Blank = Blank { stock: Stock { torus: Torus { R: 25.0, r: 15.0 }, length: 40.0 }, L: 242.9 };
@@ -126,7 +126,7 @@ mod tests {
             (R - r * cos, -r * sin)
         });
         let side = (0..=60).map(|step| (R, -r - (BLANK.stock.length - r) * f64::from(step) / 60.0));
-        let [tip, along] = Rotary { L: BLANK.L }.tool(&at.at, at.B, at.C);
+        let [tip, along] = TiltingTable { L: BLANK.L }.tool(&at.at, at.B, at.C);
         let around = |(rho, z): (f64, f64)| {
             (0..720).map(move |step| {
                 let (sin, cos) = sin_cos(f64::from(step).to_radians() / 2.0);

@@ -27,7 +27,7 @@ use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::gap::over_tops;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{HUB, RIM};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::number::trig::sin_cos;
 
 /// v at a station.
@@ -74,7 +74,7 @@ impl OwnNormal {
 
     /// Where the machine's axes stand at a station, in the meridian plane ψ.
     #[must_use]
-    pub fn stand(&self, machine: Rotary, q: f64, psi: f64) -> Stand {
+    pub fn stand(&self, machine: TiltingTable, q: f64, psi: f64) -> Stand {
         let (R, L) = (self.torus.R, machine.L);
         let B = RIM - v_at(q);
         let (sin, cos) = sin_cos(B);
@@ -116,19 +116,19 @@ mod tests {
             (25.0, 17.0, 4.0, -154.078_568, -74.250_703),
             (50.0, 30.0, 3.0, -136.400_898, -68.651_777),
         ] {
-            let at = lane(R, r, a_p, Tool::flat(6.0)).stand(Rotary { L }, 0.5, 3.0).at;
+            let at = lane(R, r, a_p, Tool::flat(6.0)).stand(TiltingTable { L }, 0.5, 3.0).at;
             assert!((at.x - X).abs() < 5.1e-7 && at.y == 0.0 && (at.z - Z).abs() < 5.1e-7, "{at}");
         }
     }
 
     #[test]
     fn machine_positions_put_the_tip_where_the_axis_says() {
-        let (machine, lane) = (Rotary { L }, lane(25.0, 15.0, 2.0, Tool { d: 6.0, r_c: 1.0 }));
+        let (machine, lane) = (TiltingTable { L }, lane(25.0, 15.0, 2.0, Tool { d: 6.0, r_c: 1.0 }));
         for q in [-8.0, -2.0, 0.0, 0.3, 1.0, 2.5, 9.0] {
             let (stand, axis) = (lane.stand(machine, q, 2.0), lane.axis(q, 2.0, 3.0));
             let tip = machine.to_part(&stand.at, stand.B, stand.C);
             assert!((tip - axis.foot - axis.along * axis.range[0]).norm() < 1e-11, "{q}");
-            assert!((Rotary::direction_to_part(&Vector3::z(), stand.B, stand.C) - axis.along).norm() < 1e-12);
+            assert!((TiltingTable::direction_to_part(&Vector3::z(), stand.B, stand.C) - axis.along).norm() < 1e-12);
         }
     }
 

@@ -30,7 +30,7 @@ use crate::kinds::impeller::clear::poses::Poses;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Face, HUB};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::number::trig::sin_cos;
 
 /// The most such lanes of a channel.
@@ -67,7 +67,7 @@ fn axis(lane: &OwnNormal, face: Face, q: f64, psi: f64, reach: f64) -> Axis {
 }
 
 /// Where the machine's axes stand for it.
-fn stand_at(lane: &OwnNormal, machine: Rotary, face: Face, q: f64, psi: f64) -> Stand {
+fn stand_at(lane: &OwnNormal, machine: TiltingTable, face: Face, q: f64, psi: f64) -> Stand {
     let axis = axis(lane, face, q, psi, lane.tool.a());
     stand(machine, &axis, &axis.along, psi - TAU, 0.0)
 }

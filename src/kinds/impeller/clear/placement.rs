@@ -21,7 +21,7 @@ use crate::geometry::torus::Torus;
 use crate::kinds::impeller::clear::flank::{Passing, passing};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
-use crate::machine::rotary::{Rotary, Turned};
+use crate::machine::rotary::{TiltingTable, Turned};
 use crate::number::trig::{atan2, hypot};
 
 /// Inner places at which a block is looked at.
@@ -37,7 +37,7 @@ const SHORTEST: f64 = 1e-6;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// The machine.
-    pub machine: Rotary,
+    pub machine: TiltingTable,
     /// ε, how far blocks may leave the way.
     pub epsilon: f64,
     /// δ, the part by which the feed of the tip may change within a block.
@@ -51,12 +51,12 @@ pub struct Tolerance {
 }
 
 /// A tool in the part: the tip, and the direction of its axis.
-fn tool(machine: Rotary, stand: &Stand) -> [Vector3<f64>; 2] {
+fn tool(machine: TiltingTable, stand: &Stand) -> [Vector3<f64>; 2] {
     machine.tool(&stand.at, stand.B, stand.C)
 }
 
 /// The tool at the ends of so many even steps of a block, from its beginning on.
-fn evenly(machine: Rotary, ends: [&Stand; 2], steps: u8) -> impl Iterator<Item = [Vector3<f64>; 2]> {
+fn evenly(machine: TiltingTable, ends: [&Stand; 2], steps: u8) -> impl Iterator<Item = [Vector3<f64>; 2]> {
     let [from, to] = ends.map(|stand| *stand);
     let step = Turned::to((to.B - from.B) / f64::from(steps), (to.C - from.C) / f64::from(steps));
     let by = (to.at - from.at) / f64::from(steps);

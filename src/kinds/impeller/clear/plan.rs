@@ -238,7 +238,7 @@ fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<(Contacts, f64), DoesN
         (_, from) => Err(DoesNotFit {
             tool: which,
             d: tool.d,
-            largest: largest(job, cut, which),
+            largest: largest_that_passes(job, cut, which),
             from,
             uncut: uncut_by(job, tool),
         }),
@@ -247,7 +247,7 @@ fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<(Contacts, f64), DoesN
 
 /// The largest tool of a kind that passes as a tool of the cut, in whole hundredths: as both where it is both. What is told has passed
 /// as one of the form would.
-fn largest(job: &Job, cut: &Cut, which: Which) -> Option<f64> {
+fn largest_that_passes(job: &Job, cut: &Cut, which: Which) -> Option<f64> {
     let tool = cut.tool(which);
     let jobs: &[Which] = if cut.rough == cut.finish { &[Which::Rough, Which::Finish] } else { &[which] };
     let passes = |hundredths: f64| {
@@ -389,10 +389,10 @@ fn face_error(ways: &[FlankWay]) -> FaceError {
 mod tests {
     use super::*;
     use crate::geometry::torus::Torus;
-    use crate::machine::rotary::Rotary;
+    use crate::machine::rotary::TiltingTable;
 
     fn job(r: f64, e: f64) -> Job {
-        Job { part: Part::with(Torus { R: 25.0, r }, e, 2.0), N: 4, machine: Rotary { L: 242.9 } }
+        Job { part: Part::with(Torus { R: 25.0, r }, e, 2.0), N: 4, machine: TiltingTable { L: 242.9 } }
     }
 
     #[test]

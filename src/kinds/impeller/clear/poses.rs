@@ -17,7 +17,7 @@ use nalgebra::Vector3;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::nearest::Axis;
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 
 /// How far apart the poses of a block are at most, mm at the tip: on a flank 3 mm wide that leaves cusps of 0.003 mm.
 const APART: f64 = 0.1;
@@ -75,7 +75,7 @@ fn apart(tool: Tool, [beside, up]: [f64; 2]) -> f64 {
 /// The poses of a pass, given by its points: both ends of each block, and between them as many as are no farther apart than told,
 /// mm at the tip.
 #[must_use]
-pub fn along(machine: Rotary, points: &[Stand], apart: f64) -> Vec<Pose> {
+pub fn along(machine: TiltingTable, points: &[Stand], apart: f64) -> Vec<Pose> {
     let pose = |stand: &Stand| {
         let [tip, along] = machine.tool(&stand.at, stand.B, stand.C);
         Pose { tip, along }
@@ -152,7 +152,7 @@ impl Poses {
 
     /// Those of passes, given by their points.
     #[must_use]
-    pub fn along<'p>(machine: Rotary, passes: impl Iterator<Item = &'p [Stand]>) -> Self {
+    pub fn along<'p>(machine: TiltingTable, passes: impl Iterator<Item = &'p [Stand]>) -> Self {
         Self::new(passes.flat_map(|points| along(machine, points, APART)).collect())
     }
 

@@ -8,7 +8,7 @@ use crate::kinds::impeller::clear::fields;
 use crate::kinds::impeller::clear::holder::Blank;
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::programs::title;
-use crate::kinds::impeller::clear::root::largest;
+use crate::kinds::impeller::clear::root::largest_that_leaves;
 use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
 use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, ToolTold};
@@ -295,7 +295,7 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
         // The ways are exact there; blocks leave them by the tolerance.
         let flat = Some(asked.cut.finish).filter(|tool| tool.r_c == 0.0).map(|tool| tool.d);
         let (given, too_large) = if root.height <= allowed { (flat, None) } else { (None, flat) };
-        let first = largest(job, allowed, asked.cut.rough.d, asked.cut.scallop, given);
+        let first = largest_that_leaves(job, allowed, asked.cut.rough.d, asked.cut.scallop, given);
         let tool = by_plans(job, asked, first, too_large).map_or_else(
             || t("ninguna fresa deja tan poco", "no tool leaves as little"),
             |d| {

@@ -298,7 +298,7 @@ fn left(job: &Job, tool: Tool, over: f64) -> Option<f64> {
 /// hundredths; `None` where even the smallest leaves more. `given` is a diameter that is known to leave no more.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held from 0 to 10⁶")]
-pub fn largest(job: &Job, height: f64, up_to: f64, over: f64, given: Option<f64>) -> Option<f64> {
+pub fn largest_that_leaves(job: &Job, height: f64, up_to: f64, over: f64, given: Option<f64>) -> Option<f64> {
     let d = |hundredths: u32| f64::from(hundredths) / 100.0;
     let keeps = |hundredths: u32| left(job, Tool::flat(d(hundredths)), over).is_some_and(|left| left <= height);
     let most = (up_to * 100.0).floor().clamp(0.0, 1e6) as u32;

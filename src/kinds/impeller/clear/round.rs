@@ -32,7 +32,7 @@ use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Part, RIM};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::number::trig::sin_cos;
 
 /// The part of the ridge c_s that a flat end may leave at the foot of the nose, to leave less in the corner.
@@ -202,7 +202,7 @@ impl<'a> Round<'a> {
 
     /// Where the machine's axes stand at x, the splitter turned about the axis of the part.
     #[must_use]
-    pub fn stand(&self, machine: Rotary, x: f64, turn: f64) -> Stand {
+    pub fn stand(&self, machine: TiltingTable, x: f64, turn: f64) -> Stand {
         let beside =
             if x < 1.0 { Some((0, self.v_at(0, 1.0 - x))) } else { (x > 4.0).then(|| (1, self.v_at(1, x - 4.0))) };
         match beside {

@@ -7,7 +7,7 @@ use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::part::{Face, HUB, RIM};
-use crate::kinds::impeller::quantity;
+use crate::kinds::impeller::quantities::quantity;
 use crate::table::{Column, Index, Law, Print, Quantity, Table, Unit};
 use crate::text::{Text, t};
 

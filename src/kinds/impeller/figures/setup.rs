@@ -8,7 +8,7 @@ use super::{FINE, sampled, steps, t};
 use crate::figure::{Figure, Ink, Side, Sketch, sized};
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::design::Design;
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::number::shown;
 use crate::number::trig::{atan2, sin_cos};
 use crate::text::Text;
@@ -65,7 +65,7 @@ pub(super) fn side(design: &Design) -> Figure {
     sketch.label([-side, gap + long], Side::Left, Text::same("+Z"));
     // The B axis, and the direction in which +B tilts the part.
     sketch.ring(Ink::Outline, [0.0, -L], ring);
-    let tilted = Rotary::direction_to_machine(&Vector3::z(), 0.5, 0.0);
+    let tilted = TiltingTable::direction_to_machine(&Vector3::z(), 0.5, 0.0);
     let angle = atan2(tilted.z, tilted.x).to_degrees();
     let about = 0.55 * (L - H).max(0.2 * L);
     sketch.turn(Ink::Axis(1), [0.0, -L], about, [90.0, angle]);
@@ -117,7 +117,7 @@ pub(super) fn above(design: &Design, blade: &Blade) -> Figure {
         sketch.label([reach * cos, reach * sin], side, Text::same(text));
     }
     // The direction in which +C turns the part, clear of the lines below it.
-    let turned = Rotary::direction_to_machine(&Vector3::x(), 0.0, 0.6);
+    let turned = TiltingTable::direction_to_machine(&Vector3::x(), 0.0, 0.6);
     let by = atan2(turned.y, turned.x).to_degrees();
     sketch.turn(Ink::Axis(2), [0.0, 0.0], R + 1.6 * gap, [160.0, 160.0 + by]);
     let (sin, cos) = sin_cos((160.0 + by / 2.0).to_radians());

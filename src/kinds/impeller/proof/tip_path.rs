@@ -32,7 +32,7 @@ use crate::kinds::impeller::ideal::{Ideal, Station};
 use crate::kinds::impeller::track::Track;
 use crate::limits::TIP_LOOKS;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::rotary::Rotary;
+use crate::machine::rotary::TiltingTable;
 use crate::number::bound::Enclosure;
 use crate::number::grid::Milli;
 use crate::proof::agreement::tip;
@@ -76,7 +76,7 @@ pub fn between(from: &Pose, to: &Pose, fraction: f64) -> Pose {
 
 /// The deviation of a pose from the ideal path at the index x, the pose turned back by `turn`.
 #[must_use]
-pub fn deviation(ideal: &Ideal, machine: Rotary, pose: &Pose, turn: Milli, x: f64) -> Deviation {
+pub fn deviation(ideal: &Ideal, machine: TiltingTable, pose: &Pose, turn: Milli, x: f64) -> Deviation {
     let mut own = *pose;
     own.set(Axis::C, pose.get(Axis::C) - turn.value());
     let station = ideal.at(x);
@@ -167,7 +167,7 @@ const ARITHMETIC: f64 = 1e-9;
 
 /// How much the tip of a block is accelerated in the part at most, the whole block as the unit; `out` is the distance from the
 /// part's axis at its farther end. As in [`sweep`](crate::kinds::impeller::sweep).
-fn acceleration(machine: Rotary, [from, to]: [&Pose; 2], out: f64) -> f64 {
+fn acceleration(machine: TiltingTable, [from, to]: [&Pose; 2], out: f64) -> f64 {
     let by = |axis: Axis| to.get(axis) - from.get(axis);
     let (dx, dy, dz) = (by(Axis::X), by(Axis::Y), by(Axis::Z));
     let (dB, dC) = (by(Axis::B).to_radians(), by(Axis::C).to_radians());
@@ -229,7 +229,7 @@ impl Along {
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     pub fn block(
         &mut self,
-        machine: Rotary,
+        machine: TiltingTable,
         ends: [&Pose; 2],
         points: [usize; 2],
         turn: Milli,
@@ -277,7 +277,7 @@ impl Along {
 
     /// A block's end: how far the grid has moved it from its exact point.
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-    pub fn end(&mut self, machine: Rotary, pose: &Pose, point: usize, turn: Milli, block: (usize, Option<u32>)) {
+    pub fn end(&mut self, machine: TiltingTable, pose: &Pose, point: usize, turn: Milli, block: (usize, Option<u32>)) {
         let mut own = *pose;
         own.set(Axis::C, pose.get(Axis::C) - turn.value());
         let x = point as f64;
@@ -299,7 +299,7 @@ impl Along {
 /// a thousandth of a degree of B at the distance from the pivot, of C at the distance from the axis, both of the exact place,
 /// which is so much farther out at most, for the part turns about both as a whole.
 #[must_use]
-pub fn grid_bound(machine: Rotary, pose: &Pose, point: &Vector3<f64>) -> f64 {
+pub fn grid_bound(machine: TiltingTable, pose: &Pose, point: &Vector3<f64>) -> f64 {
     let half = 0.0005_f64;
     let square = |axis: Axis| pose.get(axis) * pose.get(axis);
     let height = pose.get(Axis::Z) + machine.L;

@@ -252,11 +252,14 @@ impl Way<'_> {
     }
 }
 
-/// The axes with the tip moved from a place of the cut into the hole.
-fn lead_in(onto: &TorchAxes, station: &Station, way: f64) -> TorchAxes {
+/// The axes where the torch pierces, with a lead-in of that length, and where it meets the curve.
+///
+/// It keeps its direction on the way in; at α = 0 or α = π the pipe keeps its turn.
+fn lead_in(groove: &Groove, first: &Station, length: f64) -> [TorchAxes; 2] {
+    let onto = machine_axes(first, groove.beside, None);
     let pose = onto.pose();
-    let moved = TorchPose { tip: pose.tip - station.away * way, axis: pose.axis }.axes();
-    TorchAxes { X: moved.X, Z: moved.Z, A: near(moved.A, onto.A), ..*onto }
+    let moved = TorchPose { tip: pose.tip - first.away * length, axis: pose.axis }.axes();
+    [TorchAxes { X: moved.X, Z: moved.Z, A: near(moved.A, onto.A), ..onto }, onto]
 }
 
 /// Where the torch pierces and where it meets the curve, with a lead-in of that length; `None` where there is no such place.
@@ -264,8 +267,8 @@ fn lead_in(onto: &TorchAxes, station: &Station, way: f64) -> TorchAxes {
 pub fn way_in(design: &Design, lead: f64) -> Option<[Place; 2]> {
     let groove = design.groove();
     let first = groove.at(0.0)?;
-    let onto = machine_axes(&first, groove.beside, None);
-    Some([on_grid(&lead_in(&onto, &first, lead)).ok()?, on_grid(&onto).ok()?])
+    let [pierce, onto] = lead_in(&groove, &first, lead);
+    Some([on_grid(&pierce).ok()?, on_grid(&onto).ok()?])
 }
 
 /// The way round the hole.
@@ -276,9 +279,7 @@ pub fn cut(design: &Design) -> Result<Cut, NoWay> {
     let groove = design.groove();
     let at = |alpha| groove.at(alpha).ok_or(NoWay::LiesDown);
     let first = at(0.0)?;
-    // The torch keeps its direction on the way in; at α = 0 or α = π the pipe keeps its turn.
-    let onto = machine_axes(&first, groove.beside, None);
-    let pierce = lead_in(&onto, &first, design.lead_in);
+    let [pierce, onto] = lead_in(&groove, &first, design.lead_in);
     let held = first.rule != Rule::Wanted;
     let mut way = Way { design, groove, at: pierce, place: on_grid(&pierce)?, legs: Vec::new() };
     if design.lead_in > 0.0 {

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use crate::figure::Paper;
 use crate::finding::{Finding, Raise, Size};
-use crate::gcode::control::{Control, Written};
+use crate::gcode::control::{Control, Post};
 use crate::gcode::fields::rapids;
-use crate::gcode::machine_codes::refused_codes;
+use crate::gcode::machine_codes::{CodesPlace, refused_codes};
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
 use crate::kinds::pipe::dimensions::{BRANCH, HEADER, Pipe, or_eccentricity, solid};
@@ -92,7 +92,7 @@ pub struct Design {
     /// The dialect.
     pub control: &'static Control,
     /// How it is written for.
-    pub written: Written,
+    pub post: Post,
     /// M codes that turn the torch on.
     pub torch_on: Vec<Word>,
     /// M codes that turn it off.
@@ -157,7 +157,7 @@ impl Design {
             material: fields.get(&MATERIAL).unwrap_or_default(),
             program: fields.get(&NUMBER),
             control: fields.get(&DIALECT).control,
-            written: fields.get(&DIALECT),
+            post: fields.get(&DIALECT),
             torch_on: fields.get(&TORCH_ON).0,
             torch_off: fields.get(&TORCH_OFF).0,
             hold_on: fields.get(&HOLD_ON).unwrap_or_default().0,
@@ -267,11 +267,17 @@ impl Design {
             (HOLD_ON.key(), &self.hold_on),
             (HOLD_OFF.key(), &self.hold_off),
         ];
+        let within = CodesPlace { last: false, tooled: false };
         for (key, codes) in lists {
-            findings.extend(refused_codes(self.control, key, codes, false, false));
+            findings.extend(refused_codes(self.control, key, codes, within));
         }
         findings.extend(opposed(&lists));
-        findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true, false));
+        findings.extend(refused_codes(
+            self.control,
+            END_CODES.key(),
+            &self.end_codes,
+            CodesPlace { last: true, ..within },
+        ));
         findings.extend(on_at_end(&self.torch_on, &self.end_codes));
         findings
     }

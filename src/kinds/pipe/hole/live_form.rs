@@ -163,7 +163,26 @@ fn rows() -> Vec<LiveRow> {
 /// Sizes in columns A to C, single cells in D; from E on one place of the cut a row: α, the root, the torch's direction, where
 /// its axis leaves the header, its height; then the edge scaled, and the two lines through the branch's foot.
 fn view() -> LiveView {
-    let [words, diameters, walls] = sizes();
+    let mut columns = Vec::from(sizes());
+    columns.push(single_cells());
+    columns.extend(places_of_the_cut());
+    let line = |ends: [&str; 2]| -> Vec<Formula> { ends.map(|end| format!("IF($D$3,{end},0)").into()).to_vec() };
+    columns.extend([each("$O#*$D$5"), each("$P#*$D$5"), line(["-1.1", "1.1"]), line(["0", "0"])]);
+    LiveView {
+        title: t("Plantilla sobre el exterior del tubo", "Template on the pipe's outside"),
+        height: 1.0,
+        drawn: "Plan!$D$3",
+        columns,
+        curves: vec![
+            LiveCurve { columns: [19, 20], look: LiveLook::Dashed },
+            LiveCurve { columns: [20, 19], look: LiveLook::Faint },
+            LiveCurve { columns: [17, 18], look: LiveLook::Part },
+        ],
+    }
+}
+
+/// The cells of column D.
+fn single_cells() -> Vec<Formula> {
     let mut single = found();
     let all = |column: char| format!("${column}$1:${column}${}", STEPS + 1);
     single.extend::<[Formula; 3]>([
@@ -173,78 +192,43 @@ fn view() -> LiveView {
         format!("MAX({0},-MIN({0}),{1},-MIN({1}))", all('O'), all('P')).into(),
         "IF($D$4>0,1/$D$4,0)".into(),
     ]);
-    let of = |formula: &str| -> Vec<Formula> {
-        (1..=STEPS + 1)
-            .map(|row| {
-                let text = formula
-                    .split('#')
-                    .enumerate()
-                    .map(|(at, part)| if at == 0 { part.to_owned() } else { format!("{row}{part}") })
-                    .collect::<String>();
-                format!("IF($D$3,{text},0)").into()
-            })
-            .collect()
-    };
+    single
+}
+
+/// A formula in each row of the cut, whose number stands for `#`; 0 where there is no hole.
+fn each(formula: &str) -> Vec<Formula> {
+    (1..=STEPS + 1).map(|row| format!("IF($D$3,{},0)", formula.replace('#', &row.to_string())).into()).collect()
+}
+
+/// Columns E to Q.
+fn places_of_the_cut() -> [Vec<Formula>; 13] {
     let (theta, gamma) = ("RADIANS(angle_theta)", "RADIANS(groove_gamma)");
     let alpha: Vec<Formula> = (0..=STEPS).map(|at| format!("2*PI()*{at}/{STEPS}").into()).collect();
     // F, G, H: the root. Seen from the header's end, e > 0 stands at y = −e.
-    let y = of("live_hole_r*SIN($E#)-eccentricity_e");
-    let z = of("SQRT(MAX(0,live_root_R^2-$F#^2))");
-    let x = of(&format!(
+    let y = each("live_hole_r*SIN($E#)-eccentricity_e");
+    let z = each("SQRT(MAX(0,live_root_R^2-$F#^2))");
+    let x = each(&format!(
         "($G#+live_hole_r*COS($E#)*COS({theta}))/SIN({theta})*COS({theta})+live_hole_r*COS($E#)*SIN({theta})"
     ));
     // I, J: c and s. K to M: the torch's direction.
-    let c = of(&format!("($F#*SIN($E#)-$G#*COS($E#)*COS({theta}))/live_root_R"));
-    let s = of("SQRT(1-$I#^2)");
+    let c = each(&format!("($F#*SIN($E#)-$G#*COS($E#)*COS({theta}))/live_root_R"));
+    let s = each("SQRT(1-$I#^2)");
     let out = format!("($J#*SIN({gamma})-$I#*COS({gamma}))/$J#");
     let up = format!("($J#*COS({gamma})+$I#*SIN({gamma}))");
-    let a_x = of(&format!("COS($E#)*SIN({theta})*{out}"));
-    let a_y = of(&format!("(SIN($E#)-$I#*$F#/live_root_R)*{out}+$F#/live_root_R*{up}"));
-    let a_z = of(&format!("(-COS($E#)*COS({theta})-$I#*$G#/live_root_R)*{out}+$G#/live_root_R*{up}"));
+    let a_x = each(&format!("COS($E#)*SIN({theta})*{out}"));
+    let a_y = each(&format!("(SIN($E#)-$I#*$F#/live_root_R)*{out}+$F#/live_root_R*{up}"));
+    let a_z = each(&format!("(-COS($E#)*COS({theta})-$I#*$G#/live_root_R)*{out}+$G#/live_root_R*{up}"));
     // N: the way along it to the outside. O, P: the edge on the development. There the axis rises by λ·(a_y² + a_z²) + b.
     let b = "($F#*$L#+$G#*$M#)";
     let root = format!("SQRT(MAX(0,{b}^2-($L#^2+$M#^2)*(live_root_R^2-live_R_o^2)))");
-    let along = of(&format!("({root}-{b})/($L#^2+$M#^2)"));
-    let edge_x = of("$H#+$N#*$K#");
-    let edge_y = of("live_R_o*ATAN2($G#+$N#*$M#,$F#+$N#*$L#)");
+    let along = each(&format!("({root}-{b})/($L#^2+$M#^2)"));
+    let edge_x = each("$H#+$N#*$K#");
+    let edge_y = each("live_R_o*ATAN2($G#+$N#*$M#,$F#+$N#*$L#)");
     // Q: the height, by the sine of the torch's angle to the outside.
     let sine = format!("MAX(0.000001,MIN(1,{root}/live_R_o))");
     let cosine = format!("SQRT(1-{sine}^2)");
-    let height = of(&format!(
+    let height = each(&format!(
         "MAX(height_d0,(least_gap_g0+nozzle_r_g*{cosine})/{sine},(least_gap_g0+torch_body_radius*{cosine})/{sine}-live_h_s)"
     ));
-    let line = |ends: [&str; 2]| -> Vec<Formula> { ends.map(|end| format!("IF($D$3,{end},0)").into()).to_vec() };
-    LiveView {
-        title: t("Plantilla sobre el exterior del tubo", "Template on the pipe's outside"),
-        height: 1.0,
-        drawn: "Plan!$D$3",
-        columns: vec![
-            words,
-            diameters,
-            walls,
-            single,
-            alpha,
-            y,
-            z,
-            x,
-            c,
-            s,
-            a_x,
-            a_y,
-            a_z,
-            along,
-            edge_x,
-            edge_y,
-            height,
-            of("$O#*$D$5"),
-            of("$P#*$D$5"),
-            line(["-1.1", "1.1"]),
-            line(["0", "0"]),
-        ],
-        curves: vec![
-            LiveCurve { columns: [19, 20], look: LiveLook::Dashed },
-            LiveCurve { columns: [20, 19], look: LiveLook::Faint },
-            LiveCurve { columns: [17, 18], look: LiveLook::Part },
-        ],
-    }
+    [alpha, y, z, x, c, s, a_x, a_y, a_z, along, edge_x, edge_y, height]
 }

@@ -29,7 +29,7 @@ use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
 use crate::gcode::word::{Distance, NumberFormat};
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
-use crate::kind::method::{Method, Written};
+use crate::kind::method::{Method, Unproved};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Shown, Wants, out_of_format};
 use crate::kinds;
 use crate::kinds::pipe::form::{D_HEADER, DIALECT, E, THETA};
@@ -47,7 +47,7 @@ use crate::kinds::pipe::hole::rules::{
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
 use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
-use crate::kinds::pipe::{self, account, scene, sizes};
+use crate::kinds::pipe::{self, account, quantity, scene, sizes, time};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
@@ -56,7 +56,7 @@ use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
-use crate::text::{Language, Text, t};
+use crate::text::{Language, Text, one_of, t};
 
 /// Halvings after which the greatest eccentricity is known to a tenth of a millimetre.
 const HALVINGS: u8 = 16;
@@ -112,7 +112,7 @@ impl Method for Hole {
     }
 
     fn control(design: &Design) -> &'static Control {
-        design.written.control
+        design.post.control
     }
 
     fn model(design: &Design) -> Result<Model, Vec<Finding>> {
@@ -148,9 +148,9 @@ impl Method for Hole {
         ]
     }
 
-    fn programs(design: &Design, Model { cut, .. }: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+    fn programs(design: &Design, Model { cut, .. }: &Model, origin: &Origin<'_>) -> Result<Unproved, Vec<Finding>> {
         let held = cut.pierce_held || cut.legs.iter().any(|leg| leg.held);
-        Ok(Written { programs: vec![full(design, cut, origin).map_err(no_room)?], findings: remarks(design, held) })
+        Ok(Unproved { programs: vec![full(design, cut, origin).map_err(no_room)?], findings: remarks(design, held) })
     }
 
     fn memo(_: &Design, _: &Model, _: Wants) -> Curve {
@@ -260,7 +260,7 @@ fn height_refused(design: &Design, place: &TooHigh) -> Finding {
                 t("un g0 menor", "a smaller g0"),
                 t("un D_max mayor", "a larger D_max"),
             ];
-            let other = one_of(joint.into_iter().chain(torch).collect());
+            let other = one_of(joint.into_iter().chain(torch));
             let told = TorchTooHigh { alpha, sigma: Size::degrees(sigma.to_degrees(), 2), height, most, other };
             let keys = [GAMMA.key()].into_iter().chain(eccentric).chain([D_MAX.key(), G0.key()]);
             told.at(Place::Parameters(keys.collect())).with(height.said(Language::En), most.said(Language::En))
@@ -281,16 +281,6 @@ fn height_taken(design: &Design, place: &TooHigh) -> f64 {
     let least = (place.D * 1000.0 - 1e-6).ceil();
     let heights = (0..10_u8).map(|step| (least + f64::from(step)) / 1000.0);
     heights.clone().find(|&D_max| too_high(&Design { D_max, ..design.clone() }).is_none()).unwrap_or(least / 1000.0)
-}
-
-/// What to choose one of, in words.
-fn one_of(ways: Vec<Text>) -> Text {
-    let list = |pick: fn(&Text) -> &str, or: &str| match ways.split_last() {
-        Some((last, [])) => pick(last).to_owned(),
-        Some((last, others)) => format!("{}{or}{}", others.iter().map(pick).collect::<Vec<_>>().join(", "), pick(last)),
-        None => String::new(),
-    };
-    Text::new(list(|way| &way.es, " o "), list(|way| &way.en, " or "))
 }
 
 /// The groove angle next to the given one, in whole degrees, at which the torch goes round the hole, and the eccentricity up to
@@ -321,17 +311,10 @@ fn other_joint(design: &Design) -> Vec<Text> {
 }
 
 /// Derived lengths, angles and times.
-fn quantities(
-    design: &Design,
-    stations: &[crate::kinds::pipe::hole::station::Station],
-    account: &Account,
-) -> Vec<Quantity> {
+fn quantities(design: &Design, stations: &[Station], account: &Account) -> Vec<Quantity> {
     let mm = Unit::Millimetre;
-    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
-    let most =
-        |of: fn(&crate::kinds::pipe::hole::station::Station) -> f64| stations.iter().map(of).fold(f64::MIN, f64::max);
-    let least =
-        |of: fn(&crate::kinds::pipe::hole::station::Station) -> f64| stations.iter().map(of).fold(f64::MAX, f64::min);
+    let most = |of: fn(&Station) -> f64| stations.iter().map(of).fold(f64::MIN, f64::max);
+    let least = |of: fn(&Station) -> f64| stations.iter().map(of).fold(f64::MAX, f64::min);
     let torch = design.torch();
     let mut list = vec![
         quantity("R_o", t("Radio exterior del tubo", "Outside radius of the header"), design.R_o(), mm, t("", ""))
@@ -383,10 +366,7 @@ fn quantities(
             t("", ""),
         ),
     ];
-    if !account.untimed && account.seconds > 0.0 {
-        let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");
-        list.push(quantity("t_c", meaning, account.seconds, Unit::Second, t("programa leído", "program read back")));
-    }
+    list.extend(time(account));
     list
 }
 

@@ -28,7 +28,7 @@ pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
     if !given.is_empty() {
         return Some(given.clone());
     }
-    design.written.writing.height.words(on)
+    design.post.writing.height.words(on)
 }
 
 /// How the program turns A, B and C.
@@ -67,7 +67,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     let work = Work { part: &design.part, material: &design.material, number: design.program };
     let mut header = Header::new(design.control, "hole", &TITLE, work, origin);
     comments(design, &mut header);
-    let mut writer = Writer::new(design.written, header.parts);
+    let mut writer = Writer::new(design.post, header.parts);
     let law = writer.law();
     let safe = Milli::round(design.R_o() + design.Z_s)?;
     let distance = distance(design);

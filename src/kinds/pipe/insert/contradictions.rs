@@ -1,7 +1,7 @@
 //! What is valid alone but not together: the checks of one parameter of the branch against another.
 
 use crate::finding::{Finding, Raise, Size};
-use crate::gcode::machine_codes::refused_codes;
+use crate::gcode::machine_codes::{CodesPlace, refused_codes};
 use crate::gcode::program::Style;
 use crate::kinds::pipe::dimensions::solid;
 use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, DIALECT, E, END_CODES, THETA, TORCH_OFF, TORCH_ON};
@@ -91,10 +91,16 @@ impl Design {
             }
             _ => {}
         }
-        findings.extend(refused_codes(self.control, TORCH_ON.key(), &self.torch_on, false, false));
-        findings.extend(refused_codes(self.control, TORCH_OFF.key(), &self.torch_off, false, false));
+        let within = CodesPlace { last: false, tooled: false };
+        findings.extend(refused_codes(self.control, TORCH_ON.key(), &self.torch_on, within));
+        findings.extend(refused_codes(self.control, TORCH_OFF.key(), &self.torch_off, within));
         findings.extend(opposed(&[(TORCH_ON.key(), &self.torch_on), (TORCH_OFF.key(), &self.torch_off)]));
-        findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true, false));
+        findings.extend(refused_codes(
+            self.control,
+            END_CODES.key(),
+            &self.end_codes,
+            CodesPlace { last: true, ..within },
+        ));
         findings.extend(on_at_end(&self.torch_on, &self.end_codes));
         findings
     }

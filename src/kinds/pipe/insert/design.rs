@@ -2,7 +2,7 @@
 
 use crate::figure::Paper;
 use crate::finding::{Finding, Key};
-use crate::gcode::control::{Control, Written};
+use crate::gcode::control::{Control, Post};
 use crate::gcode::fields::rapids;
 use crate::gcode::program::Style;
 use crate::gcode::word::Word;
@@ -88,7 +88,7 @@ pub struct Design {
     /// The dialect.
     pub control: &'static Control,
     /// How it is written for.
-    pub written: Written,
+    pub post: Post,
     /// The style.
     pub style: Style,
     /// M codes that turn the torch on.
@@ -169,7 +169,7 @@ impl Design {
             material: fields.get(&MATERIAL).unwrap_or_default(),
             program: fields.get(&NUMBER),
             control: fields.get(&DIALECT).control,
-            written: fields.get(&DIALECT),
+            post: fields.get(&DIALECT),
             style: fields.get(&STYLE),
             torch_on: fields.get(&TORCH_ON).0,
             torch_off: fields.get(&TORCH_OFF).0,

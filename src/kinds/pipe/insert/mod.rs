@@ -29,6 +29,7 @@ pub mod outline;
 pub mod parameters;
 pub mod program;
 pub mod proof;
+mod quantities;
 pub mod rules;
 pub mod tables;
 
@@ -44,7 +45,7 @@ use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
 use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
-use crate::kind::method::{Method, Written};
+use crate::kind::method::{Method, Unproved};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, Shown, Wants, out_of_format};
 use crate::kinds;
 use crate::kinds::pipe::dimensions::or_eccentricity;
@@ -58,11 +59,11 @@ use crate::kinds::pipe::insert::parameters::{
 };
 use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, published};
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
+use crate::kinds::pipe::insert::quantities::quantities;
 use crate::kinds::pipe::insert::rules::{
     AnnexAsPublished, AnnexWithoutKerf, CurveBehindEdge, GapsOfEnvelope, KerfOnOutside, OutsideForInside,
     PipeByIncrements, PipeOnLinearAxis, RadiusTyped, TemplateNotRound, WallInsideHeader, WallOverhangs,
 };
-use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
 use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
 use crate::kinds::pipe::{self, account, scene, sizes};
 use crate::machine::rapids::Rapids;
@@ -70,10 +71,9 @@ use crate::number::grid::OutOfFormat;
 use crate::number::shown;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, FieldKind, Form, at};
-use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
-use crate::table::{Quantity, Table, Unit};
+use crate::table::{Quantity, Table};
 use crate::text::{Language, Text, t};
 
 /// The kind.
@@ -130,7 +130,7 @@ impl Method for Insert {
     }
 
     fn control(design: &Design) -> &'static Control {
-        design.written.control
+        design.post.control
     }
 
     fn style(design: &Design) -> Option<Style> {
@@ -160,12 +160,12 @@ impl Method for Insert {
         design: &Design,
         Model { cut, rest, .. }: &Model,
         origin: &Origin<'_>,
-    ) -> Result<Written, Vec<Finding>> {
+    ) -> Result<Unproved, Vec<Finding>> {
         let program = match cut {
             None => published(design),
             Some(cut) => full(design, cut, origin),
         };
-        Ok(Written { programs: vec![program.map_err(no_room)?], findings: remarks(design, rest) })
+        Ok(Unproved { programs: vec![program.map_err(no_room)?], findings: remarks(design, rest) })
     }
 
     fn memo(_: &Design, _: &Model, _: Wants) -> Curve {
@@ -247,126 +247,9 @@ fn no_room(error: OutOfFormat) -> Vec<Finding> {
     vec![out_of_format(error, [D_BRANCH.key(), D_HEADER.key(), Z.key()])]
 }
 
-/// The formula of a radius of the branch: the one that is typed, else that of a surface, in the words of either language.
-fn radius(design: &Design, typed: &str, choice: &str) -> String {
-    let (D, t) = (diameter(&BRANCH, design.branch.D), thickness(&BRANCH, [design.branch.D, design.branch.t]));
-    let inside = format!("OR(TRIM({choice})=\"inside\",TRIM({choice})=\"interior\",{})", enveloped(choice));
-    let mean = format!("OR(TRIM({choice})=\"mean\",TRIM({choice})=\"media\")");
-    format!("IF(ISNUMBER({typed}),{typed},{D}/2-IF({inside},{t},IF({mean},{t}/2,0)))")
-}
-
 /// Whether a choice is the envelope, in the words of either language.
 fn enveloped(choice: &str) -> String {
     format!("TRIM({choice})=\"envelope\",TRIM({choice})=\"envolvente\"")
-}
-
-/// Derived lengths, angles and times.
-fn quantities(design: &Design, rest: &Rest, account: &Account) -> Vec<Quantity> {
-    let outline = design.template();
-    let [bore, outside] = design.wall().ends();
-    let (D, wall_t) = (diameter(&BRANCH, design.branch.D), thickness(&BRANCH, [design.branch.D, design.branch.t]));
-    let [least, most] = outline.extent();
-    let mm = Unit::Millimetre;
-    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
-    let mut list = vec![
-        quantity("r", t("Radio de la curva del injerto", "Radius of the branch's curve"), design.r, mm, t("", ""))
-            .by("derived_branch_r", radius(design, "expert_branch_r", "contact")),
-        quantity("R", t("Radio del tubo base", "Radius of the header"), design.R, mm, t("", "")).by(
-            "derived_header_R",
-            format!("IF(ISNUMBER(expert_header_R),expert_header_R,{}/2)", diameter(&HEADER, design.header.D)),
-        ),
-        quantity("r_dev", t("Radio del desarrollo", "Radius of the development"), design.r_dev, mm, t("", ""))
-            .by("derived_r_dev", radius(design, "expert_sheet_r_dev", "sheet")),
-        quantity(
-            "W",
-            t("Longitud del desarrollo", "Length of the development"),
-            outline.round(),
-            mm,
-            t("2π·r_dev", "2π·r_dev"),
-        )
-        .by("derived_W", "2*PI()*derived_r_dev"),
-        quantity(
-            "y_min",
-            t("y mínima de la plantilla", "Minimum y of the template"),
-            least,
-            mm,
-            t("artículo, ec. (9)", "paper, eq. (9)"),
-        ),
-        quantity(
-            "y_max",
-            t("y máxima de la plantilla", "Maximum y of the template"),
-            most,
-            mm,
-            t("artículo, ec. (9)", "paper, eq. (9)"),
-        ),
-        quantity(
-            "e_max",
-            t("Excentricidad máxima con la que la curva se cierra", "Maximum eccentricity with which the curve closes"),
-            design.R - design.r,
-            mm,
-            t("R − r", "R − r"),
-        )
-        .by("derived_e_max", "derived_header_R-derived_branch_r"),
-        quantity(
-            "r_i",
-            t("Radio interior de la pared", "Inside radius of the wall"),
-            bore,
-            mm,
-            t("D/2 − t", "D/2 − t"),
-        )
-        .by("derived_wall_r_i", format!("MIN({D}/2-{wall_t},derived_header_R-ABS(eccentricity_e))")),
-        quantity("r_o", t("Radio exterior de la pared", "Outside radius of the wall"), outside, mm, t("D/2", "D/2"))
-            .by("derived_wall_r_o", format!("{D}/2")),
-        quantity(
-            "d_w",
-            t("Pared dentro del tubo base, como máximo", "Wall inside the header, at most"),
-            told(rest.inside.most),
-            mm,
-            place(&rest.inside),
-        ),
-        quantity(
-            "a_w",
-            t("A esmerilar a lo largo del injerto, como máximo", "To grind along the branch, at most"),
-            told(rest.grind.most),
-            mm,
-            place(&rest.grind),
-        ),
-        quantity(
-            "g_i",
-            t(
-                "Separación del borde interior, como máximo, sin el ancho de corte",
-                "Gap of the inner edge, at most, without the kerf",
-            ),
-            told(rest.gaps[0].most),
-            mm,
-            place(&rest.gaps[0]),
-        ),
-        quantity(
-            "g_o",
-            t(
-                "Separación del borde exterior, como máximo, sin el ancho de corte",
-                "Gap of the outer edge, at most, without the kerf",
-            ),
-            told(rest.gaps[1].most),
-            mm,
-            place(&rest.gaps[1]),
-        ),
-        quantity(
-            "k_i",
-            t(
-                "Lo que el ancho de corte quita de más al borde interior, como máximo",
-                "What the kerf takes more off the inner edge, at most",
-            ),
-            told(design.cut_back()),
-            mm,
-            t("", ""),
-        ),
-    ];
-    if !account.untimed && account.seconds > 0.0 {
-        let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");
-        list.push(quantity("t_c", meaning, account.seconds, Unit::Second, t("programa leído", "program read back")));
-    }
-    list
 }
 
 /// A bound as it is told: rounded up to 0.001 mm.
@@ -396,8 +279,8 @@ fn gap_of(worst: &Worst) -> Text {
     Text::new(said(Language::Es), said(Language::En))
 }
 
-/// How the branch comes to rest.
-fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
+/// How the branch comes to rest; `overhangs` where its wall passes the side of the header.
+fn seat(design: &Design, rest: &Rest, overhangs: bool) -> Option<Finding> {
     let phi = |worst: &Worst| Size::number(worst.phi.to_degrees(), 1);
     let contact = match design.contact {
         Contact::Envelope => {
@@ -410,10 +293,8 @@ fn seat(design: &Design, rest: &Rest) -> Option<Finding> {
             );
             // In a plane the torch cuts square to the curve, and takes no more.
             let kerf = if back > 0.0 { kerf } else { t("", "") };
-            let beside = match wall_beside_header(design) {
-                Some(_) => t(" donde apoya en el tubo base", " where it rests on the header"),
-                None => t("", ""),
-            };
+            let beside =
+                if overhangs { t(" donde apoya en el tubo base", " where it rests on the header") } else { t("", "") };
             return Some(GapsOfEnvelope { beside, inner, outer, kerf }.at(at([CONTACT.key()])));
         }
         Contact::Inside => t("interior", "inside"),
@@ -487,8 +368,9 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
         let (typed, derived) = (Size::mm(one.typed), Size::mm(one.derived));
         RadiusTyped { key: one.key, typed, derived }.at(at([one.key]))
     }));
-    findings.extend(seat(design, rest));
-    findings.extend(wall_beside_header(design));
+    let beside = wall_beside_header(design);
+    findings.extend(seat(design, rest, beside.is_some()));
+    findings.extend(beside);
     findings.extend(template_not_round(design));
     // A jet is wider than what a corner is rounded by.
     findings.extend(kinds::rules::corners_between_blocks(design.control).map(|one| one.graded(Grade::Note)));

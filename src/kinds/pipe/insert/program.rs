@@ -145,7 +145,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     let work = Work { part: &design.part, material: &design.material, number: design.program };
     let mut header = Header::new(design.control, "insert", &TITLE, work, origin);
     comments(design, &mut header);
-    let writer = Writer::new(design.written, header.parts);
+    let writer = Writer::new(design.post, header.parts);
     let mut writer = if design.mode == Mode::Rotary { writer } else { writer.along_the_path() };
     let letters = letters(design.mode);
     let place = |to: [Milli; 2]| letters.into_iter().zip(to).map(|(letter, size)| Word::size(letter, size));
