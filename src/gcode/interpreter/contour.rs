@@ -130,7 +130,9 @@ impl Reader<'_, '_> {
     pub(super) fn contour(&mut self, cycle: u8, ends: Ends) -> Result<Contour> {
         let (mut block, mut probe) = (Block::at(self.block.spot), self.state.clone());
         let mut reader = Reader { memory: &mut *self.memory, block: &mut block, state: &mut probe };
-        reader.read_contour(cycle, ends).map_err(|mut fault| {
+        let read = reader.read_contour(cycle, ends);
+        self.memory.remarks.behind_contour();
+        read.map_err(|mut fault| {
             fault.line = if fault.line == 0 { block.spot.line } else { fault.line };
             fault
         })
@@ -152,6 +154,7 @@ impl Reader<'_, '_> {
             let Some(behind) = self.memory.library.line(next, &mut line)? else { break };
             next = behind;
             self.count_line(behind)?;
+            self.memory.remarks.in_contour(self.block.spot);
             let Some(mut cursor) = self.open_line(&line)? else { continue };
             if matches!(cursor.peek(), b'%' | b'o') {
                 return Err(Refused::of(&ContourWithoutEnd { cycle }, &[cursor.column()]));
