@@ -1,6 +1,6 @@
 //! Findings about a turning workbook, and about the simulation of its programs besides the alarms.
 //!
-//! Codes P4001 on are of values that contradict each other, L0205 to L0220 and from L0229 on of what was followed.
+//! Codes P4001 on are of values that contradict each other, L0205 to L0220, L0229 to L0232 and from L0234 on of what was followed.
 
 use crate::finding::rule::{book, rules};
 use crate::finding::{Bare, Example, Key, Size};

@@ -502,7 +502,7 @@ impl Simulation {
             add(part.drop_loose(|ring| judged(&ready.tool.cutter, &ready.outline.cutter, ends, ring)));
         }
         if let Some(scraped) = scraped {
-            tally.raise(scraped.cause(&ready.tool, leaves), scraped.place, Some(scraped.deep));
+            tally.raise(scraped.cause(&ready.tool, leaves, pieces), scraped.place, Some(scraped.deep));
         }
         removed
     }
