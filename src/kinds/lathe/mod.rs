@@ -286,7 +286,12 @@ fn outcome(
     let made = !endless && !followed.iter().any(|one| one.uncut);
     if let Some(profile) = profile.filter(|_| made) {
         let left = followed.last().map_or(0, |one| one.simulation.work_left());
-        let part = Comparison { contours: &drawn.part, tolerance: given.setup.tolerance, most_work: left };
+        let part = Comparison {
+            contours: &drawn.part,
+            tolerance: given.setup.tolerance,
+            second: followed.len() > 1,
+            most_work: left,
+        };
         let (told, undone) = compared(&part, &profile, &mut quantities);
         findings.extend(told);
         findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));

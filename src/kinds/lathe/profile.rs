@@ -83,6 +83,8 @@ pub(super) struct Comparison<'c> {
     pub(super) contours: &'c [Ring],
     /// The tolerance of its curves, mm.
     pub(super) tolerance: f64,
+    /// It was turned about: they are in coordinates of the second set-up.
+    pub(super) second: bool,
     /// How many steps of work are left.
     pub(super) most_work: u64,
 }
@@ -118,12 +120,17 @@ pub(super) fn compared(
     };
     let [most, least] = [found.over, found.under].map(place);
     let size = |by: f64| Size { decimals: 4, ..Size::mm(by) };
+    let held = if part.second {
+        t(" (en cotas del segundo amarre)", " (in coordinates of the second set-up)")
+    } else {
+        t("", "")
+    };
     let limit = explained(part.tolerance);
     let missing = (under > limit).then(|| {
-        let told = MetalMissing { under: size(under), least: least.clone() }.at(Place::File);
+        let told = MetalMissing { held: held.clone(), under: size(under), least: least.clone() }.at(Place::File);
         told.with(format!("{} mm", shown(under, 4)), format!("≤ {} mm", shown(limit, 4)))
     });
-    let note = Compared { over: size(over), most, under: size(under), least }.at(Place::File);
+    let note = Compared { held, over: size(over), most, under: size(under), least }.at(Place::File);
     (missing.into_iter().chain([note]).collect(), false)
 }
 
@@ -133,11 +140,11 @@ mod tests {
     use crate::finding::Grade;
 
     /// A bar of radius 10 less so much, against a profile of radius 10: what is told.
-    fn told(under: f64) -> Vec<Finding> {
+    fn told(under: f64, second: bool) -> Vec<Finding> {
         let r = 10.0 - under;
         let contours = [vec![[-50.0, 0.0], [0.0, 0.0], [0.0, r], [-50.0, r]]];
         let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
-        let part = Comparison { contours: &contours, tolerance: 0.0002, most_work: 1_000_000 };
+        let part = Comparison { contours: &contours, tolerance: 0.0002, second, most_work: 1_000_000 };
         compared(&part, &profile, &mut Vec::new()).0
     }
 
@@ -145,11 +152,20 @@ mod tests {
     fn missing_metal_is_a_caution_from_where_no_tolerance_explains_it() {
         // 2 · 0.0002 + 0.00001 + 0.00112.
         for (under, cautions) in [(0.0, 0), (0.0015, 0), (0.0016, 1), (1.0, 1), (-1.0, 0)] {
-            let found = told(under);
+            let found = told(under, false);
             let grave = found.iter().filter(|one| one.is(MetalMissing::RULE) && one.grade == Grade::Caution).count();
             assert_eq!((grave, found.len()), (cautions, cautions + 1), "{under}: {found:?}");
         }
-        let found = told(1.0);
+        let found = told(1.0, false);
         assert!(found[0].what.en.contains("up to 1 mm is missing (X20 Z-1)"), "{:?}", found[0].what);
+    }
+
+    #[test]
+    fn it_is_said_in_which_set_up_the_profile_is_written() {
+        for (second, wanted) in [(false, false), (true, true)] {
+            let found = told(1.0, second);
+            assert!(found.iter().all(|one| one.what.en.contains("of the second set-up") == wanted), "{found:?}");
+            assert!(found.iter().all(|one| one.what.es.contains("del segundo amarre") == wanted), "{found:?}");
+        }
     }
 }
