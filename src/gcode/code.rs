@@ -272,6 +272,8 @@ pub enum G {
     SetPositionOrSpeed,
     /// Known to the control and refused by name.
     Refused(Group, &'static Name),
+    /// The same of a cycle.
+    RefusedCycle(&'static Name),
 }
 
 /// The name of something that is refused, Spanish and English.
@@ -288,6 +290,7 @@ impl G {
             | Self::Thread(_)
             | Self::Pass(_)
             | Self::Cycle(_)
+            | Self::RefusedCycle(_)
             | Self::Cancel => Group::Motion,
             Self::Dwell
             | Self::SetOffsets
@@ -312,6 +315,12 @@ impl G {
             Self::ConstantSurfaceSpeed | Self::Rpm => Group::Speed,
             Self::Refused(group, _) => group,
         }
+    }
+
+    /// True of a cycle: it cuts more than its own block says, and a lathe that rejects it cuts none of that.
+    #[must_use]
+    pub const fn is_cycle(self) -> bool {
+        matches!(self, Self::Cycle(_) | Self::Turning(_) | Self::Pass(_) | Self::RefusedCycle(_))
     }
 
     /// True where the code takes the block's axis words for itself, so that no motion may stand beside it.

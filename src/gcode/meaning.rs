@@ -102,7 +102,7 @@ impl G {
                 "esta posición recibe estas cotas; con S sola, el límite de giro",
                 "this position gets these coordinates; with S alone the speed limit",
             ),
-            Self::Refused(_, name) => refused(*name),
+            Self::Refused(_, name) | Self::RefusedCycle(name) => refused(*name),
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::common::workbook;
 
 mod bench;
 mod command;
+mod cycles;
 mod figures;
 mod hostile;
 mod judged;

@@ -268,7 +268,7 @@ static CODES_8055_T: Codes = Codes::new(&[
         (&[340], G::Refused(Group::Motion, &THREAD)),
         (&[410], G::Compensation(Compensation::Left)),
         (&[420], G::Compensation(Compensation::Right)),
-        (&[660, 680, 690], G::Refused(Group::Motion, &TURNING_CYCLE)),
+        (&[660, 680, 690], G::RefusedCycle(&TURNING_CYCLE)),
         (&[810], G::Turning(TurningCycle::Fagor(81))),
         (&[820], G::Turning(TurningCycle::Fagor(82))),
         (&[830], G::Turning(TurningCycle::Fagor(83))),

@@ -154,7 +154,7 @@ static CODES: Codes = Codes::new(&[
         (&[810], G::Cycle(Cycle::Drill)),
         (&[820], G::Cycle(Cycle::DrillDwell)),
         (&[830], G::Cycle(Cycle::Peck)),
-        (&[840, 850, 860, 870, 880, 890], G::Refused(Group::Motion, &TAPPING)),
+        (&[840, 850, 860, 870, 880, 890], G::RefusedCycle(&TAPPING)),
         (&[900], G::Pass(SinglePassCycle::Axial)),
         (&[920], G::Pass(SinglePassCycle::Thread)),
         (&[940], G::Pass(SinglePassCycle::Radial)),

@@ -94,7 +94,11 @@ impl Reader<'_, '_> {
         for (number, letter) in numbers.iter_mut().zip(letters) {
             *number = self.number_of_block(cycle, letter)?;
         }
-        let columns = letters.map(|letter| self.block.column(letter));
+        self.ends_numbered(cycle, numbers, letters.map(|letter| self.block.column(letter)))
+    }
+
+    /// The blocks with two numbers; `columns` are those of the words that name them.
+    fn ends_numbered(&mut self, cycle: u8, numbers: [u32; 2], columns: [usize; 2]) -> Result<Ends> {
         let missing = |at: usize| ContourBlockMissing { number: numbers[at] };
         let first = self.block_numbered(numbers[0], columns[0], &missing(0))?;
         let last = self.block_numbered(numbers[1], columns[1], &missing(1))?;
@@ -126,7 +130,9 @@ impl Reader<'_, '_> {
     pub(super) fn contour(&mut self, cycle: u8, ends: Ends) -> Result<Contour> {
         let (mut block, mut probe) = (Block::at(self.block.spot), self.state.clone());
         let mut reader = Reader { memory: &mut *self.memory, block: &mut block, state: &mut probe };
-        reader.read_contour(cycle, ends).map_err(|mut fault| {
+        let read = reader.read_contour(cycle, ends);
+        self.memory.remarks.behind_contour();
+        read.map_err(|mut fault| {
             fault.line = if fault.line == 0 { block.spot.line } else { fault.line };
             fault
         })
@@ -148,6 +154,7 @@ impl Reader<'_, '_> {
             let Some(behind) = self.memory.library.line(next, &mut line)? else { break };
             next = behind;
             self.count_line(behind)?;
+            self.memory.remarks.in_contour(self.block.spot);
             let Some(mut cursor) = self.open_line(&line)? else { continue };
             if matches!(cursor.peek(), b'%' | b'o') {
                 return Err(Refused::of(&ContourWithoutEnd { cycle }, &[cursor.column()]));
@@ -327,10 +334,11 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    /// Goes on behind the contour of a cycle that was refused: its blocks are none of the program's own motions.
-    pub(super) fn pass_over_contour(&mut self, cycle: u8) -> Result<()> {
-        // Where the blocks are not found there is no contour to pass over, and the cycle was refused for that.
-        let Ok(ends) = self.contour_ends(cycle, [letter::P, letter::Q]) else { return Ok(()) };
+    /// Goes on behind the contour of a cycle that was refused, between the blocks with two numbers: its blocks are none of the program's
+    /// own motions.
+    pub(super) fn pass_over_contour(&mut self, cycle: u8, numbers: [u32; 2]) {
+        // Where the blocks are not found there is no contour to pass over.
+        let Ok(ends) = self.ends_numbered(cycle, numbers, [0; 2]) else { return };
         let next = self.memory.flow.next;
         let contour = (next.text, ends.first_line());
         if !self.state.modal.refused.contains(&contour) {
@@ -338,9 +346,10 @@ impl Reader<'_, '_> {
         }
         if ends.last.line() > next.line.lines {
             let last = Mark { line: ends.last.at, ..next };
-            self.memory.flow.next = self.memory.library.line(last, &mut Vec::new())?.unwrap_or(last);
+            // A last block that cannot be read is refused where it stands.
+            let behind = self.memory.library.line(last, &mut Vec::new());
+            self.memory.flow.next = behind.ok().flatten().unwrap_or(last);
         }
-        Ok(())
     }
 
     /// Whose alarms the control raises; none where its numbers are not known.

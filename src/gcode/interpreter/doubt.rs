@@ -68,7 +68,7 @@ impl Refused {
 }
 
 /// The number behind a letter at a place of a line, as far as it is written out.
-fn number(line: &[u8], at: usize) -> Option<f64> {
+pub(super) fn number(line: &[u8], at: usize) -> Option<f64> {
     let digits = line.get(at..)?.iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
     std::str::from_utf8(line.get(at..at + digits)?).ok()?.parse().ok()
 }
@@ -96,8 +96,8 @@ fn of_code(number: f64, codes: &Codes) -> State {
 }
 
 impl Reader<'_, '_> {
-    /// What a line that was refused would have put into force, by its letters: more rather than less.
-    fn doubt_line(&mut self, text: &[u8], refused: usize) {
+    /// A line without its comments and blanks, its letters in upper case.
+    pub(super) fn without_comments(&self, text: &[u8]) -> Vec<u8> {
         let mut line = text.to_ascii_uppercase();
         if let Ok(comments) = comments(text, self.memory.control.lexis.comments) {
             for (column, text) in comments {
@@ -107,6 +107,12 @@ impl Reader<'_, '_> {
             line.truncate(line.iter().position(|byte| *byte == b'(').unwrap_or(line.len()));
         }
         line.retain(|byte| !byte.is_ascii_whitespace());
+        line
+    }
+
+    /// What a line that was refused would have put into force, by its letters: more rather than less.
+    fn doubt_line(&mut self, text: &[u8], refused: usize) {
+        let line = self.without_comments(text);
         let mut state = 0;
         for (at, &byte) in line.iter().enumerate() {
             let index = usize::from(byte.wrapping_sub(b'A'));

@@ -154,6 +154,8 @@ struct Memory<'a> {
     first_blocks: Vec<(TurningCycle, Spot)>,
     /// A comment has ended the program.
     aborted: bool,
+    /// A cycle of a lathe was refused.
+    uncut: bool,
     /// The program has said its unit.
     unit_said: bool,
     /// A motion has been made before it did, and one in inches.
@@ -257,6 +259,7 @@ impl<'a> Interpreter<'a> {
             input_read: false,
             first_blocks: Vec::new(),
             aborted: false,
+            uncut: false,
             unit_said: false,
             units_used: [false; 2],
             spindle: SpindleSeen::default(),
@@ -294,6 +297,13 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub fn file(&self, number: usize) -> Option<&str> {
         self.memory.library.file(number).map(String::as_str)
+    }
+
+    /// True behind a refused block of a lathe whose cycle is not made, also where that refusal follows from another and is not told: what
+    /// comes after it meets another part than the program counts on.
+    #[must_use]
+    pub const fn uncut(&self) -> bool {
+        self.memory.uncut
     }
 
     /// The position reached, in program and machine coordinates.
@@ -499,7 +509,11 @@ impl Iterator for Interpreter<'_> {
             } else {
                 reader.step(line)
             };
-            if let Some(fault) = result.err().and_then(|fault| reader.told_once(fault, line)) {
+            let Err(fault) = result else { continue };
+            let lost = reader.loses_cycle(line);
+            reader.memory.uncut |= lost || fault.uncut;
+            if let Some(mut fault) = reader.told_once(fault, line) {
+                fault.uncut |= lost;
                 // Behind the refusals that its block has handed out already.
                 let queue = &mut reader.memory.queue;
                 if !queue.iter().any(Result::is_err) {

@@ -117,7 +117,7 @@ impl Reader<'_, '_> {
         let tenths = whole(value * 10.0).and_then(|tenths| usize::try_from(tenths).ok());
         let found = tenths.and_then(|tenths| self.memory.control.codes.get(tenths));
         match found {
-            Some(G::Refused(_, name)) => {
+            Some(G::Refused(_, name) | G::RefusedCycle(name)) => {
                 Err(Refused::of(&CodeNotSupported { code: value, reason: t(name.0, name.1) }, &[column]))
             }
             Some(g) => self.block.put_g(g, column).map_err(|first| {

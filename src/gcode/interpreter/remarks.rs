@@ -1,5 +1,7 @@
 //! What the interpreter remarks of a program.
 
+use std::collections::BTreeSet;
+
 use crate::finding::{Finding, Grade, Place, Raise, Size};
 use crate::gcode::interpreter::library::{Library, Spot};
 use crate::gcode::interpreter::refused::place;
@@ -14,6 +16,9 @@ pub(super) struct Remarks {
     /// How often each was seen, and the text that its line stands in.
     list: Vec<(u64, usize, Finding)>,
     turns: Option<Turns>,
+    /// The lines, each in its text, that cycles have read as blocks of their contour, and whether the one in hand is of them.
+    contours: BTreeSet<(usize, usize)>,
+    again: bool,
 }
 
 /// Blocks at feed that turn a rotary axis by more than half a turn.
@@ -26,6 +31,16 @@ struct Turns {
 }
 
 impl Remarks {
+    /// The line in hand is a block of a contour. What several cycles read of it, G71 and G70, is counted once.
+    pub(super) fn in_contour(&mut self, spot: Spot) {
+        self.again = !self.contours.insert((spot.text, spot.line));
+    }
+
+    /// The contour has been read.
+    pub(super) const fn behind_contour(&mut self) {
+        self.again = false;
+    }
+
     /// Remarks a row at a place and column (counted from 0). Row and values tell one thing from another.
     pub(super) fn row(&mut self, row: &dyn Raise, spot: Spot, column: Option<usize>) {
         self.row_as(row.rule().grade, row, spot, column);
@@ -36,7 +51,7 @@ impl Remarks {
         let (rule, data) = (row.rule(), row.carries());
         let same = |finding: &Finding| finding.is(rule) && finding.data == data;
         if let Some((count, ..)) = self.list.iter_mut().find(|(.., finding)| same(finding)) {
-            *count += 1;
+            *count += u64::from(!self.again);
         } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
             self.list.push((1, spot.text, row.at(place(None, spot.line, columns)).graded(grade)));

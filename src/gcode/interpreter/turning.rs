@@ -10,6 +10,7 @@
 use crate::gcode::code::{G, Group, TurningCycle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::doubt::number;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::refused::{Refused, Result};
@@ -34,6 +35,37 @@ pub(super) type First = [Option<f64>; 5];
 const FIRST: [usize; 5] = [letter::P, letter::Q, letter::R, letter::U, letter::W];
 
 impl Reader<'_, '_> {
+    /// True where a block of a lathe that was rejected, whatever for, calls a cycle or repeats one: the cycle cuts nothing, so that the part
+    /// is from here on not what the program counts on. Its contour, none of the program's own motions, is passed over.
+    pub(super) fn loses_cycle(&mut self, line: &[u8]) -> bool {
+        if !self.memory.control.turns() {
+            return false;
+        }
+        let line = self.without_comments(line);
+        let line = line.as_slice();
+        let words = |letter: u8| {
+            line.iter().enumerate().filter(move |(_, byte)| **byte == letter).map(|(at, _)| number(line, at + 1))
+        };
+        let codes: Vec<G> = words(b'G')
+            .filter_map(|code| usize::try_from(whole(code? * 10.0)?).ok())
+            .filter_map(|tenths| self.memory.control.codes.get(tenths))
+            .collect();
+        let other = codes.iter().any(|code| matches!(code.group(), Group::Motion | Group::NonModal));
+        let again = !other && self.state.modal.motion.is_cycle() && line.iter().any(|letter| b"XZUWR".contains(letter));
+        let lost = again || codes.iter().any(|code| code.is_cycle());
+        let of_contour = codes.into_iter().find_map(|code| match code {
+            G::Turning(cycle @ (TurningCycle::Axial | TurningCycle::Radial | TurningCycle::Repeat)) => Some(cycle),
+            _ => None,
+        });
+        if let Some(cycle) = of_contour {
+            let block = |letter| u32::try_from(whole(words(letter).next()??)?).ok();
+            if let (Some(first), Some(last)) = (block(b'P'), block(b'Q')) {
+                self.pass_over_contour(cycle.number(), [first, last]);
+            }
+        }
+        lost
+    }
+
     /// The turning cycle of the block in hand.
     pub(super) fn turning(&mut self, cycle: TurningCycle) -> Result<()> {
         self.turn(cycle).map_err(|mut fault| {
@@ -55,13 +87,7 @@ impl Reader<'_, '_> {
                 self.finish_contour(moves, contour.blocks);
                 Ok(())
             }
-            TurningCycle::Axial | TurningCycle::Radial | TurningCycle::Repeat => {
-                let result = self.roughing(cycle);
-                if result.is_err() {
-                    self.pass_over_contour(cycle.number())?;
-                }
-                result
-            }
+            TurningCycle::Axial | TurningCycle::Radial | TurningCycle::Repeat => self.roughing(cycle),
             TurningCycle::GrooveFace | TurningCycle::GrooveOutside => self.grooving(cycle),
             TurningCycle::Thread => self.threading(cycle),
             TurningCycle::Fagor(number) => self.fagor(number),

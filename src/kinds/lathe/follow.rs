@@ -175,6 +175,7 @@ pub(super) fn follow<'a>(
     watch(Seen::Stood(&interpreter.stands(), &following.one.simulation, None));
     loop {
         let item = interpreter.next();
+        following.one.uncut |= interpreter.uncut();
         following.stood(&mut interpreter, watch);
         match item {
             Some(Ok(motion)) => {

@@ -36,7 +36,7 @@ use crate::kind::{Chapters, Drawing, End, Kind, Outcome, Provenance, Shown, Soli
 use crate::kinds::lathe::drawn::Drawn;
 use crate::kinds::lathe::follow::{Begins, Followed, follow, late};
 use crate::kinds::lathe::parameters::{self as form, FORM, PROGRAM_KEY, SECOND_KEY};
-use crate::kinds::lathe::profile::{compared, wanted};
+use crate::kinds::lathe::profile::{Comparison, compared, wanted};
 use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NothingInTheJaws};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
@@ -286,8 +286,15 @@ fn outcome(
     let made = !endless && !followed.iter().any(|one| one.uncut);
     if let Some(profile) = profile.filter(|_| made) {
         let left = followed.last().map_or(0, |one| one.simulation.work_left());
-        let (finding, undone) = compared(&drawn.part, &profile, left, &mut quantities);
-        findings.push(finding);
+        let part = Comparison {
+            contours: &drawn.part,
+            tolerance: given.setup.tolerance,
+            second: followed.len() > 1,
+            most_work: left,
+        };
+        let (told, undone) = compared(&part, &profile, &mut quantities);
+        findings.extend(told);
+        findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
         endless = undone;
         drawn.wanted = profile.points().unwrap_or_default();
         (lines, arcs) = profile.drawn();

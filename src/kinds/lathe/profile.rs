@@ -4,14 +4,14 @@ use crate::finding::{Finding, Place, Raise, Size};
 use crate::geometry::exact::region::Ring;
 use crate::kinds::lathe::parameters::{Element, PROFILE_G, PROFILE_KEY, PROFILE_R, PROFILE_X, PROFILE_Z};
 use crate::kinds::lathe::rules::{
-    ArcFallsShort, ArcWithoutChord, ArcWithoutRadius, Compared, ComparisonTooMuchWork, NothingToCompare,
+    ArcFallsShort, ArcWithoutChord, ArcWithoutRadius, Compared, ComparisonTooMuchWork, MetalMissing, NothingToCompare,
     ProfileOfOnePoint,
 };
 use crate::number::shown;
 use crate::number::trig::hypot;
 use crate::parameter::Parameter;
 use crate::parameter::field::{Entry, Fields};
-use crate::removal::turning::deviation::{Profile, Span, Unmeasured, deviation};
+use crate::removal::turning::deviation::{CHORDS, Profile, Span, Unmeasured, deviation};
 use crate::table::{Quantity, Unit};
 use crate::text::t;
 
@@ -61,23 +61,50 @@ pub(super) fn wanted(fields: &Fields) -> Result<Option<Profile>, Box<Finding>> {
     Ok(Some(profile))
 }
 
-/// How the part compares with the wanted profile, as quantities and a finding, and whether that was left undone for want of
-/// work; `most_work` is how many steps of it are left.
+/// The most by which what is programmed and what is written as the profile are off for being written in thousandths of a millimetre, mm.
+///
+/// # Derivation
+/// Each point of either is rounded by half a thousandth along Z and along X, which is a diameter: by 0.0005 and 0.00025 mm. Of both
+/// together that is √(0.001² + 0.0005²).
+const GRID: f64 = 0.001_12;
+
+/// How far a surface may lie under the wanted profile without missing metal, mm, where curves are chords within a tolerance.
+///
+/// # Derivation
+/// The nose and the arc that it follows are chords within the tolerance each, the arcs of the profile within [`CHORDS`], and the
+/// words and cells have three decimals.
+fn explained(tolerance: f64) -> f64 {
+    2.0 * tolerance + CHORDS + GRID
+}
+
+/// A part that is compared with its profile.
+pub(super) struct Comparison<'c> {
+    /// Its contours, `[z, r]` in mm.
+    pub(super) contours: &'c [Ring],
+    /// The tolerance of its curves, mm.
+    pub(super) tolerance: f64,
+    /// It was turned about: they are in coordinates of the second set-up.
+    pub(super) second: bool,
+    /// How many steps of work are left.
+    pub(super) most_work: u64,
+}
+
+/// How the part compares with the wanted profile, as quantities and findings, and whether that was left undone for want of work.
 pub(super) fn compared(
-    contours: &[Ring],
+    part: &Comparison<'_>,
     profile: &Profile,
-    most_work: u64,
     quantities: &mut Vec<Quantity>,
-) -> (Finding, bool) {
-    let found = match deviation(contours, profile, most_work) {
+) -> (Vec<Finding>, bool) {
+    let contours = part.contours;
+    let found = match deviation(contours, profile, part.most_work) {
         Ok(found) => found,
         Err(Unmeasured::Gone) => {
-            return (NothingToCompare {}.at(Place::File), false);
+            return (vec![NothingToCompare {}.at(Place::File)], false);
         }
         Err(Unmeasured::Work) => {
             let corners: usize = contours.iter().map(Vec::len).sum();
             let spans = profile.spans.len();
-            return (ComparisonTooMuchWork { corners, spans }.at(Place::File), true);
+            return (vec![ComparisonTooMuchWork { corners, spans }.at(Place::File)], true);
         }
     };
     let [over, under] = [found.over, found.under].map(|one| one.map_or(0.0, |(by, _)| by));
@@ -92,6 +119,53 @@ pub(super) fn compared(
         one.map_or(String::new(), |(_, [z, r])| format!(" (X{} Z{})", shown(2.0 * r, 3), shown(z, 3)))
     };
     let [most, least] = [found.over, found.under].map(place);
-    let [over, under] = [over, under].map(|by| Size { decimals: 4, ..Size::mm(by) });
-    (Compared { over, most, under, least }.at(Place::File), false)
+    let size = |by: f64| Size { decimals: 4, ..Size::mm(by) };
+    let held = if part.second {
+        t(" (en cotas del segundo amarre)", " (in coordinates of the second set-up)")
+    } else {
+        t("", "")
+    };
+    let limit = explained(part.tolerance);
+    let missing = (under > limit).then(|| {
+        let told = MetalMissing { held: held.clone(), under: size(under), least: least.clone() }.at(Place::File);
+        told.with(format!("{} mm", shown(under, 4)), format!("≤ {} mm", shown(limit, 4)))
+    });
+    let note = Compared { held, over: size(over), most, under: size(under), least }.at(Place::File);
+    (missing.into_iter().chain([note]).collect(), false)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::finding::Grade;
+
+    /// A bar of radius 10 less so much, against a profile of radius 10: what is told.
+    fn told(under: f64, second: bool) -> Vec<Finding> {
+        let r = 10.0 - under;
+        let contours = [vec![[-50.0, 0.0], [0.0, 0.0], [0.0, r], [-50.0, r]]];
+        let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
+        let part = Comparison { contours: &contours, tolerance: 0.0002, second, most_work: 1_000_000 };
+        compared(&part, &profile, &mut Vec::new()).0
+    }
+
+    #[test]
+    fn missing_metal_is_a_caution_from_where_no_tolerance_explains_it() {
+        // 2 · 0.0002 + 0.00001 + 0.00112.
+        for (under, cautions) in [(0.0, 0), (0.0015, 0), (0.0016, 1), (1.0, 1), (-1.0, 0)] {
+            let found = told(under, false);
+            let grave = found.iter().filter(|one| one.is(MetalMissing::RULE) && one.grade == Grade::Caution).count();
+            assert_eq!((grave, found.len()), (cautions, cautions + 1), "{under}: {found:?}");
+        }
+        let found = told(1.0, false);
+        assert!(found[0].what.en.contains("up to 1 mm is missing (X20 Z-1)"), "{:?}", found[0].what);
+    }
+
+    #[test]
+    fn it_is_said_in_which_set_up_the_profile_is_written() {
+        for (second, wanted) in [(false, false), (true, true)] {
+            let found = told(1.0, second);
+            assert!(found.iter().all(|one| one.what.en.contains("of the second set-up") == wanted), "{found:?}");
+            assert!(found.iter().all(|one| one.what.es.contains("del segundo amarre") == wanted), "{found:?}");
+        }
+    }
 }

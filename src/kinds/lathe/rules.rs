@@ -1,6 +1,6 @@
 //! Findings about a turning workbook, and about the simulation of its programs besides the alarms.
 //!
-//! Codes P4001 on are of values that contradict each other, L0205 to L0220 and from L0229 on of what was followed.
+//! Codes P4001 on are of values that contradict each other, L0205 to L0220, L0229 to L0232 and from L0234 on of what was followed.
 
 use crate::finding::rule::{book, rules};
 use crate::finding::{Bare, Example, Key, Size};
@@ -264,12 +264,12 @@ rules! {
         example Example::Made { key: "profile-long", how: t(
             "un libro de torno con un perfil de 400 puntos y arcos de radio 2000",
             "a lathe workbook with a profile of 400 points and arcs of radius 2000") };
-    "L0220" Compared Note { over: Size, most: String, under: Size, least: String }
-        es "respecto al perfil de la hoja PERFIL del libro, sobran hasta {over}{most} y faltan hasta {under}{least}"
-        en "compared with the profile on the workbook's sheet PROFILE, up to {over} is left{most} and up to {under} is missing{least}"
+    "L0220" Compared Note { held: Text, over: Size, most: String, under: Size, least: String }
+        es "respecto al perfil de la hoja PERFIL del libro{held}, sobran hasta {over}{most} y faltan hasta {under}{least}"
+        en "compared with the profile on the workbook's sheet PROFILE{held}, up to {over} is left{most} and up to {under} is missing{least}"
         remedy "", "";
         why "El metal que sobra se puede repasar; el que falta deja la pieza inservible.", "Metal that is left can be turned again; missing metal scraps the part.";
-        example book!("lathe", "PROFILE!A6" = "'1", "PROFILE!B6" = "20", "PROFILE!C6" = "-3", "PROFILE!A7" = "'1", "PROFILE!B7" = "20", "PROFILE!C7" = "-29");
+        example book!("lathe", "PROFILE!A6" = "'1", "PROFILE!B6" = "18", "PROFILE!C6" = "-3", "PROFILE!A7" = "'1", "PROFILE!B7" = "18", "PROFILE!C7" = "-24");
     "L0229" NoMotion Stop {}
         es "el programa no hace ningún movimiento: no se ha simulado nada"
         en "the program makes no motion: nothing was simulated"
@@ -300,4 +300,12 @@ rules! {
         why "El eje no llega a ese avance: la máquina se para o va más despacio, y ni tiempo ni viruta son los calculados.",
             "The axis cannot feed so fast: the machine stops or goes slower, and neither time nor chip is what was computed.";
         example blocks!("X46.|G1 Z-20. F60.|X54.|G0 Z2.");
+    "L0234" MetalMissing Caution { held: Text, under: Size, least: String }
+        es "respecto al perfil de la hoja PERFIL del libro{held}, faltan hasta {under}{least}"
+        en "compared with the profile on the workbook's sheet PROFILE{held}, up to {under} is missing{least}"
+        remedy "corrija allí el programa (X, Z, G41 o G42, la punta en HERRAMIENTAS), o el perfil",
+            "correct the program there (X, Z, G41 or G42, the nose in TOOLS), or the profile";
+        why "El metal que falta deja la pieza inservible: no se puede volver a poner.",
+            "Missing metal scraps the part: it cannot be put back.";
+        example book!("lathe", "PROFILE!A6" = "'1", "PROFILE!B6" = "22", "PROFILE!C6" = "-3", "PROFILE!A7" = "'1", "PROFILE!B7" = "22", "PROFILE!C7" = "-24");
 }

@@ -38,6 +38,8 @@ pub enum Cause {
     RapidInMetal,
     /// The tool retracts in rapid and scrapes metal, no deeper than [`SCRAPE`].
     RetractionInMetal,
+    /// A blade goes straight back in rapid and scrapes the wedge that its inclined side has left.
+    BladeWedge,
     /// A non-cutting edge of the cutter runs into metal.
     BackInMetal,
     /// The holder or the turret runs into metal.
@@ -207,6 +209,7 @@ impl Cause {
             self,
             Self::RapidInMetal
                 | Self::RetractionInMetal
+                | Self::BladeWedge
                 | Self::BackInMetal
                 | Self::BodyInMetal(_)
                 | Self::BoreWithoutHole { .. }
@@ -234,6 +237,7 @@ impl Cause {
         match self {
             Self::RapidInMetal => Box::new(row::RapidInMetal {}),
             Self::RetractionInMetal => Box::new(row::RetractionInMetal {}),
+            Self::BladeWedge => Box::new(row::BladeWedge {}),
             Self::BackInMetal => Box::new(row::BackInMetal {}),
             Self::BodyInMetal(Moving::Turret) => Box::new(row::TurretInMetal {}),
             Self::BodyInMetal(Moving::Cutter | Moving::Holder) => Box::new(row::HolderInMetal {}),

@@ -34,7 +34,7 @@ pub struct Profile {
 }
 
 /// Wanted arcs are chords within this, mm.
-const TOLERANCE: f64 = 1e-5;
+pub const CHORDS: f64 = 1e-5;
 /// The distance between checked places of straight lines, mm.
 const STEP: f64 = 0.25;
 /// The maximum number of checked places of one line.
@@ -87,7 +87,7 @@ impl Profile {
                     let angle = |point: [f64; 2]| atan2(point[1] - centre[1], point[0] - centre[0]);
                     let turn = (angle(to) - angle(from)).rem_euclid(std::f64::consts::TAU);
                     let sweep = if clockwise { turn - std::f64::consts::TAU } else { turn };
-                    chords::corners(centre, [from, to], sweep, TOLERANCE, |corner| points.push(corner));
+                    chords::corners(centre, [from, to], sweep, CHORDS, |corner| points.push(corner));
                     from = to;
                 }
             }

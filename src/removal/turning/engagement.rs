@@ -192,10 +192,11 @@ impl Engagement<'_, '_> {
         });
     }
 
-    /// Ends it: gives what was taken away, and tells what a rapid motion met. `leaves` is whether the tool leaves its work.
-    pub fn end(self, leaves: bool) -> Removed {
+    /// Ends it: gives what was taken away, and tells what a rapid motion met; `leaves` is whether the tool leaves its work
+    /// along these `pieces`.
+    pub fn end(self, leaves: bool, pieces: &[Piece]) -> Removed {
         if let Some(scraped) = self.scraped {
-            self.tally.raise(scraped.cause(&self.ready.tool, leaves), scraped.place, Some(scraped.deep));
+            self.tally.raise(scraped.cause(&self.ready.tool, leaves, pieces), scraped.place, Some(scraped.deep));
         }
         self.removed
     }

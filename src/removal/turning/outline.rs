@@ -75,6 +75,11 @@ fn unit(degrees: f64) -> [f64; 2] {
     [cos, sin]
 }
 
+/// How far each side of a blade of a width is drawn in per mm of its depth: by a degree, never to nothing.
+pub(super) fn side_relief(width: f64, depth: f64) -> f64 {
+    tan(1_f64.to_radians()).min(0.2 * width / depth)
+}
+
 fn along([z, r]: [f64; 2], [dz, dr]: [f64; 2], by: f64) -> [f64; 2] {
     [z + dz * by, r + dr * by]
 }
@@ -296,8 +301,8 @@ impl TurningTool {
                 one(points.into_iter().map(moved).collect(), marks)
             }
             Cutter::Groover { width, depth, corner, face } => {
-                // Sides drawn in by a degree, never to nothing; the rounded corners reach out to the full width.
-                let relief = tan(1_f64.to_radians()).min(0.2 * width / depth);
+                // The rounded corners reach out to the full width.
+                let relief = side_relief(width, depth);
                 let out = corner * (1.0 / tan(FRAC_PI_4 - atan(relief) / 2.0) - 1.0);
                 let (left, right, drawn) = (-out, width + out, relief * depth);
                 let corners = [[left, 0.0], [right, 0.0], [right - drawn, depth], [left + drawn, depth]];

@@ -3,8 +3,9 @@
 //! # Units
 //! Millimetres, `[z, r]`.
 
-use super::alarm::{Cause, SCRAPE};
+use super::alarm::{Cause, SCRAPE, TOUCH};
 use super::engagement::near;
+use super::outline::side_relief;
 use super::path::Piece;
 use super::tool::{Cutter, TurningTool};
 use super::workpiece::section;
@@ -32,14 +33,33 @@ impl Scraped {
     }
 
     /// What it is to be called. Only the inclined edge of an insert that leaves its work has left a wedge, no longer than the edge is and
-    /// half as thick in the mean as at most: see [`SCRAPE`].
-    pub fn cause(&self, tool: &TurningTool, leaves: bool) -> Cause {
+    /// half as thick in the mean as at most: see [`SCRAPE`]. A blade that turned sideways leaves one, too: that is a stop
+    /// as any other metal, with a remedy of its own.
+    pub fn cause(&self, tool: &TurningTool, leaves: bool, pieces: &[Piece]) -> Cause {
         let wedge = match tool.cutter {
             Cutter::Insert { circle, .. } if leaves => SCRAPE * circle / 2.0,
             _ => 0.0,
         };
-        if self.deep <= SCRAPE && self.section <= wedge { Cause::RetractionInMetal } else { Cause::RapidInMetal }
+        if self.deep <= SCRAPE && self.section <= wedge {
+            Cause::RetractionInMetal
+        } else if leaves && self.deep <= blade_wedge(tool, pieces) {
+            Cause::BladeWedge
+        } else {
+            Cause::RapidInMetal
+        }
     }
+}
+
+/// How deep a blade can scrape what its own inclined sides have left, mm: 0 where it is no blade, or does not go straight back.
+///
+/// # Derivation
+/// Where a blade stands, all that it covers is free of metal. Straight back its widest part, the front edge, goes where the blade was
+/// narrower: what it meets there is beside a side, and no thicker than this side is drawn in.
+fn blade_wedge(tool: &TurningTool, pieces: &[Piece]) -> f64 {
+    let Cutter::Groover { width, depth, face, .. } = tool.cutter else { return 0.0 };
+    let across = usize::from(face);
+    let straight = pieces.iter().all(|[from, to]| (to[across] - from[across]).abs() < TOUCH);
+    if straight { side_relief(width, depth) * depth + TOUCH } else { 0.0 }
 }
 
 /// True where a tool goes from where it has worked towards the side on which its own body lies.

@@ -1,7 +1,7 @@
 //! The alarms of a turning program: one row each.
 //!
 //! The four digits of a code are the alarm's number; rows from L0201 on are reported under the number of another one, with a
-//! remedy of their own. L0221 on refuse a set-up before anything is cut.
+//! remedy of their own, as is L0233. L0221 to L0228 refuse a set-up before anything is cut.
 
 use crate::finding::rule::{book, rules};
 use crate::finding::{Example, Size};
@@ -437,4 +437,13 @@ rules! {
         why "rodete guarda las esquinas con exactitud hasta algo más de un metro del centro de la pieza.",
             "rodete keeps corners exact up to a little over a metre from the middle of the part.";
         example book!("lathe", "L" = "1000", "L4" = "100", "Z_s" = "1000", "PROGRAM 2!A6" = "M30");
+
+    "L0233" BladeWedge Stop alarm Lathe 101 {}
+        es "La lama roza en rápido la cuña que su flanco inclinado ha dejado en la pared"
+        en "The blade scrapes, in rapid, the wedge that its inclined side has left at the wall"
+        remedy "Retire con avance de trabajo, o sepárela antes unas décimas de la pared",
+            "Retract at feed rate, or move it some tenths away from the wall first";
+        why "Al cilindrar con una lama queda en la pared una cuña de profundidad × tan 1°, y en rápido ninguna herramienta corta.",
+            "Turning sideways with a blade leaves a wedge of depth × tan 1° at the wall, and in rapid no tool cuts.";
+        example program!("G50 S2500|T0303|G97 S500 M3|M8|G0 X54. Z-20.|G1 X40. F0.1|Z-30.|G0 X54.|X100. Z50. M9|M30");
 }

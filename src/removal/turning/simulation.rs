@@ -398,7 +398,7 @@ impl Simulation {
             }
             engagement.along(piece);
         }
-        engagement.end(leaves)
+        engagement.end(leaves, pieces)
     }
 
     /// What the motion's contact with metal, and what is in force, give rise to.

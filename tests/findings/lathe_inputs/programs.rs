@@ -11,10 +11,10 @@ use rodete::kinds::lathe::rules::TooManyMotions;
 use rodete::parameter::Value;
 
 /// The start of a program for a Fagor 8055 T.
-const FAGOR: [&str; 5] = ["N1 G92 S2500", "N2 T1 D1", "N3 M8", "N4 G97 S900 M3", "N5 G0 X54 Z2"];
+pub const FAGOR: [&str; 5] = ["N1 G92 S2500", "N2 T1 D1", "N3 M8", "N4 G97 S900 M3", "N5 G0 X54 Z2"];
 
 /// The document and the exit code of a simulation of a bar of 50 by 120 mm.
-fn simulate(text: &str, files: &[(&str, &str)], more: &[&str]) -> (Json, i32) {
+pub fn simulate(text: &str, files: &[(&str, &str)], more: &[&str]) -> (Json, i32) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("p.nc"), text).unwrap();
     for (name, text) in files {

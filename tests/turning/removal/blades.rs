@@ -4,7 +4,10 @@
 
 use super::lathe::{Run, bar};
 use super::tools;
+use rodete::finding::Grade;
 use rodete::gcode::in_force::Spindle;
+use rodete::number::trig::tan;
+use rodete::removal::turning::alarm::Cause;
 use rodete::removal::turning::machine::Lathe;
 use rodete::removal::turning::simulation::Setup;
 use rodete::removal::turning::stock::Stock;
@@ -264,4 +267,35 @@ fn a_boring_bar_that_cuts_away_from_the_chuck_comes_from_the_right_too() {
     back(30.0).cut(30.0, -20.0).rapid(28.0, -20.0).rapid(28.0, 3.0).silent();
     let cut = |run: Run| run.rapid(28.0, 20.0).rapid(28.0, -40.0).rapid(30.0, -40.0).cut(31.0, -38.0).cut(31.0, -20.0);
     only_way(&tool, FRONT, bored(30.0), M3, cut, "back boring");
+}
+
+/// Turned sideways, a blade leaves at the wall what its side is drawn in: depth × tan 1°, less what its rounded corner reaches out.
+#[test]
+fn a_blade_that_scrapes_its_own_wedge_in_rapid_stops_with_the_remedy_that_helps() {
+    let wedge = |deep: f64| (deep * tan(1_f64.to_radians())) - 0.2 * (1.0 / tan(44.5_f64.to_radians()) - 1.0);
+    let outside = |deep: f64| {
+        let x = 50.0 - 2.0 * deep;
+        Run::new(bar()).tool(3).rapid(54.0, -20.0).cut(x, -20.0).cut(x, -30.0)
+    };
+    for deep in [2.0, 5.0, 20.0] {
+        let alarm = outside(deep).rapid(54.0, -30.0).only(101);
+        assert!((alarm.depth.unwrap() - wedge(deep)).abs() < 1e-5, "{alarm:?}");
+        assert_eq!((alarm.cause, alarm.cause.grade()), (Cause::BladeWedge, Grade::Stop));
+    }
+    // What the remedy names helps.
+    outside(5.0).cut(54.0, -30.0).silent();
+    outside(5.0).rapid(40.0, -29.8).rapid(54.0, -29.8).silent();
+    // Away from the chuck, and into a face.
+    let back = Run::new(bar()).tool(3).rapid(54.0, -30.0).cut(40.0, -30.0).cut(40.0, -20.0).rapid(54.0, -20.0);
+    assert_eq!(back.only(101).cause, Cause::BladeWedge);
+    let face = |x: f64| {
+        let tool = blade(R, Tip::OutsideLeft, None, true);
+        Run::on(setup(tool, FRONT, bar())).rapid(30.0, 2.0).cut(30.0, -4.0).cut(20.0, -4.0).rapid(x, 2.0)
+    };
+    assert_eq!(face(20.0).only(101).cause, Cause::BladeWedge);
+    // Into the wall, or from where it has not worked, a blade meets more than its wedge.
+    assert_eq!(face(19.9).only(101).cause, Cause::RapidInMetal);
+    assert_eq!(outside(5.0).rapid(54.0, -30.05).only(101).cause, Cause::RapidInMetal);
+    let again = outside(5.0).cut(54.0, -30.0).rapid(54.0, -30.05).rapid(40.0, -30.05);
+    assert_eq!(again.only(101).cause, Cause::RapidInMetal);
 }

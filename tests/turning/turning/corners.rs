@@ -148,6 +148,20 @@ fn a_contour_has_its_corners_broken_for_roughing_and_for_finishing() {
 }
 
 #[test]
+fn the_words_of_a_contour_that_two_cycles_read_are_counted_once() {
+    let counted = |finish: &str| {
+        let program =
+            format!("T0101 M3 S1000 F0.2\nG0 X50. Z5.\nG71 U2. R1.\nG71 P10 Q20 F.3\n{CONTOUR}{finish}G0 X60.");
+        let read = read(&program);
+        let told = read.remarks.iter().find(|remark| remark.what.en.contains("the oldest Fanuc controls"));
+        told.map(|remark| remark.value.clone())
+    };
+    for finish in ["", "G70 P10 Q20\n", "G70 P10 Q20\nG70 P10 Q20\n"] {
+        assert_eq!(counted(finish).as_deref(), Some("2 ×"), "{finish}");
+    }
+}
+
+#[test]
 fn square_corners_stand_in_contours_too() {
     let contour = "N10 G0 X30.\nG1 Z-10. R2. F0.1\nX40. K-1.\nN20 Z-20.\n";
     let read = read(&format!("T0101 M3 S1000 F0.2\nG0 X50. Z5.\nG70 P10 Q20\nM30\n{contour}"));
