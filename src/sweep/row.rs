@@ -179,9 +179,7 @@ impl Row {
         let count = |grade: Grade| findings.iter().filter(|one| one.grade == grade).count();
         let count = |grade: Grade| i64::try_from(count(grade)).unwrap_or(i64::MAX);
         (self.stops, self.cautions) = (count(Grade::Stop), count(Grade::Caution));
-        self.codes = findings.iter().filter(|one| one.grade > Grade::Note).map(Finding::code).collect();
-        self.codes.sort_unstable();
-        self.codes.dedup();
+        self.codes = codes(findings);
         let Some(first) = findings.iter().find(|one| one.grade == Grade::Stop) else { return };
         self.state = State::Refused;
         self.reason = Some(first.code().to_owned());
@@ -214,6 +212,15 @@ impl Row {
             self.reason = Some(unvalued.to_string());
         }
     }
+}
+
+/// The codes of stops and cautions, each once, in the order of the codes.
+#[must_use]
+pub fn codes(findings: &[Finding]) -> Vec<&'static str> {
+    let mut codes: Vec<_> = findings.iter().filter(|one| one.grade > Grade::Note).map(Finding::code).collect();
+    codes.sort_unstable();
+    codes.dedup();
+    codes
 }
 
 /// What the check of a finding measured: where the finding tells two bounds, the stricter one.

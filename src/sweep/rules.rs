@@ -262,4 +262,10 @@ rules! {
         remedy "envíe los trozos desde un ordenador con Slurm; el guion sweep.sbatch ya está escrito", "submit from a computer that has Slurm; the script sweep.sbatch is written already";
         why "sbatch es el programa de Slurm que recibe los trabajos.", "sbatch is the program of Slurm that takes jobs.";
         example Example::Made { key: "sweep-no-slurm", how: t("sweep --submit slurm sin Slurm instalado", "sweep --submit slurm without Slurm installed") };
+    "D0209" RejectedWhole Caution { rejected: usize, built: usize, code: String, path: String }
+        es "rodete rechaza {rejected} de los {built} mejores diseños al generarlos enteros; el motivo más frecuente es {code}"
+        en "rodete rejects {rejected} of the {built} best designs when it builds them whole; the most frequent reason is {code}"
+        remedy "con level = limits, ponga level = program, que los rechaza antes de elegir los mejores; la hoja MEJORES de {path} dice por qué cada uno", "with level = limits, set level = program, which rejects them before the best are chosen; the sheet TOP of {path} says why each one";
+        why "Con level = limits rodete no relee ningún programa: no ve lo que solo un programa muestra, tampoco si corta otro álabe.", "With level = limits rodete reads no program back: it does not see what only a program shows, not even a cut into another blade.";
+        example Example::Made { key: "sweep-rejected-whole", how: t("un barrido con level = limits de álabes tan gruesos que la herramienta corta el vecino", "a sweep with level = limits of blades so thick that the tool cuts the neighbour") };
 }

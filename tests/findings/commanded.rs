@@ -308,6 +308,11 @@ fn variants(key: &str, folder: &Path) -> Option<&'static str> {
             put(common::workbook::with_variants(&LIMITS, &[["e", "50", "60", "5", "", ""]], &[]));
             "sweep a.xlsx -o s --top 0"
         }
+        "sweep-rejected-whole" => {
+            let inputs = [["e", "", "", "", "4; 4.25", ""], ["splitters", "", "", "", "no", ""]];
+            put(common::workbook::with_variants(&LIMITS, &inputs, &[]));
+            "sweep a.xlsx -o s --top 2"
+        }
         "sweep-no-slurm" => "sweep a.xlsx -o s --submit slurm --chunks 1",
         _ => return None,
     })

@@ -13,3 +13,4 @@ mod plans;
 mod readers;
 mod report;
 mod sensitivity;
+mod whole;
