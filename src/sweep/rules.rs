@@ -174,9 +174,9 @@ rules! {
     "D0128" DesignCellBeyond Stop { cell: String, last: String }
         es "{cell} queda fuera de las columnas de los diseños, que van de la A a la {last}"
         en "{cell} is beyond the columns of the designs, which are A to {last}"
-        remedy "ponga los diseños en esas columnas, y nada más en la hoja", "put the designs into these columns, and nothing else on the sheet";
+        remedy "ponga los diseños en esas columnas, y nada más en la hoja; si varían más entradas, ponga en la hoja de datos las que tienen un solo valor", "put the designs into these columns, and nothing else on the sheet; if more inputs vary, put those with one value alone on the sheet of the data";
         why "rodete no lee lo que hay más allá, y un diseño no debe perder un valor.", "rodete does not read beyond, and a design must not lose a value.";
-        example Example::Made { key: "sweep-list-wide", how: t("un valor en la columna Z de la hoja DISEÑOS", "a value in column Z of the sheet DESIGNS") };
+        example Example::Made { key: "sweep-list-wide", how: t("un valor en la columna AZ de la hoja DISEÑOS", "a value in column AZ of the sheet DESIGNS") };
     "D0129" DistributionElsewhere Stop { text: String }
         es "de «{text}» no hay casi nada entre desde y hasta: no se puede muestrear"
         en "almost nothing of \"{text}\" lies between from and to: it cannot be sampled"

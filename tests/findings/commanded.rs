@@ -256,7 +256,7 @@ fn variants(key: &str, folder: &Path) -> Option<&'static str> {
             "sweep a.xlsx --dry-run"
         }
         "sweep-list-wide" => {
-            let far: [&str; 26] = std::array::from_fn(|at| if at == 0 || at == 25 { "4" } else { "" });
+            let far: [&str; 52] = std::array::from_fn(|at| if at == 0 || at == 51 { "4" } else { "" });
             put(common::workbook::with_variants(&list, &[], &[&["N"], &far]));
             "sweep a.xlsx --dry-run"
         }
