@@ -215,11 +215,11 @@ rules! {
         example book!("lathe", "SWEEP!C9" = "limits");
 
     "D0201" OtherPlan Stop { path: String }
-        es "{path} contiene filas de otro plan, de otro libro o de otra versión"
-        en "{path} holds rows of another plan, another workbook or another version"
+        es "{path} contiene filas de otro plan de este libro, o de otra versión"
+        en "{path} holds rows of another plan of this workbook, or of another version"
         remedy "elija otra carpeta (opción -o), o empiece de nuevo con --fresh", "choose another folder (option -o), or begin anew with --fresh";
         why "Las filas de dos planes no forman un resultado.", "Rows of two plans do not make one result.";
-        example Example::Made { key: "sweep-other-plan", how: t("sweep en una carpeta con las filas de otro libro", "sweep into a folder with the rows of another workbook") };
+        example Example::Made { key: "sweep-other-plan", how: t("sweep --limit 2 en una carpeta con las filas de los tres diseños", "sweep --limit 2 into a folder with the rows of all three designs") };
     "D0202" OtherChunks Stop { path: String, chunks: u64 }
         es "el plan de {path} está dividido en {chunks} trozos"
         en "the plan in {path} is divided into {chunks} chunks"
@@ -268,4 +268,10 @@ rules! {
         remedy "con level = limits, ponga level = program, que los rechaza antes de elegir los mejores; la hoja MEJORES de {path} dice por qué cada uno", "with level = limits, set level = program, which rejects them before the best are chosen; the sheet TOP of {path} says why each one";
         why "Con level = limits rodete no relee ningún programa: no ve lo que solo un programa muestra, tampoco si corta otro álabe.", "With level = limits rodete reads no program back: it does not see what only a program shows, not even a cut into another blade.";
         example Example::Made { key: "sweep-rejected-whole", how: t("un barrido con level = limits de álabes tan gruesos que la herramienta corta el vecino", "a sweep with level = limits of blades so thick that the tool cuts the neighbour") };
+    "D0210" OtherWorkbook Stop { path: String, other: Text }
+        es "{path} contiene filas de otro libro, {other}"
+        en "{path} holds rows of another workbook, {other}"
+        remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
+        why "--fresh borra lo que dejó este libro, y no los resultados de otro.", "--fresh removes what this workbook left, and not the results of another one.";
+        example Example::Made { key: "sweep-other-workbook", how: t("sweep --fresh en una carpeta con las filas de otro libro", "sweep --fresh into a folder with the rows of another workbook") };
 }

@@ -282,9 +282,13 @@ fn variants(key: &str, folder: &Path) -> Option<&'static str> {
             "sweep a.xlsx --dry-run"
         }
         "sweep-other-plan" => {
-            fs::create_dir(folder.join("s")).unwrap();
-            fs::write(folder.join("s/plan.json"), "{}").unwrap();
-            "sweep a.xlsx -o s"
+            run("sweep a.xlsx -o s --chunk 0/1");
+            "sweep a.xlsx -o s --limit 2"
+        }
+        "sweep-other-workbook" => {
+            run("sweep a.xlsx -o s --chunk 0/1");
+            fs::rename(folder.join("a.xlsx"), folder.join("b.xlsx")).unwrap();
+            "sweep b.xlsx -o s --fresh"
         }
         "sweep-other-chunks" => {
             run("sweep a.xlsx -o s --chunk 0/2");

@@ -130,6 +130,41 @@ fn to_begin_anew_removes_what_a_run_left_and_nothing_else() {
 }
 
 #[test]
+fn to_begin_anew_removes_nothing_of_another_workbook() {
+    let folder = folder("limits");
+    let at = folder.path();
+    done(at, "-o s --top 1");
+    let left = |of: &str| {
+        let mut names: Vec<_> = fs::read_dir(at.join(of)).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        names.sort();
+        names
+    };
+    let before = ["s", "s/chunks", "s/top"].map(left);
+    let other = |words: &str| {
+        let rodete = env!("CARGO_BIN_EXE_rodete");
+        let words = ["sweep", "b.xlsx", "--top", "0"].into_iter().chain(words.split_whitespace());
+        let output = Command::new(rodete).current_dir(at).env("LC_ALL", "C").args(words).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    // A workbook of the same bytes: its rows are there, but the sheets are not its own.
+    fs::copy(at.join("a.xlsx"), at.join("b.xlsx")).unwrap();
+    for words in ["-o s --fresh", "-o s --limit 20", "-o s --fresh --limit 20"] {
+        let (code, told) = other(words);
+        assert_eq!(code, Some(3), "{told}");
+        assert!(
+            told.contains("error D0210: s holds rows of another workbook, a.xlsx\nhint: choose another folder"),
+            "{told}"
+        );
+        assert_eq!(["s", "s/chunks", "s/top"].map(left), before);
+    }
+    assert_eq!(other("-o s").0, Some(0), "the same rows are gone on with");
+    // The own workbook begins anew, changed or not.
+    fs::write(at.join("a.xlsx"), book("program")).unwrap();
+    assert!(String::from_utf8(sweep(at, "-o s --limit 20").stderr).unwrap().contains("error D0201: "));
+    assert!(done(at, "-o s --limit 20 --fresh").starts_with("20 designs: "));
+}
+
+#[test]
 fn what_a_chunk_took_stands_beside_its_rows_and_goes_with_them() {
     let folder = folder("limits");
     let at = folder.path();
