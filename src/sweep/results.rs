@@ -10,6 +10,10 @@ use crate::sweep::sensitivity::{Effect, LOOKS, NoRoom, SHARES_LEAST};
 use crate::sweep::table::{FRONT, Table};
 use crate::text::{Text, t};
 
+/// The colours of designs in the charts of the workbook and of the report: those of the front, others of the best, other feasible ones,
+/// and those that break a constraint.
+pub const COLOURS: [&str; 4] = ["#3f7f3f", "#c0504d", "#4a86c5", "#b4b4b4"];
+
 /// A code, what it says, and how many designs have it.
 #[derive(Clone, Debug)]
 pub struct Coded {

@@ -10,6 +10,7 @@ use super::error::WriteError;
 use super::page::{ENDS, Further, Page, WHOLE, both_ends, properties};
 use super::save::{Additions, save};
 use super::style::{Styles, digits, grade_fill};
+use super::sweep_charts::layered;
 use crate::finding::Grade;
 use crate::parameter::{FieldKind, Parameter};
 use crate::sweep::results::{Results, heading, state};
@@ -59,7 +60,7 @@ impl SweepBook<'_> {
         if self.results.all.rows() > 0 && !self.results.plan.objectives.is_empty() {
             self.write_charts(&mut workbook, &styles)?;
         }
-        save(&mut workbook, Additions { printed, ..Additions::default() }, out)
+        save(&mut workbook, Additions { printed, redrawn: Some(layered), ..Additions::default() }, out)
     }
 
     pub(super) const fn page(&self) -> Page<'_> {

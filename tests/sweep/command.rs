@@ -365,8 +365,15 @@ fn charts_part_designs_that_break_a_constraint_from_the_feasible_the_front_and_o
         .find(|chart| chart.contains("gap_true [mm] / e_max") || chart.contains("e_max [mm] / gap_true"))
         .unwrap();
     let mut first = 2;
-    for (name, count) in [("Constraint broken", broken), ("Feasible", feasible), ("Front", front)] {
-        let series = chart.split("<c:ser>").find(|series| series.contains(&format!(">{name}<"))).unwrap();
+    // The front is the first in the file, and the last in order: one program draws the first on top, another the last.
+    for ((name, count), order) in
+        [("Front", front), ("Feasible", feasible), ("Constraint broken", broken)].into_iter().zip([2, 1, 0])
+    {
+        let series = chart.split("<c:ser>").nth(3 - order).unwrap();
+        assert!(
+            series.contains(&format!(">{name}<")) && series.contains(&format!("<c:order val=\"{order}\"/>")),
+            "{series}"
+        );
         let last = first + count - 1;
         assert!(series.contains(&format!("POINTS!$E${first}:$E${last}<")), "{name} {first} {last}: {series}");
         first = last + 1;

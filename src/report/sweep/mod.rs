@@ -9,20 +9,19 @@ use serde::Serialize;
 use super::number;
 use super::stationery::Logo;
 use super::svg::{Dots, dots};
-use crate::figure::{Axes, Ink};
+use crate::figure::Axes;
 use crate::finding::Finding;
 use crate::kind::measure::{Level, Measure};
 use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value, Values, title_block};
 use crate::sweep::plan::{Input, Levels, Method, Spread};
-use crate::sweep::results::{Built, Coded, Results};
+use crate::sweep::results::{Built, COLOURS, Coded, Results};
 use crate::sweep::table::{Cells, Column, FRONT};
 use crate::text::{Language, Text, t};
 use crate::typeset;
 use crate::typeset::characters::Words;
 use crate::typeset::compiler::Typst;
 use crate::typeset::failure::ReportFailure;
-use crate::typeset::pen::pen;
 
 /// The typst template.
 const TEMPLATE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/report-templates/sweep.typ"));
@@ -472,14 +471,15 @@ impl Setter<'_> {
         let done = |row: usize| state.text(row) == Some("done");
         let (across, up, front) = (all.column(x)?, all.column(y)?, all.column(FRONT)?);
         let feasible = all.column("feasible")?;
+        // What is drawn last lies on top.
+        let [front_colour, best_colour, feasible_colour, broken_colour] = COLOURS;
         let kinds = [
-            (Ink::Thin, RADII[0], t("incumplen una restricción", "a constraint is broken")),
-            (Ink::Reverse, RADII[0], t("los demás diseños válidos", "other feasible designs")),
-            (Ink::Profile, RADII[1], t("otros de los mejores", "others of the best")),
-            (Ink::Obverse, RADII[1], t("el frente", "the front")),
+            (broken_colour, RADII[0], t("incumplen una restricción", "a constraint is broken")),
+            (feasible_colour, RADII[0], t("los demás diseños válidos", "other feasible designs")),
+            (best_colour, RADII[1], t("otros de los mejores", "others of the best")),
+            (front_colour, RADII[1], t("el frente", "the front")),
         ];
-        let mut clouds =
-            kinds.each_ref().map(|(ink, radius, _)| Dots { colour: pen(*ink).colour, radius: *radius, at: Vec::new() });
+        let mut clouds = kinds.each_ref().map(|(colour, radius, _)| Dots { colour, radius: *radius, at: Vec::new() });
         for (row, id) in ids(all).enumerate() {
             let kind = match (front.truth(row), best.contains(&id)) {
                 (true, _) => 3,
