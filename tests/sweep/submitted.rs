@@ -65,3 +65,16 @@ fn a_task_whose_program_is_killed_is_queued_again_alone_and_twice_at_most() {
         assert_eq!(fs::read_to_string(at.join("told")).unwrap(), told, "{job} {array:?} {restarts}");
     }
 }
+
+/// What another program answers keeps its lines, and nothing in them moves a cursor.
+#[test]
+fn what_sbatch_says_in_several_lines_is_told_in_as_many() {
+    let answer =
+        "printf 'sbatch: error: no such partition\\r\\n\\nsbatch: error: \\033[1mjob not submitted\\n' >&2; exit 1";
+    let folder = folder(&[("sbatch", answer)]);
+    let output = submitted(folder.path());
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    let said = "sbatch: error: no such partition\nsbatch: error: \\u{1b}[1mjob not submitted\nhint: ";
+    assert!(told.contains(said) && !told.contains("\\u{a}"), "{told}");
+}

@@ -142,7 +142,10 @@ fn sbatch(own: &[OsString], further: &[OsString], script: &Path) -> Result<Strin
         .output()
         .map_err(|error| told(answer(&error)))?;
     if !out.status.success() {
-        return Err(told(answer::quoted(printable(String::from_utf8_lossy(&out.stderr).trim()))));
+        // Its lines stay lines.
+        let said = String::from_utf8_lossy(&out.stderr);
+        let lines: Vec<String> = said.lines().map(str::trim).filter(|line| !line.is_empty()).map(printable).collect();
+        return Err(told(answer::quoted(lines.join("\n"))));
     }
     // With several clusters the number is followed by the cluster's name.
     let text = String::from_utf8_lossy(&out.stdout);
