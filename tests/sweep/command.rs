@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use calamine::{Reader, Xlsx, open_workbook};
 use rodete::kinds::impeller::cases::CASES;
 use rodete::text::Language;
 
@@ -379,6 +380,47 @@ fn charts_part_designs_that_break_a_constraint_from_the_feasible_the_front_and_o
         first = last + 1;
     }
     assert!(!chart.contains("Others of the top"), "with --top 0 there are none");
+}
+
+/// The first design with a broken constraint is told with its value and by how much it misses, as other refusals are.
+#[test]
+fn why_says_by_how_much_a_constraint_is_broken_and_of_what_a_design_has_no_value() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    for (lang, sheet, said) in [("en", "WHY", ["is", "it breaks", "by"]), ("es", "POR_QUE", ["es", "incumple", "por"])]
+    {
+        let settings = [
+            ("method", "factorial"),
+            ("level", "limits"),
+            ("objectives", "gap_true max"),
+            ("constraints", "N_max >= 5; e_max <= 0.5"),
+        ];
+        let inputs = [["R", "22", "30", "4", "", ""], ["e", "1", "4", "0.5", "", ""]];
+        fs::write(at.join("a.xlsx"), with_variants_of(&thick(quick()), &settings, &inputs, &[])).unwrap();
+        done(at, &format!("-o s --csv --fresh --lang {lang}"));
+        let csv = fs::read_to_string(at.join("s/summary.csv")).unwrap();
+        let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+        let cell = |row: &[&str], name: &str| row[rows[0].iter().position(|one| *one == name).unwrap()].to_owned();
+        let mut book: Xlsx<_> = open_workbook(at.join("s/a-sweep.xlsx")).unwrap();
+        let why = book.worksheet_range(sheet).unwrap();
+        let mut seen = 0;
+        for (reason, key) in [("N_max >= 5", "N_max"), ("e_max <= 0.5", "e_max")] {
+            let Some(first) = rows[1..].iter().find(|row| cell(row, "reason") == reason) else { continue };
+            let number = |name: &str| cell(first, name).parse::<f64>().unwrap();
+            let row = why.rows().find(|row| row[0] == reason).unwrap();
+            let told = row[3].to_string();
+            let begin = format!("{} {}: {key} {} ", if lang == "es" { "diseño" } else { "design" }, first[0], said[0]);
+            let (value, rest) = told.strip_prefix(&begin).unwrap_or_else(|| panic!("{told}")).split_once("; ").unwrap();
+            let by =
+                rest.strip_prefix(&format!("{} {reason} {} ", said[1], said[2])).unwrap_or_else(|| panic!("{told}"));
+            for (shown, exact) in [(value, number("value")), (by, -number("margin"))] {
+                let shown: f64 = shown.split(' ').next().unwrap().parse().unwrap();
+                assert!(exact > 0.0 && (shown / exact - 1.0).abs() < 1e-5, "{told}: {exact}");
+            }
+            seen += 1;
+        }
+        assert!(seen > 0, "{csv}");
+    }
 }
 
 /// On paper the figures keep their size: columns go on beside, with number and inputs again, and of many rows both ends are printed.

@@ -20,6 +20,7 @@ use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule};
 use crate::kind::Kind;
 use crate::limits::{FRONT_DESIGNS, SWEEP_ROWS};
+use crate::number::decimal;
 use crate::parameter::Values;
 use crate::report;
 use crate::report::sweep::Titled;
@@ -44,7 +45,7 @@ fn take_in<'a>(plan: &'a Plan, rows: &Rows<'_>) -> Result<(Ranked, Shares<'a>, O
     let (mut ranking, mut shares) = (Ranking::new(plan, kept), Shares::new(plan));
     let mut indices = Indices::new(plan);
     let needed = |name: &str| {
-        ["id", "state", "feasible", "reason"].contains(&name)
+        ["id", "state", "feasible", "reason", "value", "margin"].contains(&name)
             || plan.objectives.iter().any(|one| one.measure.key == name)
     };
     for number in 0..rows.chunks() {
@@ -206,18 +207,29 @@ fn ids(table: &Table) -> Vec<u64> {
     (0..table.rows()).filter_map(|row| cells.and_then(|cells| cells.number(row))).map(super::whole).collect()
 }
 
-/// Reasons with how many designs have each, and what each says: an objective, a constraint, or what the first design with it is told.
+/// Reasons with how many designs have each, and what each says of the first design with it: that an objective has no value, by how much a
+/// constraint is broken, or what it is told.
 fn coded(reasons: impl IntoIterator<Item = Reason>, study: &Study<'_>, rules: &[&Rule]) -> Vec<Coded> {
     let plan = &study.plan;
-    let what = |Reason { code, first, .. }: &Reason| {
+    let what = |Reason { code, first, value, margin, .. }: &Reason| {
         let code = code.as_str();
-        if plan.objectives.iter().any(|one| one.to_string() == code) {
-            t("el diseño no tiene valor de este objetivo", "the design has no value of this objective")
-        } else if plan.constraints.iter().any(|one| one.to_string() == code) {
-            t(
-                "no se cumple la restricción, o el diseño no tiene valor de ella",
-                "the constraint is broken, or the design has no value of it",
-            )
+        if let Some(objective) = plan.objectives.iter().find(|one| one.to_string() == code) {
+            of_design(*first, &unvalued(objective.measure.key))
+        } else if let Some(constraint) = plan.constraints.iter().find(|one| one.to_string() == code) {
+            let key = constraint.measure.key;
+            let unit = constraint.measure.unit.label();
+            let sized = |value: f64| format!("{} {unit}", short(value)).trim_end().to_owned();
+            let told = value.zip(*margin).map_or_else(
+                || unvalued(key),
+                |(value, margin)| {
+                    let (value, by) = (sized(value), sized(-margin));
+                    Text::new(
+                        format!("{key} es {value}; incumple {code} por {by}"),
+                        format!("{key} is {value}; it breaks {code} by {by}"),
+                    )
+                },
+            );
+            of_design(*first, &told)
         } else {
             match fault::guarded(|| told(study.kind, &study.base, plan, *first, code)) {
                 Ok(Some(what)) => of_design(*first, &what),
@@ -245,8 +257,8 @@ fn cautions(top: &Table, built: &[Option<Built>], study: &Study<'_>, rules: &[&R
             None => codes.and_then(|codes| codes.text(row)).into_iter().flat_map(|text| text.split(';')).collect(),
         };
         for code in of_row.into_iter().filter(|code| !code.is_empty()) {
-            let first = Reason { code: code.to_owned(), count: 0, first: id };
-            counts.entry(code).or_insert(first).count += 1;
+            let first = || Reason { code: code.to_owned(), count: 0, first: id, value: None, margin: None };
+            counts.entry(code).or_insert_with(first).count += 1;
         }
     }
     let mut counts: Vec<Reason> = counts.into_values().collect();
@@ -258,6 +270,16 @@ fn cautions(top: &Table, built: &[Option<Built>], study: &Study<'_>, rules: &[&R
         }
     }
     coded
+}
+
+/// What is said of a design that has no value of what is asked for.
+fn unvalued(key: &str) -> Text {
+    Text::new(format!("no tiene valor de {key}"), format!("it has no value of {key}"))
+}
+
+/// A number to six significant digits.
+fn short(value: f64) -> String {
+    format!("{value:.5e}").parse().map_or_else(|_| decimal(value), decimal)
 }
 
 /// What is said of a design.
