@@ -141,6 +141,8 @@ pub const SIMULATION_WORK: u64 = 100_000_000;
 
 /// Designs of a plan. Each has a row: some gigabytes in all, and hours of work.
 pub const SWEEP_DESIGNS: u32 = 10_000_000;
+/// Inputs that vary in a plan: rows of the list of inputs, or columns of the sheet of designs.
+pub const SWEEP_INPUTS: u32 = 40;
 /// Chunks of a plan. An array of tasks ends at index 1000 as Slurm is delivered.
 pub const SWEEP_CHUNKS: u64 = 1000;
 /// Designs of a batch for each job. It bounds the memory of rows that are not saved yet.

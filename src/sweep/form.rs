@@ -1,7 +1,7 @@
 //! The sheet of variants: settings above, and a list of the inputs that are varied below.
 
 use crate::kind::measure::Level;
-use crate::limits::SWEEP_DESIGNS;
+use crate::limits::{SWEEP_DESIGNS, SWEEP_INPUTS};
 use crate::parameter::field::{Field, Optional, Required, Usual};
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{Form, Parameter, Section, Sheet};
@@ -143,7 +143,7 @@ const LIST: List = List {
     optional: true,
     columns: &[&INPUT.row, &FROM.row, &TO.row, &STEP.row, &VALUES.row, &DISTRIBUTION.row, &NOTE.row],
     widths: &[15.5, 37.0, 19.0, 8.0, 42.0, 24.0, 30.0],
-    most: 40,
+    most: SWEEP_INPUTS as usize,
 };
 
 /// The sheet as a form, so that it is read as any other.

@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 pub struct Candidate {
     /// Its index.
     pub id: u64,
-    /// The costs.
+    /// The costs, on the grid on which they are compared: [`Objective::cost`](super::objective::Objective::cost).
     pub costs: Vec<f64>,
 }
 
@@ -88,6 +88,24 @@ mod tests {
                 assert_eq!(front(parts).0, whole);
             }
         }
+    }
+
+    /// Designs that are mirrored or turned come to the same but for the last digits.
+    #[test]
+    fn designs_that_differ_by_rounding_alone_stay_together_and_none_betters_in_a_circle() {
+        let measure = &crate::kinds::KINDS[0].measures()[0];
+        let objectives = [false, true].map(|most| crate::sweep::objective::Objective { measure, most });
+        let of = |id: u64, values: [f64; 2]| {
+            let costs = objectives.iter().zip(values).map(|(one, value)| one.cost(value)).collect();
+            Candidate { id, costs }
+        };
+        let off = |id: u64, at: u64| 1.0 + 1e-14 * (unit(drawn(7, id, at)) - 0.5);
+        let equal: Vec<_> = (0..24).map(|id| of(id, [10.973_142 * off(id, 0), 0.006_81 * off(id, 1)])).collect();
+        assert_eq!(ids(&front(equal.clone()).0), (0..24).collect::<Vec<_>>());
+        assert!(equal.iter().all(|one| equal.iter().all(|other| !one.betters(other))));
+        // What is better by more than that betters them all, in whatever order they come.
+        let better = of(24, [10.973_141, 0.006_81]);
+        assert_eq!(ids(&front(std::iter::once(better).chain(equal).collect()).0), [24]);
     }
 
     #[test]

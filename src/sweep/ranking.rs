@@ -51,7 +51,7 @@ pub struct Ranked {
 }
 
 /// A reason why designs are not among the feasible.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Reason {
     /// The code of a finding; an objective or a constraint, as their cells say it.
     pub code: String,
@@ -59,6 +59,10 @@ pub struct Reason {
     pub count: u64,
     /// The first design that has it.
     pub first: u64,
+    /// What that design's row has as value.
+    pub value: Option<f64>,
+    /// By how much it misses the limit: never positive.
+    pub margin: Option<f64>,
 }
 
 impl<'a> Ranking<'a> {
@@ -87,13 +91,14 @@ impl<'a> Ranking<'a> {
                 _ => self.counts.failed += 1,
             }
             if let Some(code) = reason.text(row) {
-                let id = id.number(row).map_or(u64::MAX, whole);
+                let first = id.number(row).map_or(u64::MAX, whole);
+                let of = |name: &str| column(name).and_then(|cells| cells.number(row));
+                let (value, margin) = (of("value"), of("margin"));
+                let here = Reason { code: code.to_owned(), count: 1, first, value, margin };
                 match self.why.get_mut(code) {
-                    Some(known) => (known.count, known.first) = (known.count + 1, known.first.min(id)),
-                    None => {
-                        let first = Reason { code: code.to_owned(), count: 1, first: id };
-                        self.why.insert(code.to_owned(), first);
-                    }
+                    Some(known) if known.first < first => known.count += 1,
+                    Some(known) => *known = Reason { count: known.count + 1, ..here },
+                    None => drop(self.why.insert(code.to_owned(), here)),
                 }
             }
             if !feasible.truth(row) {

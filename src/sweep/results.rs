@@ -1,12 +1,18 @@
 //! What came of a sweep, as its workbook and its report show it.
 
+use crate::finding::{Finding, Grade};
 use crate::kind::Kind;
+use crate::kind::measure::Level;
 use crate::sweep::indices::LEAST;
 use crate::sweep::plan::Plan;
 use crate::sweep::ranking::Counts;
 use crate::sweep::sensitivity::{Effect, LOOKS, NoRoom, SHARES_LEAST};
 use crate::sweep::table::{FRONT, Table};
 use crate::text::{Text, t};
+
+/// The colours of designs in the charts of the workbook and of the report: those of the front, others of the best, other feasible ones,
+/// and those that break a constraint.
+pub const COLOURS: [&str; 4] = ["#3f7f3f", "#c0504d", "#4a86c5", "#b4b4b4"];
 
 /// A code, what it says, and how many designs have it.
 #[derive(Clone, Debug)]
@@ -17,6 +23,27 @@ pub struct Coded {
     pub what: Text,
     /// How many designs.
     pub count: u64,
+}
+
+/// What came of one of the best designs when it was built whole, as a workbook with its programs.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// Its file, as it is found from the folder of the sweep's workbook: its results, or the bare workbook of a design that was
+    /// rejected.
+    pub file: String,
+    /// rodete rejected it: there are no results and no programs.
+    pub rejected: bool,
+    /// What the build found.
+    pub findings: Vec<Finding>,
+}
+
+impl Built {
+    /// What it was rejected for; `None` where it was built.
+    #[must_use]
+    pub fn stop(&self) -> Option<&Finding> {
+        let stop = self.findings.iter().find(|one| one.grade == Grade::Stop);
+        stop.or(self.findings.first()).filter(|_| self.rejected)
+    }
 }
 
 /// The heading of a column of the rows on a sheet; inputs and measures are called as their cells say them.
@@ -66,13 +93,15 @@ pub struct Results<'a> {
     pub counts: Counts,
     /// Designs on the front.
     pub front: usize,
-    /// How many of them are not built as workbooks.
-    pub unbuilt: usize,
+    /// What came of each of the best when it was built whole; `None` of those that were not.
+    pub built: &'a [Option<Built>],
+    /// What those of them that were rejected were rejected for, most first.
+    pub rejected: &'a [Coded],
     /// The front was longer, and is cut.
     pub cut: bool,
     /// Why the others are not good, most first.
     pub why: &'a [Coded],
-    /// The cautions of the best designs, most first.
+    /// The cautions of the best designs, most first: of those that were built whole, what the build found.
     pub cautions: &'a [Coded],
     /// What each input does.
     pub effects: &'a [Effect],
@@ -96,10 +125,44 @@ impl Results<'_> {
         )
     }
 
+    /// How many of the best were built whole, and how many of those were rejected.
+    #[must_use]
+    pub fn tried(&self) -> (usize, usize) {
+        let tried = || self.built.iter().flatten();
+        (tried().count(), tried().filter(|one| one.rejected).count())
+    }
+
+    /// How many of the best were rejected when they were built whole; `None` where none was.
+    #[must_use]
+    pub fn refuted(&self) -> Option<Text> {
+        let (built, rejected) = self.tried();
+        (rejected > 0).then(|| {
+            Text::new(
+                format!("rodete rechaza {rejected} de los {built} que ha generado enteros."),
+                format!("rodete rejects {rejected} of the {built} that it built whole."),
+            )
+        })
+    }
+
+    /// What the designs were judged by, where a whole build knows more.
+    #[must_use]
+    pub fn judged(&self) -> Text {
+        match self.plan.level {
+            Level::Limits => t(
+                "Juzgado con level = limits, por los límites derivados: ningún programa se ha releído, y un diseño que aquí vale puede rechazarse al generarlo entero.",
+                "Judged with level = limits, by the derived limits: no program was read back, and a design that is good here may be rejected when it is built whole.",
+            ),
+            Level::Program => t(
+                "Juzgado con level = program: los programas, releídos, con todas las comprobaciones.",
+                "Judged with level = program: the programs, read back, with all checks.",
+            ),
+        }
+    }
+
     /// What the best designs are, and which of them are built.
     #[must_use]
     pub fn listed(&self) -> Text {
-        let unbuilt = self.unbuilt;
+        let unbuilt = self.built.iter().take(self.front).filter(|one| one.is_none()).count();
         let (es, en) = if unbuilt > 0 {
             (
                 format!(" Del frente, sin generar: {unbuilt}; --top genera más."),
@@ -108,9 +171,13 @@ impl Results<'_> {
         } else {
             (String::new(), String::new())
         };
+        let refuted = self.refuted().map_or(t("", ""), |Text { es, en }| Text::new(format!(" {es}"), format!(" {en}")));
         Text::new(
-            format!("Primero todo el frente: los diseños que ningún otro mejora en todos los objetivos.{es}"),
-            format!("First the whole front: the designs that no other betters in every objective.{en}"),
+            format!(
+                "Primero todo el frente: los diseños que ningún otro mejora en todos los objetivos.{es}{}",
+                refuted.es
+            ),
+            format!("First the whole front: the designs that no other betters in every objective.{en}{}", refuted.en),
         )
     }
 
@@ -143,15 +210,16 @@ impl Results<'_> {
         self.effects.iter().flat_map(|one| &one.shares).any(Option::is_some)
     }
 
-    /// What the effects of the inputs are, around the design of the workbook and over the plan; first, if that design is not good, why.
+    /// What the effects of the inputs are, around the design of the workbook and over the plan; first, if that design is not good, why,
+    /// and by what designs were judged.
     #[must_use]
     pub fn explained(&self) -> Vec<Text> {
         let around = Text::new(
             format!(
-                "Alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción (≥: hasta donde se ha mirado), y cuánto cambia cada objetivo. Las tolerancias, redondeadas hacia cero. rodete mira a {LOOKS} distancias iguales a cada lado, hasta el ancho del intervalo, y más cerca que la primera a su mitad, su cuarto y así hasta 1/32; lo que hay entre dos de ellas no se ha mirado."
+                "Alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción (≥: hasta donde se ha mirado; sin él, hasta un límite, también el de la propia celda), y cuánto cambia cada objetivo. Las tolerancias, redondeadas hacia cero. rodete mira a {LOOKS} distancias iguales a cada lado, hasta el ancho del intervalo, y más cerca que la primera a su mitad, su cuarto y así hasta 1/32; lo que hay entre dos de ellas no se ha mirado."
             ),
             format!(
-                "Around the workbook's design, other inputs unchanged: how far the input may go down and up before the design is refused or breaks a constraint (≥: as far as was looked), and how much each objective changes. Tolerances are rounded towards zero. rodete looks at {LOOKS} even distances to each side, as far as the range is wide, and nearer than the first at a half of it, a quarter and so on to a 32nd; what lies between two of them was not looked at."
+                "Around the workbook's design, other inputs unchanged: how far the input may go down and up before the design is refused or breaks a constraint (≥: as far as was looked; without it, up to a limit, that of its own cell among them), and how much each objective changes. Tolerances are rounded towards zero. rodete looks at {LOOKS} even distances to each side, as far as the range is wide, and nearer than the first at a half of it, a quarter and so on to a 32nd; what lies between two of them was not looked at."
             ),
         );
         let over = match self.triples {
@@ -188,6 +256,6 @@ impl Results<'_> {
             Err(NoRoom::Design(why)) => Some(why.clone()),
             _ => None,
         });
-        own.into_iter().chain([around, over]).collect()
+        own.into_iter().chain([self.judged(), around, over]).collect()
     }
 }

@@ -179,14 +179,13 @@ impl Row {
         let count = |grade: Grade| findings.iter().filter(|one| one.grade == grade).count();
         let count = |grade: Grade| i64::try_from(count(grade)).unwrap_or(i64::MAX);
         (self.stops, self.cautions) = (count(Grade::Stop), count(Grade::Caution));
-        self.codes = findings.iter().filter(|one| one.grade > Grade::Note).map(Finding::code).collect();
-        self.codes.sort_unstable();
-        self.codes.dedup();
+        self.codes = codes(findings);
         let Some(first) = findings.iter().find(|one| one.grade == Grade::Stop) else { return };
         self.state = State::Refused;
         self.reason = Some(first.code().to_owned());
-        let [value, limit] = missed(&first.value, &first.limit);
-        (self.value, self.limit) = (value.or_else(|| measured(first, checks)), limit);
+        let found = ends(&first.value).unwrap_or_else(|| [number(&first.value); 2]);
+        let found = if found == [None; 2] { [measured(first, checks); 2] } else { found };
+        [self.value, self.limit] = missed(found, &first.limit);
         self.margin = self.value.zip(self.limit).map(|(value, limit)| -(limit - value).abs());
     }
 
@@ -216,6 +215,15 @@ impl Row {
     }
 }
 
+/// The codes of stops and cautions, each once, in the order of the codes.
+#[must_use]
+pub fn codes(findings: &[Finding]) -> Vec<&'static str> {
+    let mut codes: Vec<_> = findings.iter().filter(|one| one.grade > Grade::Note).map(Finding::code).collect();
+    codes.sort_unstable();
+    codes.dedup();
+    codes
+}
+
 /// What the check of a finding measured: where the finding tells two bounds, the stricter one.
 fn measured(of: &Finding, checks: &[Check]) -> Option<f64> {
     let finds =
@@ -235,9 +243,9 @@ fn ends(range: &str) -> Option<[Option<f64>; 2]> {
     range.split_once(" … ").map(|(low, high)| [number(low), number(high)])
 }
 
-/// The number that was found and the limit that it missed: of ranges, the end that is farthest out.
-fn missed(value: &str, limit: &str) -> [Option<f64>; 2] {
-    let [low, high] = ends(value).unwrap_or_else(|| [number(value); 2]);
+/// The number that was found, or the ends of a range, and the limit that it missed: of ranges, the end that is farthest out. A limit
+/// that is one number is told though nothing is known that missed it.
+fn missed([low, high]: [Option<f64>; 2], limit: &str) -> [Option<f64>; 2] {
     let pairs = match ends(limit) {
         Some([least, most]) => {
             let out = |value: Option<f64>, limit: Option<f64>, sign: f64| {
@@ -251,7 +259,8 @@ fn missed(value: &str, limit: &str) -> [Option<f64>; 2] {
         }
     };
     let farthest = pairs.into_iter().flatten().reduce(|one, other| if other.0 > one.0 { other } else { one });
-    farthest.map_or([low, None], |(_, value, limit)| [Some(value), Some(limit)])
+    let alone = if ends(limit).is_some() { None } else { number(limit) };
+    farthest.map_or([low, alone], |(_, value, limit)| [Some(value), Some(limit)])
 }
 
 /// A sentence without the line of the source that it ends with.
@@ -278,7 +287,10 @@ mod tests {
 
     #[test]
     fn of_ranges_the_end_that_is_farthest_out_is_told() {
-        let missed = |value: &str, limit: &str| missed(value, limit).map(|one| one.unwrap_or(f64::NAN));
+        let missed = |value: &str, limit: &str| {
+            let found = ends(value).unwrap_or_else(|| [number(value); 2]);
+            missed(found, limit).map(|one| one.unwrap_or(f64::NAN))
+        };
         assert_eq!(missed("0 … 90°", "-10 … 85°"), [90.0, 85.0]);
         assert_eq!(missed("-250.9 … 32.37 mm", "-1000 … 20 mm"), [32.37, 20.0]);
         assert_eq!(missed("-12 … 40 mm", "-10 … 45 mm"), [-12.0, -10.0]);
@@ -313,6 +325,8 @@ mod tests {
             .holds(false, |place| Stopped { what: Text::same("cuts"), todo: Text::same("less") }.at(place));
         let found = check.finding().cloned().expect("a finding");
         assert_eq!((measured(&found, &[check]), number(&found.limit)), (Some(-0.15), Some(-0.005)));
+        assert_eq!(missed([Some(-0.15); 2], "0 mm"), [Some(-0.15), Some(0.0)]);
+        assert_eq!((missed([None; 2], "0 mm"), missed([None; 2], "0 … 5 mm")), ([None, Some(0.0)], [None, None]));
     }
 
     #[test]

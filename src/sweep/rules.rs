@@ -174,9 +174,9 @@ rules! {
     "D0128" DesignCellBeyond Stop { cell: String, last: String }
         es "{cell} queda fuera de las columnas de los diseños, que van de la A a la {last}"
         en "{cell} is beyond the columns of the designs, which are A to {last}"
-        remedy "ponga los diseños en esas columnas, y nada más en la hoja", "put the designs into these columns, and nothing else on the sheet";
+        remedy "ponga los diseños en esas columnas, y nada más en la hoja; si varían más entradas, ponga en la hoja de datos las que tienen un solo valor", "put the designs into these columns, and nothing else on the sheet; if more inputs vary, put those with one value alone on the sheet of the data";
         why "rodete no lee lo que hay más allá, y un diseño no debe perder un valor.", "rodete does not read beyond, and a design must not lose a value.";
-        example Example::Made { key: "sweep-list-wide", how: t("un valor en la columna Z de la hoja DISEÑOS", "a value in column Z of the sheet DESIGNS") };
+        example Example::Made { key: "sweep-list-wide", how: t("un valor en la columna AZ de la hoja DISEÑOS", "a value in column AZ of the sheet DESIGNS") };
     "D0129" DistributionElsewhere Stop { text: String }
         es "de «{text}» no hay casi nada entre desde y hasta: no se puede muestrear"
         en "almost nothing of \"{text}\" lies between from and to: it cannot be sampled"
@@ -215,11 +215,11 @@ rules! {
         example book!("lathe", "SWEEP!C9" = "limits");
 
     "D0201" OtherPlan Stop { path: String }
-        es "{path} contiene filas de otro plan, de otro libro o de otra versión"
-        en "{path} holds rows of another plan, another workbook or another version"
+        es "{path} contiene filas de otro plan de este libro, o de otra versión"
+        en "{path} holds rows of another plan of this workbook, or of another version"
         remedy "elija otra carpeta (opción -o), o empiece de nuevo con --fresh", "choose another folder (option -o), or begin anew with --fresh";
         why "Las filas de dos planes no forman un resultado.", "Rows of two plans do not make one result.";
-        example Example::Made { key: "sweep-other-plan", how: t("sweep en una carpeta con las filas de otro libro", "sweep into a folder with the rows of another workbook") };
+        example Example::Made { key: "sweep-other-plan", how: t("sweep --limit 2 en una carpeta con las filas de los tres diseños", "sweep --limit 2 into a folder with the rows of all three designs") };
     "D0202" OtherChunks Stop { path: String, chunks: u64 }
         es "el plan de {path} está dividido en {chunks} trozos"
         en "the plan in {path} is divided into {chunks} chunks"
@@ -262,4 +262,16 @@ rules! {
         remedy "envíe los trozos desde un ordenador con Slurm; el guion sweep.sbatch ya está escrito", "submit from a computer that has Slurm; the script sweep.sbatch is written already";
         why "sbatch es el programa de Slurm que recibe los trabajos.", "sbatch is the program of Slurm that takes jobs.";
         example Example::Made { key: "sweep-no-slurm", how: t("sweep --submit slurm sin Slurm instalado", "sweep --submit slurm without Slurm installed") };
+    "D0209" RejectedWhole Caution { rejected: usize, built: usize, code: String, path: String }
+        es "rodete rechaza {rejected} de los {built} mejores diseños al generarlos enteros; el motivo más frecuente es {code}"
+        en "rodete rejects {rejected} of the {built} best designs when it builds them whole; the most frequent reason is {code}"
+        remedy "con level = limits, ponga level = program, que los rechaza antes de elegir los mejores; la hoja MEJORES de {path} dice por qué cada uno", "with level = limits, set level = program, which rejects them before the best are chosen; the sheet TOP of {path} says why each one";
+        why "Con level = limits rodete no relee ningún programa: no ve lo que solo un programa muestra, tampoco si corta otro álabe.", "With level = limits rodete reads no program back: it does not see what only a program shows, not even a cut into another blade.";
+        example Example::Made { key: "sweep-rejected-whole", how: t("un barrido con level = limits de álabes tan gruesos que la herramienta corta el vecino", "a sweep with level = limits of blades so thick that the tool cuts the neighbour") };
+    "D0210" OtherWorkbook Stop { path: String, other: Text }
+        es "{path} contiene filas de otro libro, {other}"
+        en "{path} holds rows of another workbook, {other}"
+        remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
+        why "--fresh borra lo que dejó este libro, y no los resultados de otro.", "--fresh removes what this workbook left, and not the results of another one.";
+        example Example::Made { key: "sweep-other-workbook", how: t("sweep --fresh en una carpeta con las filas de otro libro", "sweep --fresh into a folder with the rows of another workbook") };
 }

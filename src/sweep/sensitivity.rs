@@ -98,7 +98,7 @@ pub struct Effect {
     /// it has no such tolerance. As far as the plan's range is wide, at [`LOOKS`] even distances; what lies between
     /// two of them is not looked at. Never more than what was judged good, to the digits that are shown.
     pub room: Result<[f64; 2], NoRoom>,
-    /// The room ends at the width of the plan's range, not at a limit.
+    /// The room ends at the width of the plan's range, not at a limit or at the bound of the input's cell.
     pub open: [bool; 2],
     /// The share of each objective's variance that follows this input alone, over the feasible designs of the plan.
     pub shares: Vec<Option<f64>>,
@@ -169,8 +169,8 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Valu
         let (mut room, mut open) = (Err(NoRoom::of(&own)), [false; 2]);
         if good(&own) {
             let ends = [-1.0, 1.0].map(|side| {
-                let most = if side < 0.0 { value - low } else { high - value }.min(width);
-                farthest(most, input.whole(), &|by| good(&moved(value + side * by).1))
+                let bound = if side < 0.0 { value - low } else { high - value };
+                reach([bound, width], input.whole(), &|by| good(&moved(value + side * by).1))
             });
             room = Ok(ends.map(|(by, _)| by));
             open = ends.map(|(_, open)| open);
@@ -227,6 +227,13 @@ fn farthest(most: f64, whole: bool, good: &dyn Fn(f64) -> bool) -> (f64, bool) {
         kept = here;
     }
     (end / grains, true)
+}
+
+/// How far one may go, as far as the plan's range is wide or to the bound of the cell; and whether it might be farther: not where the
+/// cell admits no more.
+fn reach([bound, width]: [f64; 2], whole: bool, good: &dyn Fn(f64) -> bool) -> (f64, bool) {
+    let (by, open) = farthest(bound.min(width), whole, good);
+    (by, open && bound > width * (1.0 + 1e-9))
 }
 
 fn number(value: &Value) -> Option<f64> {
@@ -412,6 +419,14 @@ mod tests {
         assert_eq!(farthest(5.0, true, &|_| false), (0.0, false));
         assert_eq!(farthest(0.0, false, &|_| false), (0.0, true));
         assert_eq!(farthest(400.0, true, &|by| by < 257.0), (256.0, false));
+    }
+
+    #[test]
+    fn a_tolerance_that_ends_at_the_bound_of_its_cell_is_not_told_as_one_that_may_be_larger() {
+        let open = |bound, width| reach([bound, width], false, &|_| true);
+        assert_eq!((open(3.0, 10.0), open(0.0, 10.0)), ((3.0, false), (0.0, false)));
+        assert_eq!((open(10.0, 3.0), open(4.0 - 1.0, 3.0)), ((3.0, true), (3.0, false)));
+        assert_eq!(reach([10.0, 3.0], false, &|by| by <= 1.5), (1.5, false));
     }
 
     #[test]

@@ -30,6 +30,8 @@ pub struct Additions<'a> {
     pub charts: Vec<[u32; 2]>,
     /// What is printed of sheets in several areas.
     pub printed: Vec<Further>,
+    /// What is done to each chart.
+    pub redrawn: Option<fn(&str) -> String>,
 }
 
 /// Saves the workbook to `out`, with its additions.
@@ -41,7 +43,7 @@ pub fn save<W: Write + Seek + Send>(
     additions: Additions<'_>,
     out: W,
 ) -> Result<(), WriteError> {
-    let Additions { long, drawn, uncomputed, charts, printed } = additions;
+    let Additions { long, drawn, uncomputed, charts, printed, redrawn } = additions;
     workbook.set_zip_compression_level(LEVEL);
     let mut skeleton = ZipArchive::new(Cursor::new(workbook.save_to_buffer()?))?;
     let mut package = ZipWriter::new(out);
@@ -53,7 +55,7 @@ pub fn save<W: Write + Seek + Send>(
         let mut part = skeleton.by_index(index)?;
         let name = part.name()?.into_owned();
         let rows = long.iter().position(|(one, _)| *one == name).map(|at| long.swap_remove(at).1);
-        let chart = name.starts_with("xl/charts/") && (!spans.is_empty() || uncomputed);
+        let chart = name.starts_with("xl/charts/") && (!spans.is_empty() || uncomputed || redrawn.is_some());
         let drawing = name.starts_with("xl/drawings/drawing");
         let number = name.strip_prefix("xl/worksheets/sheet").and_then(|one| one.strip_suffix(".xml")?.parse().ok());
         let sheet = book.as_ref().zip(number.and_then(|number: usize| number.checked_sub(1)));
@@ -79,6 +81,9 @@ pub fn save<W: Write + Seek + Send>(
             xml = spans.iter().fold(xml, |xml, span| span.stretch(&xml));
             if let Some(book) = &book {
                 xml = book.charted(&xml);
+            }
+            if let Some(redrawn) = redrawn {
+                xml = redrawn(&xml);
             }
         }
         if let Some((book, sheet)) = sheet {

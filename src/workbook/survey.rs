@@ -20,8 +20,8 @@ use super::xml::{self, damaged, raw};
 /// Columns A to E: all that is read of a form's sheet.
 pub const COLUMNS: u32 = 5;
 /// The most columns that are read of any sheet, from A on: the bits of one mark.
-const MARKS: u32 = u32::BITS;
-/// Cells beyond this column or row are so far out that they are mentioned.
+const MARKS: u32 = u64::BITS;
+/// Cells beyond this row or column, and beyond the columns that are read, are so far out that they are mentioned.
 const FAR: Position = (10_000, 26);
 /// Characters of a raw value kept for a message.
 const SHOWN: usize = 40;
@@ -110,7 +110,7 @@ struct Walk<'s> {
     column: u32,
     cell: Open,
     /// One bit for each column that is read, by row.
-    seen: Vec<u32>,
+    seen: Vec<u64>,
     far: Option<Position>,
 }
 
@@ -258,7 +258,7 @@ impl Walk<'_> {
         if self.seen.len() <= index {
             self.seen.resize(index + 1, 0);
         }
-        let bit = 1_u32 << column;
+        let bit = 1_u64 << column;
         if let Some(bits) = self.seen.get_mut(index) {
             let twice = *bits & bit != 0;
             *bits |= bit;
@@ -280,7 +280,7 @@ impl Walk<'_> {
         }
         let filled = !value.is_empty() || cell.inline || cell.formula;
         self.survey.filled |= filled;
-        if filled && (position.0 >= FAR.0 || position.1 >= FAR.1) && self.far.is_none() {
+        if filled && (position.0 >= FAR.0 || position.1 >= FAR.1.max(self.columns)) && self.far.is_none() {
             self.far = Some(position);
         }
         let near = position.1 < self.columns;

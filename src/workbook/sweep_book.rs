@@ -9,7 +9,9 @@ use super::cell::{row_height, write_text};
 use super::error::WriteError;
 use super::page::{ENDS, Further, Page, WHOLE, both_ends, properties};
 use super::save::{Additions, save};
-use super::style::{Styles, digits};
+use super::style::{Styles, digits, grade_fill};
+use super::sweep_charts::layered;
+use crate::finding::Grade;
 use crate::parameter::{FieldKind, Parameter};
 use crate::sweep::results::{Results, heading, state};
 use crate::sweep::table::{Cells, Table};
@@ -22,6 +24,8 @@ pub(super) const HEADINGS: RowNum = 4;
 const REPEATED: ColNum = 6;
 /// The place of the sheet of all designs, from 0.
 const SECOND: usize = 1;
+/// The width of the column that says what a whole build found.
+const WHOLE_BUILD: f64 = 56.0;
 /// The widest column of texts.
 const TEXT_MOST: usize = 40;
 
@@ -30,8 +34,6 @@ const TEXT_MOST: usize = 40;
 pub struct SweepBook<'a> {
     /// What came of the sweep.
     pub results: Results<'a>,
-    /// The files of the best designs, as they are found from the folder of this workbook.
-    pub links: &'a [Option<String>],
     /// The language.
     pub language: Language,
 }
@@ -58,7 +60,7 @@ impl SweepBook<'_> {
         if self.results.all.rows() > 0 && !self.results.plan.objectives.is_empty() {
             self.write_charts(&mut workbook, &styles)?;
         }
-        save(&mut workbook, Additions { printed, ..Additions::default() }, out)
+        save(&mut workbook, Additions { printed, redrawn: Some(layered), ..Additions::default() }, out)
     }
 
     pub(super) const fn page(&self) -> Page<'_> {
@@ -169,23 +171,63 @@ impl SweepBook<'_> {
     fn write_top(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
         static TITLE: Text = t("Los mejores diseños", "The best designs");
         static LINK: Text = t("libro", "workbook");
+        static BUILT: Text = t("generado", "built");
+        static NONE: Text = t("", "");
         static TOLD: Text = t(
             "Cada enlace abre un libro ya calculado, que se puede editar y volver a generar.",
             "Each link opens a workbook that is built already, and can be edited and built again.",
         );
+        static SOME: Text = t(
+            "En rojo, el libro sin resultados de un diseño rechazado; los demás enlaces abren un libro ya calculado, que se puede editar y volver a generar.",
+            "In red, the workbook without results of a design that was rejected; each of the other links opens a workbook that is built already, and can be edited and built again.",
+        );
+        static REJECTED: Text = t(
+            "Cada enlace abre el libro sin resultados de un diseño rechazado, que se puede editar y volver a generar.",
+            "Each link opens the workbook without results of a design that was rejected, which can be edited and built again.",
+        );
+        let told = match self.results.tried() {
+            (0, _) => &NONE,
+            (_, 0) => &TOLD,
+            (built, rejected) if rejected < built => &SOME,
+            _ => &REJECTED,
+        };
         let listed = self.results.listed();
-        self.head(sheet, styles, &TOP, &TITLE, &format!("{} {}", self.text(&listed), self.text(&TOLD)))?;
+        self.head(sheet, styles, &TOP, &TITLE, &format!("{} {}", self.text(&listed), self.text(told)))?;
         write_text(sheet, HEADINGS, 0, self.text(&LINK), &styles.text_header)?;
         sheet.set_column_width(0, 30.0)?;
-        for (row, link) in (HEADINGS + 1..).zip(self.links) {
-            if let Some(link) = link {
-                let name = link.rsplit('/').next().unwrap_or(link);
-                // In a link these would begin a place in the file, or a character by its number.
-                let link = link.replace('%', "%25").replace('#', "%23");
-                sheet.write_url(row, 0, Url::new(format!("file:///{link}")).set_text(name))?;
+        write_text(sheet, HEADINGS, 2, self.text(&BUILT), &styles.text_header)?;
+        let rejected = self.results.tried().1 > 0;
+        sheet.set_column_width(2, if rejected { WHOLE_BUILD } else { heading_width(self.text(&BUILT)) })?;
+        let plain = styles.text.clone().set_indent(1);
+        let stop = plain.clone().set_background_color(grade_fill(Grade::Stop));
+        let link = [
+            Format::new().set_hyperlink(),
+            Format::new().set_hyperlink().set_background_color(grade_fill(Grade::Stop)),
+        ];
+        for (row, built) in (HEADINGS + 1..).zip(self.results.built) {
+            let Some(built) = built else {
+                write_text(sheet, row, 2, self.text(&NO), &plain)?;
+                continue;
+            };
+            let name = built.file.rsplit('/').next().unwrap_or(&built.file);
+            // In a link these would begin a place in the file, or a character by its number.
+            let file = built.file.replace('%', "%25").replace('#', "%23");
+            let url = Url::new(format!("file:///{file}")).set_text(name);
+            sheet.write_url_with_format(row, 0, url, &link[usize::from(built.rejected)])?;
+            match built.stop() {
+                None => write_text(sheet, row, 2, self.text(&YES), &plain)?,
+                Some(found) => {
+                    let told = format!("{}: {}", found.code(), self.text(&found.what));
+                    write_text(sheet, row, 2, &told, &stop)?;
+                    sheet.set_row_height(row, row_height(&[(&told, WHOLE_BUILD)]))?;
+                }
             }
         }
-        self.rows(sheet, styles, &self.results.brief(), 1)?;
+        // The index beside the link, and the others behind what the build said.
+        let mut id = self.results.brief();
+        let others = Table { columns: id.columns.split_off(1) };
+        self.rows(sheet, styles, &id, 1)?;
+        self.rows(sheet, styles, &others, 3)?;
         sheet.set_freeze_panes(HEADINGS + 1, 2)?;
         self.page().set_up(sheet, self.language)?;
         Ok(())

@@ -13,6 +13,7 @@ use super::page::Page;
 use super::style::{Styles, grade_fill};
 use super::sweep_book::{SweepBook, heading_width};
 use crate::finding::Grade;
+use crate::sweep::results::COLOURS;
 use crate::sweep::table::{Cells, FRONT, Table};
 use crate::text::{Text, t};
 
@@ -33,10 +34,6 @@ const FIRST_CHART: RowNum = 4;
 /// Charts of an upright page: their rows and those above the first fill it.
 const ON_PAGE: RowNum = 2;
 
-pub(super) const DONE: Color = Color::RGB(0x9D_B4CC);
-pub(super) const BEST: Color = Color::RGB(0xC0_504D);
-const ON_FRONT: Color = Color::RGB(0x3F_7F3F);
-
 static CHARTS: Text = t("GRAFICOS", "CHARTS");
 static POINTS: Text = t("PUNTOS", "POINTS");
 static CURVES_SHEET: Text = t("CURVAS", "CURVES");
@@ -45,7 +42,7 @@ static CURVES_SHEET: Text = t("CURVAS", "CURVES");
 struct Points {
     /// The columns.
     names: Vec<String>,
-    /// The kind of each design, and its row in the table of all, in the order of the kinds.
+    /// The kind of each design, the place of its colour, and its row in the table of all, in the order of the kinds.
     rows: Vec<(usize, usize)>,
 }
 
@@ -99,11 +96,16 @@ impl SweepBook<'_> {
             let mut chart = Chart::new(ChartType::Line);
             let name = self.text(&CURVES_SHEET);
             let last = ColNum::try_from(axes).unwrap_or_default();
-            for at in (0..count).rev() {
+            // The best first: it is to lie on top.
+            for at in 0..count {
                 let line = RowNum::try_from(at).unwrap_or_default() + 1;
                 // The rank by colour: the first is red, the last is pale.
                 let part = u32::try_from(at * 150 / count).unwrap_or_default();
-                let ink = if at == 0 { BEST } else { Color::RGB(((0x30 + part) << 16) | ((0x60 + part) << 8) | 0xB0) };
+                let ink = if at == 0 {
+                    Color::from(COLOURS[1])
+                } else {
+                    Color::RGB(((0x30 + part) << 16) | ((0x60 + part) << 8) | 0xB0)
+                };
                 let mut format = ChartFormat::new();
                 format.set_line(ChartLine::new().set_color(ink).set_width(if at == 0 { 2.25 } else { 1.0 }));
                 chart
@@ -139,11 +141,11 @@ impl SweepBook<'_> {
             let truth = |name: &str| all.column(name).is_some_and(|cells| cells.truth(row));
             let id = all.column("id").and_then(|cells| cells.number(row));
             if front.is_some_and(|cells| cells.truth(row)) {
-                2
+                0
             } else if id.is_some_and(|id| best.contains(&id.to_bits())) {
-                3
+                1
             } else {
-                usize::from(truth("feasible"))
+                3 - usize::from(truth("feasible"))
             }
         };
         let state = all.column("state");
@@ -174,13 +176,14 @@ impl SweepBook<'_> {
         Ok(())
     }
 
-    /// One measure over another, or over an input: what breaks a constraint, what is feasible, the front, and others of the best.
+    /// One measure over another, or over an input: the front, others of the best, what is feasible, and what breaks a constraint; the
+    /// first lies on top.
     fn scatter(&self, points: &Points, x: &str, y: &str) -> Option<Chart> {
-        static KINDS: [(Text, Color, ChartMarkerType, u8); 4] = [
-            (t("Incumplen una restricción", "Constraint broken"), Color::RGB(0xC8_C8C8), ChartMarkerType::Circle, 4),
-            (t("Válidos", "Feasible"), DONE, ChartMarkerType::Circle, 4),
-            (t("Frente", "Front"), ON_FRONT, ChartMarkerType::Diamond, 8),
-            (t("Otros de los mejores", "Others of the top"), BEST, ChartMarkerType::Circle, 7),
+        static KINDS: [(Text, ChartMarkerType, u8); 4] = [
+            (t("Frente", "Front"), ChartMarkerType::Diamond, 8),
+            (t("Otros de los mejores", "Others of the top"), ChartMarkerType::Circle, 7),
+            (t("Válidos", "Feasible"), ChartMarkerType::Circle, 4),
+            (t("Incumplen una restricción", "Constraint broken"), ChartMarkerType::Circle, 4),
         ];
         let column =
             |name: &str| points.names.iter().position(|one| one == name).and_then(|at| ColNum::try_from(at + 1).ok());
@@ -188,7 +191,7 @@ impl SweepBook<'_> {
         let sheet = self.text(&POINTS);
         let mut chart = Chart::new(ChartType::Scatter);
         let mut first = 1;
-        for (kind, (name, ink, shape, size)) in KINDS.iter().enumerate() {
+        for (kind, ((name, shape, size), ink)) in KINDS.iter().zip(COLOURS).enumerate() {
             let count = points.rows.iter().filter(|(one, _)| *one == kind).count();
             let Some(last) = RowNum::try_from(count).ok().filter(|count| *count > 0).map(|count| first + count - 1)
             else {
@@ -198,7 +201,7 @@ impl SweepBook<'_> {
             marker
                 .set_type(*shape)
                 .set_size(*size)
-                .set_format(ChartFormat::new().set_solid_fill(ChartSolidFill::new().set_color(*ink)).set_no_border());
+                .set_format(ChartFormat::new().set_solid_fill(ChartSolidFill::new().set_color(ink)).set_no_border());
             chart
                 .add_series()
                 .set_name(self.text(name))
@@ -276,6 +279,22 @@ impl SweepBook<'_> {
         sheet.set_row_format(1, &fill)?;
         Ok(axes.len())
     }
+}
+
+/// A chart whose first series lies on top wherever it is shown: LibreOffice draws what comes first in the file above the others, and
+/// Excel what has the greatest order. Charts of bars lay nothing over anything.
+pub(super) fn layered(chart: &str) -> String {
+    let mut parts = chart.split("<c:order val=\"");
+    let last = parts.clone().count().saturating_sub(2);
+    if !(chart.contains("<c:scatterChart>") || chart.contains("<c:lineChart>")) {
+        return chart.to_owned();
+    }
+    let mut turned = parts.next().unwrap_or_default().to_owned();
+    for (at, part) in parts.enumerate() {
+        let rest = part.split_once('"').map_or("", |(_, rest)| rest);
+        turned.push_str(&format!("<c:order val=\"{}\"{rest}", last - at));
+    }
+    turned
 }
 
 /// The least and greatest value of a column; `None` where it has none.

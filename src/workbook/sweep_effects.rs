@@ -10,8 +10,9 @@ use super::error::WriteError;
 use super::page::Page;
 use super::style::Styles;
 use super::sweep_book::{HEADINGS, SweepBook};
-use super::sweep_charts::{BEST, CHART_ROWS, DONE, SIZE};
+use super::sweep_charts::{CHART_ROWS, SIZE};
 use crate::sweep::objective::Objective;
+use crate::sweep::results::COLOURS;
 use crate::text::{Text, t};
 
 static SENSITIVITY: Text = t("SENSIBILIDAD", "SENSITIVITY");
@@ -170,7 +171,7 @@ impl SweepBook<'_> {
     fn bars(&self, first: RowNum, title: &str, axis: &str, series: [(&Text, ColNum); 2], overlap: i8) -> Chart {
         let (name, last) = (self.text(&SENSITIVITY), (first + self.inputs()).saturating_sub(1));
         let mut chart = Chart::new(ChartType::Bar);
-        for ((legend, column), ink) in series.into_iter().zip([DONE, BEST]) {
+        for ((legend, column), ink) in series.into_iter().zip([COLOURS[2], COLOURS[1]]) {
             chart
                 .add_series()
                 .set_name(self.text(legend))

@@ -26,6 +26,7 @@ use super::words::fold;
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal};
 use crate::kind::measure::{Suggested, Varied};
+use crate::limits::SWEEP_INPUTS;
 use crate::parameter::field::{Fields, Stated};
 use crate::parameter::list::{List, Row, Rows};
 use crate::parameter::{Form, Parameter, Sheet, Value, Values};
@@ -134,7 +135,7 @@ pub fn read(bytes: &[u8], form: &'static Form, language: Language) -> Result<Opt
     let designs = match find(&book.gated.sheets, &LISTED, language, &mut findings)? {
         None => None,
         Some(entry) => {
-            let sheet = book.read(&entry, list_rows::COLUMNS)?;
+            let sheet = book.read(&entry, SWEEP_INPUTS)?;
             if sheet.survey.unsound {
                 return Err(refusal(sheet.survey.exit(), sheet.survey.findings));
             }
@@ -190,7 +191,7 @@ fn designs(form: &'static Form, sheet: &SheetCells, findings: &mut Vec<Finding>)
     let head = sheet.rows.keys().next().or_else(|| held.first().map(|(row, _)| row)).copied().unwrap_or_default();
     let mut columns: Vec<(&'static Parameter, u32)> = Vec::new();
     let mut headed = BTreeSet::new();
-    for at in (0..list_rows::COLUMNS).filter(|at| sheet.cell((head, *at)).is_some()) {
+    for at in (0..SWEEP_INPUTS).filter(|at| sheet.cell((head, *at)).is_some()) {
         headed.insert(at);
         let place = place((head, at));
         let symbol = sheet.text((head, at)).unwrap_or_default();
@@ -211,7 +212,7 @@ fn designs(form: &'static Form, sheet: &SheetCells, findings: &mut Vec<Finding>)
         }
     }
     if let Some(beyond) = sheet.survey.beyond {
-        let last = address::letters(list_rows::COLUMNS - 1);
+        let last = address::letters(SWEEP_INPUTS - 1);
         findings.push(DesignCellBeyond { cell: address::format(beyond), last }.at(place(beyond)));
     }
     let mut rows = Vec::new();

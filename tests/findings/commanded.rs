@@ -256,7 +256,7 @@ fn variants(key: &str, folder: &Path) -> Option<&'static str> {
             "sweep a.xlsx --dry-run"
         }
         "sweep-list-wide" => {
-            let far: [&str; 26] = std::array::from_fn(|at| if at == 0 || at == 25 { "4" } else { "" });
+            let far: [&str; 52] = std::array::from_fn(|at| if at == 0 || at == 51 { "4" } else { "" });
             put(common::workbook::with_variants(&list, &[], &[&["N"], &far]));
             "sweep a.xlsx --dry-run"
         }
@@ -282,9 +282,13 @@ fn variants(key: &str, folder: &Path) -> Option<&'static str> {
             "sweep a.xlsx --dry-run"
         }
         "sweep-other-plan" => {
-            fs::create_dir(folder.join("s")).unwrap();
-            fs::write(folder.join("s/plan.json"), "{}").unwrap();
-            "sweep a.xlsx -o s"
+            run("sweep a.xlsx -o s --chunk 0/1");
+            "sweep a.xlsx -o s --limit 2"
+        }
+        "sweep-other-workbook" => {
+            run("sweep a.xlsx -o s --chunk 0/1");
+            fs::rename(folder.join("a.xlsx"), folder.join("b.xlsx")).unwrap();
+            "sweep b.xlsx -o s --fresh"
         }
         "sweep-other-chunks" => {
             run("sweep a.xlsx -o s --chunk 0/2");
@@ -307,6 +311,11 @@ fn variants(key: &str, folder: &Path) -> Option<&'static str> {
         "sweep-none" => {
             put(common::workbook::with_variants(&LIMITS, &[["e", "50", "60", "5", "", ""]], &[]));
             "sweep a.xlsx -o s --top 0"
+        }
+        "sweep-rejected-whole" => {
+            let inputs = [["e", "", "", "", "4; 4.25", ""], ["splitters", "", "", "", "no", ""]];
+            put(common::workbook::with_variants(&LIMITS, &inputs, &[]));
+            "sweep a.xlsx -o s --top 2"
         }
         "sweep-no-slurm" => "sweep a.xlsx -o s --submit slurm --chunks 1",
         _ => return None,

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use calamine::{Reader, Xlsx, open_workbook};
 use rodete::kinds::impeller::cases::CASES;
 use rodete::text::Language;
 
@@ -127,6 +128,41 @@ fn to_begin_anew_removes_what_a_run_left_and_nothing_else() {
     assert!(mine.iter().all(|name| fs::read_to_string(at.join(name)).unwrap() == "mine"));
     assert!(at.join("a.xlsx").exists() && !at.join("top/a-000001.xlsx").exists());
     assert_eq!((before, chunks(at, ".").len()), (2, 4), "one chunk and the other file, then three and the same file");
+}
+
+#[test]
+fn to_begin_anew_removes_nothing_of_another_workbook() {
+    let folder = folder("limits");
+    let at = folder.path();
+    done(at, "-o s --top 1");
+    let left = |of: &str| {
+        let mut names: Vec<_> = fs::read_dir(at.join(of)).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        names.sort();
+        names
+    };
+    let before = ["s", "s/chunks", "s/top"].map(left);
+    let other = |words: &str| {
+        let rodete = env!("CARGO_BIN_EXE_rodete");
+        let words = ["sweep", "b.xlsx", "--top", "0"].into_iter().chain(words.split_whitespace());
+        let output = Command::new(rodete).current_dir(at).env("LC_ALL", "C").args(words).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    // A workbook of the same bytes: its rows are there, but the sheets are not its own.
+    fs::copy(at.join("a.xlsx"), at.join("b.xlsx")).unwrap();
+    for words in ["-o s --fresh", "-o s --limit 20", "-o s --fresh --limit 20"] {
+        let (code, told) = other(words);
+        assert_eq!(code, Some(3), "{told}");
+        assert!(
+            told.contains("error D0210: s holds rows of another workbook, a.xlsx\nhint: choose another folder"),
+            "{told}"
+        );
+        assert_eq!(["s", "s/chunks", "s/top"].map(left), before);
+    }
+    assert_eq!(other("-o s").0, Some(0), "the same rows are gone on with");
+    // The own workbook begins anew, changed or not.
+    fs::write(at.join("a.xlsx"), book("program")).unwrap();
+    assert!(String::from_utf8(sweep(at, "-o s --limit 20").stderr).unwrap().contains("error D0201: "));
+    assert!(done(at, "-o s --limit 20 --fresh").starts_with("20 designs: "));
 }
 
 #[test]
@@ -330,13 +366,61 @@ fn charts_part_designs_that_break_a_constraint_from_the_feasible_the_front_and_o
         .find(|chart| chart.contains("gap_true [mm] / e_max") || chart.contains("e_max [mm] / gap_true"))
         .unwrap();
     let mut first = 2;
-    for (name, count) in [("Constraint broken", broken), ("Feasible", feasible), ("Front", front)] {
-        let series = chart.split("<c:ser>").find(|series| series.contains(&format!(">{name}<"))).unwrap();
+    // The front is the first in the file, and the last in order: one program draws the first on top, another the last.
+    for ((name, count), order) in
+        [("Front", front), ("Feasible", feasible), ("Constraint broken", broken)].into_iter().zip([2, 1, 0])
+    {
+        let series = chart.split("<c:ser>").nth(3 - order).unwrap();
+        assert!(
+            series.contains(&format!(">{name}<")) && series.contains(&format!("<c:order val=\"{order}\"/>")),
+            "{series}"
+        );
         let last = first + count - 1;
         assert!(series.contains(&format!("POINTS!$E${first}:$E${last}<")), "{name} {first} {last}: {series}");
         first = last + 1;
     }
     assert!(!chart.contains("Others of the top"), "with --top 0 there are none");
+}
+
+/// The first design with a broken constraint is told with its value and by how much it misses, as other refusals are.
+#[test]
+fn why_says_by_how_much_a_constraint_is_broken_and_of_what_a_design_has_no_value() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    for (lang, sheet, said) in [("en", "WHY", ["is", "it breaks", "by"]), ("es", "POR_QUE", ["es", "incumple", "por"])]
+    {
+        let settings = [
+            ("method", "factorial"),
+            ("level", "limits"),
+            ("objectives", "gap_true max"),
+            ("constraints", "N_max >= 5; e_max <= 0.5"),
+        ];
+        let inputs = [["R", "22", "30", "4", "", ""], ["e", "1", "4", "0.5", "", ""]];
+        fs::write(at.join("a.xlsx"), with_variants_of(&thick(quick()), &settings, &inputs, &[])).unwrap();
+        done(at, &format!("-o s --csv --fresh --lang {lang}"));
+        let csv = fs::read_to_string(at.join("s/summary.csv")).unwrap();
+        let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+        let cell = |row: &[&str], name: &str| row[rows[0].iter().position(|one| *one == name).unwrap()].to_owned();
+        let mut book: Xlsx<_> = open_workbook(at.join("s/a-sweep.xlsx")).unwrap();
+        let why = book.worksheet_range(sheet).unwrap();
+        let mut seen = 0;
+        for (reason, key) in [("N_max >= 5", "N_max"), ("e_max <= 0.5", "e_max")] {
+            let Some(first) = rows[1..].iter().find(|row| cell(row, "reason") == reason) else { continue };
+            let number = |name: &str| cell(first, name).parse::<f64>().unwrap();
+            let row = why.rows().find(|row| row[0] == reason).unwrap();
+            let told = row[3].to_string();
+            let begin = format!("{} {}: {key} {} ", if lang == "es" { "diseño" } else { "design" }, first[0], said[0]);
+            let (value, rest) = told.strip_prefix(&begin).unwrap_or_else(|| panic!("{told}")).split_once("; ").unwrap();
+            let by =
+                rest.strip_prefix(&format!("{} {reason} {} ", said[1], said[2])).unwrap_or_else(|| panic!("{told}"));
+            for (shown, exact) in [(value, number("value")), (by, -number("margin"))] {
+                let shown: f64 = shown.split(' ').next().unwrap().parse().unwrap();
+                assert!(exact > 0.0 && (shown / exact - 1.0).abs() < 1e-5, "{told}: {exact}");
+            }
+            seen += 1;
+        }
+        assert!(seen > 0, "{csv}");
+    }
 }
 
 /// On paper the figures keep their size: columns go on beside, with number and inputs again, and of many rows both ends are printed.

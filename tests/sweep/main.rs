@@ -13,3 +13,5 @@ mod plans;
 mod readers;
 mod report;
 mod sensitivity;
+mod submitted;
+mod whole;

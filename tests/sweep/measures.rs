@@ -5,6 +5,7 @@ use rodete::kinds::KINDS;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
 use rodete::sweep::asked;
+use rodete::sweep::plan::{Method, Plan};
 use rodete::sweep::row::{Row, State, judged};
 use rodete::text::Language;
 use rodete::workbook::sweep_sheet;
@@ -82,6 +83,35 @@ fn a_clear_design_that_is_refused_tells_by_how_much_it_misses_the_limit() {
         let (Some(found), Some(with), Some(margin)) = (row.value, row.limit, row.margin) else { panic!("{row:?}") };
         assert!(value.is_none_or(|value| value == found) && limit.is_none_or(|limit| limit == with), "{row:?}");
         assert!(margin < 0.0 && (margin + (found - with).abs()).abs() < 1e-12, "{row:?}");
+    }
+}
+
+/// A finding that tells two bounds has its limit, and its margin, as any other; and so has one whose two numbers are inputs.
+#[test]
+fn a_refused_design_tells_value_limit_and_margin_of_cuts_and_of_torches() {
+    let row = design("full", &[("splitters", Value::Choice("no")), ("e", Value::Real(4.0))], "time_s min");
+    assert_eq!((row.reason.as_deref(), row.limit), (Some("V0107"), Some(0.0)), "{row:?}");
+    assert!(row.value.is_some_and(|value| value < 0.0) && row.margin == row.value, "{row:?}");
+    let kind = *KINDS.iter().find(|kind| kind.form().kind == "pipe-hole").unwrap();
+    let real = |key, value| (key, Value::Real(value));
+    for (code, changes, found) in [
+        ("P3001", vec![real("h", 90.0)], [Some(90.0), None]),
+        ("P3003", vec![real("g0", 50.0), real("D_max", 500.0)], [Some(50.0), Some(4.0)]),
+        ("P3004", vec![real("r_g", 100.0), real("R_g", 90.0)], [Some(90.0), Some(100.0)]),
+        ("P3005", vec![real("D_max", 3.0)], [Some(3.0), Some(4.0)]),
+        ("P3006", vec![real("kerf", 1.0)], [Some(1.0), None]),
+    ] {
+        let mut base = Values::default();
+        base.values.extend(kind.cases()[0].values(Language::En));
+        base.values.extend(changes);
+        let plan = Plan::new(kind.form(), Vec::new(), Method::List, (1, 1), Level::Limits, (Vec::new(), Vec::new()));
+        let row = judged(kind, &base, &plan, 0, Vec::new());
+        assert_eq!((row.state, row.reason.as_deref()), (State::Refused, Some(code)), "{row:?}");
+        let (Some(value), Some(limit), Some(margin)) = (row.value, row.limit, row.margin) else { panic!("{row:?}") };
+        for (told, wanted) in [value, limit].into_iter().zip(found) {
+            assert!(wanted.is_none_or(|wanted| wanted == told), "{row:?}");
+        }
+        assert!(margin < 0.0 && (margin + (value - limit).abs()).abs() < 1e-12, "{row:?}");
     }
 }
 

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use rodete::finding::Grade;
 use rodete::kinds::KINDS;
-use rodete::parameter::Value;
+use rodete::kinds::impeller::parameters::FORM;
+use rodete::limits::SWEEP_INPUTS;
+use rodete::parameter::{FieldKind, Value};
 use rodete::sweep::asked;
 use rodete::sweep::plan::Plan;
 use rodete::sweep::row::judged;
@@ -227,10 +229,28 @@ fn whatever_of_a_list_would_be_left_out_of_its_designs_is_refused_by_its_cell() 
     // Values below no symbol, each column once.
     assert_eq!(list_findings(same, &[&["R", "", "e"], &["26", "4", "1"], &["27", "5", "1"]]), told("D0126", "B2"));
     assert_eq!(list_findings(same, &[&["R", "e"], &["26", "1"], &["27", "1", "99"]]), told("D0126", "C3"));
-    let wide: [&str; 30] = std::array::from_fn(|at| if at == 0 || at == 29 { "26" } else { "" });
-    assert_eq!(list_findings(same, &[&["R"], &wide]), told("D0128", "AD2"));
+    let wide: [&str; 41] = std::array::from_fn(|at| if at == 0 || at == 40 { "26" } else { "" });
+    assert_eq!(list_findings(same, &[&["R"], &wide]), told("D0128", "AO2"));
+    let wide: [&str; 40] = std::array::from_fn(|at| if at == 0 || at == 39 { "26" } else { "" });
+    assert_eq!(list_findings(same, &[&["R"], &wide]), told("D0126", "AN2"), "the last column that is read");
     // Symbols alone: the sheet is there, and has no design.
     assert_eq!(list_findings(same, &[&["R", "e"]]), told("D0127", "DESIGNS"));
+}
+
+/// As many inputs as a plan may vary: 40, or as many as the form has.
+#[test]
+fn a_list_has_a_column_for_every_input_that_a_plan_may_vary() {
+    let numbers = FORM.parameters().filter_map(|(_, one)| match one.kind {
+        FieldKind::Real { min, .. } => Some((one.symbol(), min.to_string())),
+        FieldKind::Whole { min, .. } => Some((one.symbol(), min.to_string())),
+        _ => None,
+    });
+    let columns: Vec<(&str, String)> = numbers.take(SWEEP_INPUTS as usize).collect();
+    assert!(columns.len() > 24, "{}", columns.len());
+    let symbols: Vec<&str> = columns.iter().map(|(symbol, _)| *symbol).collect();
+    let design: Vec<&str> = columns.iter().map(|(_, value)| value.as_str()).collect();
+    let plan = plan(&with_variants(&[("method", "list")], &[], &[&symbols, &design]));
+    assert_eq!((plan.inputs.len(), plan.count), (columns.len(), 1));
 }
 
 #[test]

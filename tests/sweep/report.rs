@@ -11,7 +11,7 @@ use rodete::parameter;
 use rodete::text::Language;
 use serde_json::Value;
 
-use crate::common::workbook::{quick, thick, with_variants_of};
+use crate::common::workbook::{Parts, quick, thick, with_variants_of};
 
 /// A folder with a workbook of 24 designs of two objectives, some of them refused, around a design.
 fn folder(around: &[(&'static str, parameter::Value)]) -> tempfile::TempDir {
@@ -92,6 +92,17 @@ fn the_report_is_set_from_the_plan_its_rows_and_the_title_block() {
         let kept = fs::read_dir(folder.path().join("kept")).unwrap().next().unwrap().unwrap().path();
         let picture = fs::read_to_string(kept.join(file)).unwrap();
         assert!(picture.matches("<circle").count() >= 3, "{picture}");
+        // In the colours of the workbook's charts.
+        let charts = Parts::of(&fs::read(folder.path().join("s/a-sweep.xlsx")).unwrap());
+        let charts = (1..).map(|number| format!("xl/charts/chart{number}.xml")).take_while(|part| charts.has(part));
+        let book = Parts::of(&fs::read(folder.path().join("s/a-sweep.xlsx")).unwrap());
+        let charts: String = charts.map(|part| book.text(&part).to_lowercase()).collect();
+        let legend = best["figures"][0]["legend"].as_array().unwrap();
+        assert!(legend.len() >= 2);
+        for entry in legend {
+            let colour = entry[0].as_str().unwrap();
+            assert!(charts.contains(&colour[1..]) && picture.contains(colour), "{colour}");
+        }
         // Tolerances, then what each input does to each objective.
         assert_eq!(chapters[3]["tables"].as_array().unwrap().len(), 3);
         assert_eq!(rows(3, 0).len(), 3);

@@ -15,14 +15,17 @@ use serde_json::Value;
 
 use super::super::fault;
 use super::Study;
-use crate::escape::printable_path;
+use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::file;
-use crate::sweep::rules::{ChunkTorn, ChunksMissing, OtherChunks, OtherPlan};
+use crate::sweep::rules::{ChunkTorn, ChunksMissing, OtherChunks, OtherPlan, OtherWorkbook};
 use crate::sweep::table::Table;
+use crate::text::{Text, t};
 
 const PLAN: &str = "plan.json";
+/// The key in the plan's file of the workbook's name: whose rows and sheets are in the folder.
+const WORKBOOK: &str = "workbook";
 /// The ending of rows that are not yet a chunk.
 const PART: &str = ".part";
 /// The ending of what working a chunk out took.
@@ -53,7 +56,8 @@ impl<'a> Rows<'a> {
     /// what is `wanted`, or what is `usual`.
     ///
     /// # Errors
-    /// Exit 3 where the folder holds another plan, or another division; exit 5 where nothing can be written.
+    /// Exit 3 where the folder holds another plan, or another division, or, to begin anew, what another workbook left; exit 5 where
+    /// nothing can be written.
     pub(super) fn open(
         place: &Path,
         study: &'a Study<'a>,
@@ -62,13 +66,25 @@ impl<'a> Rows<'a> {
         opening: Opening,
     ) -> Result<Self, Refusal> {
         let outer = Folder::open(place)?;
-        if opening == Opening::Anew {
-            clear(&outer, place, &store::stem(study.workbook).to_string_lossy())?;
-        }
-        let known: Option<Value> =
+        let mut known: Option<Value> =
             fs::read(place.join(PLAN)).ok().map(|bytes| serde_json::from_slice(&bytes).unwrap_or(Value::Null));
         let told: Value = serde_json::from_str(&study.told).unwrap_or(Value::Null);
         let path = || printable_path(place);
+        let own = study.workbook.file_name().unwrap_or_default().to_string_lossy();
+        if let Some(known) = &known {
+            // A copy under another name has the same plan and rows; what is to be removed must be of this very name.
+            let same = opening != Opening::Anew && known.get("plan") == Some(&told);
+            let named = known.get(WORKBOOK).and_then(Value::as_str);
+            if !same && named != Some(&own) {
+                let other =
+                    named.map_or(t("que no se nombra", "which is not named"), |named| Text::same(printable(named)));
+                return Err(OtherWorkbook { path: path(), other }.refused(Exit::Refused, Place::File));
+            }
+        }
+        if opening == Opening::Anew {
+            clear(&outer, place, &store::stem(study.workbook).to_string_lossy())?;
+            known = None;
+        }
         let chunks = match known {
             Some(known) => {
                 if known.get("plan") != Some(&told) {
@@ -84,7 +100,8 @@ impl<'a> Rows<'a> {
                 // More chunks than designs are as good as any: an array of so many tasks finds some of them empty.
                 let chunks = wanted.map_or_else(usual, Ok)?.max(1);
                 if opening != Opening::Merge {
-                    let stated = serde_json::json!({ "plan": told, "chunks": chunks });
+                    // Beside the plan: rows do not depend on the workbook's name.
+                    let stated = serde_json::json!({ "plan": told, "chunks": chunks, WORKBOOK: own });
                     let text = format!("{stated:#}\n");
                     write(&outer, OsStr::new(PLAN), text.as_bytes())?;
                 }

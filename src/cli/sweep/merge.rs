@@ -3,24 +3,24 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::{OsStr, OsString};
 use std::io::Write;
-use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-use super::super::build::{self, Asked, Settings};
+use super::super::build;
 use super::super::interrupt::AtWork;
-use super::super::plan::Item;
 use super::super::terminal::Terminal;
 use super::super::{fault, finding, stationery};
 use super::Study;
 use super::args::Sweep;
 use super::folder::Rows;
 use super::progress;
+use super::top::{build_top, judged_whole, rejected};
 use super::work::Workshop;
 use crate::escape::{printable, printable_path};
-use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule};
+use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule};
 use crate::kind::Kind;
 use crate::limits::{FRONT_DESIGNS, SWEEP_ROWS};
+use crate::number::decimal;
 use crate::parameter::Values;
 use crate::report;
 use crate::report::sweep::Titled;
@@ -30,15 +30,13 @@ use crate::sweep::file::RowFile;
 use crate::sweep::indices::Indices;
 use crate::sweep::plan::Plan;
 use crate::sweep::ranking::{Ranked, Ranking, Reason};
-use crate::sweep::results::{Coded, Results};
-use crate::sweep::row::{told, values};
-use crate::sweep::rules::{FrontCut, NoneDone};
+use crate::sweep::results::{Built, Coded, Results};
+use crate::sweep::row::told;
+use crate::sweep::rules::{FrontCut, NoneDone, RejectedWhole};
 use crate::sweep::sensitivity::{Shares, around, most};
 use crate::sweep::table::{Cells, Column, FRONT, Table};
 use crate::text::{Text, t};
-use crate::workbook::results::Tables;
 use crate::workbook::sweep_book::SweepBook;
-use crate::workbook::template;
 
 /// Takes in all chunks, one after another: what the designs come to, and what there is to know of the inputs, shares or, of a plan
 /// for them, Sobol's indices.
@@ -47,7 +45,7 @@ fn take_in<'a>(plan: &'a Plan, rows: &Rows<'_>) -> Result<(Ranked, Shares<'a>, O
     let (mut ranking, mut shares) = (Ranking::new(plan, kept), Shares::new(plan));
     let mut indices = Indices::new(plan);
     let needed = |name: &str| {
-        ["id", "state", "feasible", "reason"].contains(&name)
+        ["id", "state", "feasible", "reason", "value", "margin"].contains(&name)
             || plan.objectives.iter().any(|one| one.measure.key == name)
     };
     for number in 0..rows.chunks() {
@@ -75,8 +73,9 @@ pub(super) fn merge(
     let (top, built) = (ranked.top(usize::from(arguments.top)), ranked.built(usize::from(arguments.top)));
     let folder = Folder::open(rows.place())?;
     let stem = store::stem(study.workbook);
-    let (all, best) = summary(arguments, study, rows, (&ranked, &top), &folder)?;
-    let links = build_top(study, kinds, rows, (&top, &built))?;
+    let (all, mut best) = summary(arguments, study, rows, (&ranked, &top), &folder)?;
+    let built = build_top(study, kinds, rows, (&top, &built))?;
+    judged_whole(&mut best, &built);
     let workshop = Workshop::open(study, arguments.jobs)?;
     let done = AtomicU64::new(0);
     let judge = |values: &Values| {
@@ -101,15 +100,16 @@ pub(super) fn merge(
         all: &all,
         counts: ranked.counts,
         front: ranked.front.len(),
-        unbuilt: links.iter().take(ranked.front.len()).filter(|link| link.is_none()).count(),
+        built: &built,
+        rejected: &rejected(&top, &built),
         cut: ranked.cut,
         why: &coded(ranked.why.iter().cloned(), study, &rules),
-        cautions: &coded(cautions(&best), study, &rules),
+        cautions: &cautions(&best, &built, study, &rules),
         effects: &effects,
         triples: indices.map(|one| one.triples()),
     };
     let mut names = vec![store::file_name(&stem, "-sweep.xlsx")];
-    write_book(study, &results, &links, &folder, &names[0])?;
+    write_book(study, &results, &folder, &names[0])?;
     let mut failed = None;
     if arguments.report {
         let name = store::file_name(&stem, "-sweep.pdf");
@@ -120,6 +120,11 @@ pub(super) fn merge(
     }
     if ranked.cut {
         finding::general(&[FrontCut { most: FRONT_DESIGNS }.at(Place::File)], *language, terminal);
+    }
+    if let (Some(first), (built, rejected)) = (results.rejected.first(), results.tried()) {
+        let path = printable_path(&rows.place().join(&names[0]));
+        let caution = RejectedWhole { rejected, built, code: first.code.clone(), path }.at(Place::File);
+        finding::general(&[caution], *language, terminal);
     }
     if let Some(failed) = &failed {
         finding::general(std::slice::from_ref(failed), *language, terminal);
@@ -202,84 +207,32 @@ fn ids(table: &Table) -> Vec<u64> {
     (0..table.rows()).filter_map(|row| cells.and_then(|cells| cells.number(row))).map(super::whole).collect()
 }
 
-/// Writes those of the best designs that are to be built as workbooks into a folder of their own, and builds them; gives the file of
-/// each of the best, as it is found from the folder above.
-fn build_top(
-    study: &Study<'_>,
-    kinds: &[&dyn Kind],
-    rows: &Rows<'_>,
-    (top, built): (&[u64], &[u64]),
-) -> Result<Vec<Option<String>>, Refusal> {
-    if built.is_empty() {
-        return Ok(vec![None; top.len()]);
-    }
-    let place = rows.place().join("top");
-    let folder = Folder::open(&place)?;
-    let build = |id: &u64| {
-        let wanted = built.contains(id).then(|| build_one(study, kinds, (&place, &folder), *id));
-        wanted.transpose().map(|name| name.map(|name| format!("top/{name}")))
-    };
-    top.iter().map(build).collect()
-}
-
-/// Writes a design as a workbook and builds it; gives the name of its results, or of the workbook itself where it is refused: then its
-/// programs were not read back for its row.
-fn build_one(
-    study: &Study<'_>,
-    kinds: &[&dyn Kind],
-    (place, folder): (&Path, &Folder),
-    id: u64,
-) -> Result<String, Refusal> {
-    let values = values(&study.base, &study.plan, &study.plan.design(id));
-    let stem = store::file_name(&store::stem(study.workbook), &format!("-{id:06}"));
-    let name = store::file_name(&stem, ".xlsx");
-    let held: Vec<_> = values.values.iter().map(|(key, value)| (*key, value.clone())).collect();
-    let note = Text::new(
-        format!("Diseño {id} de un barrido de {}", printable_path(study.workbook)),
-        format!("Design {id} of a sweep of {}", printable_path(study.workbook)),
-    );
-    let mut set = Set::new(folder, &[study.workbook], Existing::Replace);
-    set.write(&name, |out| template::write(study.kind, &held, &values.lists, &note, study.language, out))?;
-    set.commit()?;
-    let workbook = place.join(&name);
-    let item = Item { workbook: workbook.clone(), stem, folder: place.to_owned() };
-    let workbooks = [workbook];
-    let asked = Asked {
-        workbooks: &workbooks,
-        language: Some(study.language),
-        no_report: true,
-        templates: None,
-        typst: None,
-        into: false,
-        view: false,
-        tables: Tables::Live,
-    };
-    let made = build::made(&item, &Settings::of(&asked, None, kinds, Arc::default()), &|| false);
-    if !matches!(made.ending.exit, Exit::Done | Exit::Refused) {
-        return Err(Refusal { exit: made.ending.exit, findings: made.ending.findings });
-    }
-    let built = made.ending.files.iter().map(|file| file.name.to_string_lossy().into_owned());
-    let results = built.into_iter().find(|name| name.ends_with("-results.xlsx"));
-    Ok(results.unwrap_or_else(|| name.to_string_lossy().into_owned()))
-}
-
-/// Reasons with how many designs have each, and what each says: an objective, a constraint, or what the first design with it is told.
+/// Reasons with how many designs have each, and what each says of the first design with it: that an objective has no value, by how much a
+/// constraint is broken, or what it is told.
 fn coded(reasons: impl IntoIterator<Item = Reason>, study: &Study<'_>, rules: &[&Rule]) -> Vec<Coded> {
     let plan = &study.plan;
-    let what = |Reason { code, first, .. }: &Reason| {
+    let what = |Reason { code, first, value, margin, .. }: &Reason| {
         let code = code.as_str();
-        if plan.objectives.iter().any(|one| one.to_string() == code) {
-            t("el diseño no tiene valor de este objetivo", "the design has no value of this objective")
-        } else if plan.constraints.iter().any(|one| one.to_string() == code) {
-            t(
-                "no se cumple la restricción, o el diseño no tiene valor de ella",
-                "the constraint is broken, or the design has no value of it",
-            )
+        if let Some(objective) = plan.objectives.iter().find(|one| one.to_string() == code) {
+            of_design(*first, &unvalued(objective.measure.key))
+        } else if let Some(constraint) = plan.constraints.iter().find(|one| one.to_string() == code) {
+            let key = constraint.measure.key;
+            let unit = constraint.measure.unit.label();
+            let sized = |value: f64| format!("{} {unit}", short(value)).trim_end().to_owned();
+            let told = value.zip(*margin).map_or_else(
+                || unvalued(key),
+                |(value, margin)| {
+                    let (value, by) = (sized(value), sized(-margin));
+                    Text::new(
+                        format!("{key} es {value}; incumple {code} por {by}"),
+                        format!("{key} is {value}; it breaks {code} by {by}"),
+                    )
+                },
+            );
+            of_design(*first, &told)
         } else {
             match fault::guarded(|| told(study.kind, &study.base, plan, *first, code)) {
-                Ok(Some(Text { es, en })) => {
-                    Text::new(format!("diseño {first}: {es}"), format!("design {first}: {en}"))
-                }
+                Ok(Some(what)) => of_design(*first, &what),
                 _ => rules.iter().find(|rule| rule.code == code).map_or(t("", ""), |rule| rule.unfilled_what()),
             }
         }
@@ -287,28 +240,55 @@ fn coded(reasons: impl IntoIterator<Item = Reason>, study: &Study<'_>, rules: &[
     reasons.into_iter().map(|one| Coded { what: what(&one), code: one.code, count: one.count }).collect()
 }
 
-/// The cautions of the best designs, most first.
-fn cautions(top: &Table) -> Vec<Reason> {
+/// The cautions of the best designs, most first. Of those that were built whole each says what the build found.
+fn cautions(top: &Table, built: &[Option<Built>], study: &Study<'_>, rules: &[&Rule]) -> Vec<Coded> {
     let mut counts: BTreeMap<&str, Reason> = BTreeMap::new();
+    let mut whole: BTreeMap<&str, Text> = BTreeMap::new();
     let codes = top.column("codes");
-    for (text, first) in (0..top.rows()).zip(ids(top)).filter_map(|(row, id)| Some((codes?.text(row)?, id))) {
-        for code in text.split(';').filter(|code| !code.is_empty()) {
-            counts.entry(code).or_insert_with(|| Reason { code: code.to_owned(), count: 0, first }).count += 1;
+    for (row, (id, built)) in ids(top).into_iter().zip(built).enumerate() {
+        let of_row: BTreeSet<&str> = match built {
+            Some(built) => {
+                let found = built.findings.iter().filter(|one| one.grade == Grade::Caution);
+                found.map(|one| (one.code(), one)).for_each(|(code, one)| {
+                    whole.entry(code).or_insert_with(|| of_design(id, &one.what));
+                });
+                built.findings.iter().filter(|one| one.grade == Grade::Caution).map(Finding::code).collect()
+            }
+            None => codes.and_then(|codes| codes.text(row)).into_iter().flat_map(|text| text.split(';')).collect(),
+        };
+        for code in of_row.into_iter().filter(|code| !code.is_empty()) {
+            let first = || Reason { code: code.to_owned(), count: 0, first: id, value: None, margin: None };
+            counts.entry(code).or_insert_with(first).count += 1;
         }
     }
     let mut counts: Vec<Reason> = counts.into_values().collect();
     counts.sort_by(|one, other| other.count.cmp(&one.count).then_with(|| one.code.cmp(&other.code)));
-    counts
+    let mut coded = coded(counts, study, rules);
+    for one in &mut coded {
+        if let Some(what) = whole.remove(one.code.as_str()) {
+            one.what = what;
+        }
+    }
+    coded
 }
 
-fn write_book(
-    study: &Study<'_>,
-    results: &Results<'_>,
-    links: &[Option<String>],
-    folder: &Folder,
-    name: &OsStr,
-) -> Result<(), Refusal> {
-    let book = SweepBook { results: *results, links, language: study.language };
+/// What is said of a design that has no value of what is asked for.
+fn unvalued(key: &str) -> Text {
+    Text::new(format!("no tiene valor de {key}"), format!("it has no value of {key}"))
+}
+
+/// A number to six significant digits.
+fn short(value: f64) -> String {
+    format!("{value:.5e}").parse().map_or_else(|_| decimal(value), decimal)
+}
+
+/// What is said of a design.
+pub(super) fn of_design(id: u64, Text { es, en }: &Text) -> Text {
+    Text::new(format!("diseño {id}: {es}"), format!("design {id}: {en}"))
+}
+
+fn write_book(study: &Study<'_>, results: &Results<'_>, folder: &Folder, name: &OsStr) -> Result<(), Refusal> {
+    let book = SweepBook { results: *results, language: study.language };
     let mut set = Set::new(folder, &[study.workbook], Existing::Replace);
     set.write(name, |out| book.write(out)).map_err(|refusal| match refusal.exit {
         Exit::Fault => fault::refusal(&refusal.reason().en),

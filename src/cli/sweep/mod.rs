@@ -5,6 +5,7 @@ mod folder;
 mod merge;
 mod progress;
 mod slurm;
+mod top;
 mod work;
 
 use std::path::{Path, PathBuf};

@@ -26,7 +26,8 @@ const CHUNK_SECONDS: f64 = 300.0;
 const SCRIPT: &str = "sweep.sbatch";
 
 /// The script of a task. The shell stays beside the program, which may be killed: then the task is queued again, twice at most. What it
-/// has saved is gone on with.
+/// has saved is gone on with. One task of an array bears the array's own number as its `SLURM_JOB_ID`, and that number stands for all of
+/// them: a task is named by array and index.
 const TASK: &str = r#"#!/bin/bash
 # Written by `rodete sweep --submit slurm`: one chunk of a sweep, or the merge of all.
 # sbatch --array=0-39 sweep.sbatch works out chunks; sbatch sweep.sbatch merges.
@@ -45,7 +46,11 @@ fi
 wait $!
 end=$?
 if [ $end -ge 128 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt 2 ]; then
-    scontrol requeue "$SLURM_JOB_ID"
+    job=$SLURM_JOB_ID
+    if [ -n "${SLURM_ARRAY_TASK_ID:-}" ]; then
+        job=${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID
+    fi
+    scontrol requeue "$job"
     sleep 60
 fi
 exit $end
@@ -137,7 +142,10 @@ fn sbatch(own: &[OsString], further: &[OsString], script: &Path) -> Result<Strin
         .output()
         .map_err(|error| told(answer(&error)))?;
     if !out.status.success() {
-        return Err(told(answer::quoted(printable(String::from_utf8_lossy(&out.stderr).trim()))));
+        // Its lines stay lines.
+        let said = String::from_utf8_lossy(&out.stderr);
+        let lines: Vec<String> = said.lines().map(str::trim).filter(|line| !line.is_empty()).map(printable).collect();
+        return Err(told(answer::quoted(lines.join("\n"))));
     }
     // With several clusters the number is followed by the cluster's name.
     let text = String::from_utf8_lossy(&out.stdout);

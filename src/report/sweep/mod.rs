@@ -9,27 +9,26 @@ use serde::Serialize;
 use super::number;
 use super::stationery::Logo;
 use super::svg::{Dots, dots};
-use crate::figure::{Axes, Ink};
+use crate::figure::Axes;
 use crate::finding::Finding;
 use crate::kind::measure::{Level, Measure};
 use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value, Values, title_block};
 use crate::sweep::plan::{Input, Levels, Method, Spread};
-use crate::sweep::results::{Coded, Results};
+use crate::sweep::results::{Built, COLOURS, Coded, Results};
 use crate::sweep::table::{Cells, Column, FRONT};
 use crate::text::{Language, Text, t};
 use crate::typeset;
 use crate::typeset::characters::Words;
 use crate::typeset::compiler::Typst;
 use crate::typeset::failure::ReportFailure;
-use crate::typeset::pen::pen;
 
 /// The typst template.
 const TEMPLATE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/report-templates/sweep.typ"));
 /// Most rows of a table that are printed; the workbook has all.
 const ROWS: usize = 40;
-/// Most columns beside the first that a table has across a page; more stand in a table below.
-const ACROSS: usize = 11;
+/// Most columns beside the first two that a table has across a page; more stand in a table below.
+const ACROSS: usize = 10;
 /// Most values of a list that are named one by one.
 const NAMED: usize = 12;
 /// Most figures.
@@ -63,7 +62,7 @@ struct Contents {
     page: [String; 2],
     /// The title block, row by row: what it is, what is given, and how many of twelve columns it takes.
     block: Vec<(String, String, u8)>,
-    /// `note`, or `caution` where no design is feasible.
+    /// `note`, or `caution` where no design is feasible, or some of the best were rejected when they were built whole.
     grade: &'static str,
     verdict: String,
     chapters: Vec<Chapter>,
@@ -156,6 +155,7 @@ struct Setter<'a> {
 impl Setter<'_> {
     fn contents(&mut self) -> Contents {
         let Titled { sha256, values, logo, .. } = *self.titled;
+        let refuted = self.results.refuted().map(|one| format!(". {}", self.words.text(&one)));
         let chapters = vec![self.varied(), self.came_out(), self.best(), self.inputs(), self.cautions()];
         Contents {
             language: self.words.language.code(),
@@ -166,8 +166,8 @@ impl Setter<'_> {
             logo: logo.map(Logo::file),
             page: [t("Página", "Page"), t("de", "of")].map(|one| self.words.text(&one)),
             block: self.block(),
-            grade: if self.results.counts.feasible > 0 { "note" } else { "caution" },
-            verdict: self.words.text(&self.results.counted()),
+            grade: if self.results.counts.feasible > 0 && refuted.is_none() { "note" } else { "caution" },
+            verdict: self.words.text(&self.results.counted()) + &refuted.unwrap_or_default(),
             chapters: chapters.into_iter().filter(Chapter::filled).collect(),
         }
     }
@@ -369,12 +369,14 @@ impl Setter<'_> {
         for told in [
             self.results.listed(),
             t(
-                "●: está en el frente. Los generados están en la carpeta top como libros calculados; antes de cortar uno, lea su libro de resultados.",
-                "●: on the front. Those that are built are in the folder top as workbooks; before you cut one, read its results workbook.",
+                "●: está en el frente. La columna «generado» da el código por el que rodete rechaza el diseño al generarlo entero; los que generó están en la carpeta top como libros calculados: antes de cortar uno, lea su libro de resultados.",
+                "●: on the front. The column \"built\" has the code for which rodete rejects the design when it builds it whole; those that it built are in the folder top as workbooks: before you cut one, read its results workbook.",
             ),
         ] {
             chapter.paragraphs.push(self.words.text(&told));
         }
+        let of = u64::try_from(self.results.tried().0).unwrap_or_default();
+        chapter.tables.extend(self.codes(self.results.rejected, &t("rechazado por", "rejected for"), of));
         let shown = rows.min(ROWS);
         let filled = |column: &&Column| column.name == "id" || (0..rows).any(|row| has(&column.cells, row));
         let mut columns: Vec<&Column> = brief.columns.iter().filter(filled).collect();
@@ -383,11 +385,24 @@ impl Setter<'_> {
         let Some((first, others)) = columns.split_first() else { return chapter };
         for part in others.chunks(ACROSS) {
             let of_part: Vec<&Column> = std::iter::once(*first).chain(part.iter().copied()).collect();
-            let columns = of_part.iter().map(|one| self.column(one)).collect();
-            let rows = (0..shown).map(|row| of_part.iter().map(|one| self.cell(one, row)).collect()).collect();
+            let mut columns: Vec<Heading> = of_part.iter().map(|one| self.column(one)).collect();
+            let mut rows: Vec<Vec<String>> =
+                (0..shown).map(|row| of_part.iter().map(|one| self.cell(one, row)).collect()).collect();
+            // What the whole build said stands beside the index of every part.
+            columns.insert(1, self.heading(&t("generado", "built"), "", false));
+            rows.iter_mut().zip(self.results.built).for_each(|(row, built)| row.insert(1, self.whole(built.as_ref())));
             chapter.tables.push(Table { columns, rows, note: self.left_out(brief.rows()) });
         }
         chapter
+    }
+
+    /// What the whole build of a design said: yes, no, or the code that it was rejected for.
+    fn whole(&mut self, built: Option<&Built>) -> String {
+        match built.map(Built::stop) {
+            Some(Some(stop)) => stop.code().to_owned(),
+            Some(None) => self.words.text(&t("sí", "yes")),
+            None => self.words.text(&t("no", "no")),
+        }
     }
 
     fn column(&mut self, column: &Column) -> Heading {
@@ -456,14 +471,15 @@ impl Setter<'_> {
         let done = |row: usize| state.text(row) == Some("done");
         let (across, up, front) = (all.column(x)?, all.column(y)?, all.column(FRONT)?);
         let feasible = all.column("feasible")?;
+        // What is drawn last lies on top.
+        let [front_colour, best_colour, feasible_colour, broken_colour] = COLOURS;
         let kinds = [
-            (Ink::Thin, RADII[0], t("incumplen una restricción", "a constraint is broken")),
-            (Ink::Reverse, RADII[0], t("los demás diseños válidos", "other feasible designs")),
-            (Ink::Profile, RADII[1], t("otros de los mejores", "others of the best")),
-            (Ink::Obverse, RADII[1], t("el frente", "the front")),
+            (broken_colour, RADII[0], t("incumplen una restricción", "a constraint is broken")),
+            (feasible_colour, RADII[0], t("los demás diseños válidos", "other feasible designs")),
+            (best_colour, RADII[1], t("otros de los mejores", "others of the best")),
+            (front_colour, RADII[1], t("el frente", "the front")),
         ];
-        let mut clouds =
-            kinds.each_ref().map(|(ink, radius, _)| Dots { colour: pen(*ink).colour, radius: *radius, at: Vec::new() });
+        let mut clouds = kinds.each_ref().map(|(colour, radius, _)| Dots { colour, radius: *radius, at: Vec::new() });
         for (row, id) in ids(all).enumerate() {
             let kind = match (front.truth(row), best.contains(&id)) {
                 (true, _) => 3,
@@ -510,8 +526,8 @@ impl Setter<'_> {
         let mut texts: Vec<Text> = self.titled.notes.iter().map(|one| one.what.clone()).collect();
         if plan.level == Level::Limits {
             texts.push(t(
-                "Los diseños se han comprobado por sus límites derivados: sus programas no están comprobados.",
-                "The designs were checked by the derived limits: their programs are not checked.",
+                "Los diseños se han comprobado por sus límites derivados: los programas de los que no se han generado enteros no están comprobados.",
+                "The designs were checked by the derived limits: the programs of those that were not built whole are not checked.",
             ));
         }
         if cut {

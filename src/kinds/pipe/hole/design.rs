@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::figure::Paper;
-use crate::finding::{Finding, Raise, Size};
+use crate::finding::{Finding, Raise, Said, Size};
 use crate::gcode::control::{Control, Post};
 use crate::gcode::fields::rapids;
 use crate::gcode::machine_codes::{CodesPlace, refused_codes};
@@ -29,6 +29,7 @@ use crate::kinds::pipe::switching::{on_at_end, opposed};
 use crate::machine::rapids::Rapids;
 use crate::parameter::at;
 use crate::parameter::field::Fields;
+use crate::text::Language;
 
 /// A design that may be computed. Lengths in mm, angles in degrees.
 #[derive(Clone, Debug)]
@@ -223,7 +224,8 @@ impl Design {
         let (r, e) = (Size::mm(pair.r), Size::mm(self.e));
         let (g0, d0, wall) = (Size::mm(self.g0), Size::mm(self.d0), Size::mm(self.header.t));
         if self.h >= self.header.t {
-            findings.push(LandBeyondWall { h: Size::mm(self.h), wall }.at(at([H.key(), T_HEADER.key()])));
+            let h = Size::mm(self.h);
+            findings.push(against(LandBeyondWall { h, wall }.at(at([H.key(), T_HEADER.key()])), [h, wall]));
         } else if pair.overhang() >= 0.0 {
             // The hole must stay clear of the side; the last thousandth is as good as it.
             let most = ((pair.R - pair.r) * 1000.0 - 1.0).floor() / 1000.0;
@@ -238,19 +240,21 @@ impl Design {
             findings.push(told.at(at([OVERCUT.key()])));
         }
         if self.g0 >= self.d0 {
-            findings.push(GapBeyondHeight { g0, d0 }.at(at([G0.key(), D0.key()])));
+            findings.push(against(GapBeyondHeight { g0, d0 }.at(at([G0.key(), D0.key()])), [g0, d0]));
         }
         if self.R_g < self.r_g {
-            let told = BodyThinner { R_g: Size::mm(self.R_g), r_g: Size::mm(self.r_g) };
-            findings.push(told.at(at([TORCH_BODY_RADIUS.key(), NOZZLE_R_G.key()])));
+            let (R_g, r_g) = (Size::mm(self.R_g), Size::mm(self.r_g));
+            let told = BodyThinner { R_g, r_g }.at(at([TORCH_BODY_RADIUS.key(), NOZZLE_R_G.key()]));
+            findings.push(against(told, [R_g, r_g]));
         }
         if self.D_max < self.d0 {
-            let told = LimitBelowHeight { D_max: Size::mm(self.D_max), d0 };
-            findings.push(told.at(at([D_MAX.key(), D0.key()])));
+            let D_max = Size::mm(self.D_max);
+            findings.push(against(LimitBelowHeight { D_max, d0 }.at(at([D_MAX.key(), D0.key()])), [D_max, d0]));
         }
         if self.kerf < 2.0 * self.m - 1e-9 {
-            let told = KerfFinerThanBeam { kerf: Size::mm(self.kerf), beam: Size::mm(2.0 * self.m) };
-            findings.push(told.at(at([KERF.key(), M.key()])));
+            let (kerf, beam) = (Size::mm(self.kerf), Size::mm(2.0 * self.m));
+            let told = KerfFinerThanBeam { kerf, beam }.at(at([KERF.key(), M.key()]));
+            findings.push(against(told, [kerf, beam]));
         }
         if self.kerf / 2.0 + self.lead_in >= pair.r {
             let told = LeadInPastAxis { way: Size::mm(self.kerf / 2.0 + self.lead_in), r };
@@ -281,4 +285,9 @@ impl Design {
         findings.extend(on_at_end(&self.torch_on, &self.end_codes));
         findings
     }
+}
+
+/// A finding with what was found and its limit.
+fn against(told: Finding, [found, limit]: [Size; 2]) -> Finding {
+    told.with(found.said(Language::En), limit.said(Language::En))
 }
