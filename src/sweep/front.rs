@@ -56,6 +56,8 @@ pub fn front(mut candidates: Vec<Candidate>) -> (Vec<Candidate>, bool) {
 mod tests {
     use super::super::chance::{drawn, unit};
     use super::*;
+    use crate::kind::measure::Measure;
+    use crate::table::Unit;
 
     /// Every candidate against every other.
     fn by_force(candidates: &[Candidate]) -> Vec<u64> {
@@ -93,8 +95,8 @@ mod tests {
     /// Designs that are mirrored or turned come to the same but for the last digits.
     #[test]
     fn designs_that_differ_by_rounding_alone_stay_together_and_none_betters_in_a_circle() {
-        let measure = &crate::kinds::KINDS[0].measures()[0];
-        let objectives = [false, true].map(|most| crate::sweep::objective::Objective { measure, most });
+        static MEASURE: Measure = Measure::read_back("V", Unit::CubicMillimetre);
+        let objectives = [false, true].map(|most| crate::sweep::objective::Objective { measure: &MEASURE, most });
         let of = |id: u64, values: [f64; 2]| {
             let costs = objectives.iter().zip(values).map(|(one, value)| one.cost(value)).collect();
             Candidate { id, costs }

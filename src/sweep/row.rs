@@ -102,6 +102,18 @@ pub fn judged(kind: &dyn Kind, base: &Values, plan: &Plan, id: u64, inputs: Vec<
     row
 }
 
+/// What is said of a design, with its number.
+#[must_use]
+pub fn of_design(id: u64, Text { es, en }: &Text) -> Text {
+    Text::new(format!("diseño {id}: {es}"), format!("design {id}: {en}"))
+}
+
+/// The same of what a finding says.
+#[must_use]
+pub fn says(id: u64, finding: &Finding) -> Text {
+    of_design(id, &finding.what)
+}
+
 /// What a design is told under a code, worked out anew; `None` where it is not.
 #[must_use]
 pub fn told(kind: &dyn Kind, base: &Values, plan: &Plan, id: u64, code: &str) -> Option<Text> {

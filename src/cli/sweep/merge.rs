@@ -31,7 +31,7 @@ use crate::sweep::indices::Indices;
 use crate::sweep::plan::Plan;
 use crate::sweep::ranking::{Ranked, Ranking, Reason};
 use crate::sweep::results::{Built, Coded, Results};
-use crate::sweep::row::told;
+use crate::sweep::row::{of_design, says, told};
 use crate::sweep::rules::{FrontCut, NoneDone, RejectedWhole};
 use crate::sweep::sensitivity::{Shares, around, most};
 use crate::sweep::table::{Cells, Column, FRONT, Table};
@@ -250,7 +250,7 @@ fn cautions(top: &Table, built: &[Option<Built>], study: &Study<'_>, rules: &[&R
             Some(built) => {
                 let found = built.findings.iter().filter(|one| one.grade == Grade::Caution);
                 found.map(|one| (one.code(), one)).for_each(|(code, one)| {
-                    whole.entry(code).or_insert_with(|| of_design(id, &one.what));
+                    whole.entry(code).or_insert_with(|| says(id, one));
                 });
                 built.findings.iter().filter(|one| one.grade == Grade::Caution).map(Finding::code).collect()
             }
@@ -263,13 +263,8 @@ fn cautions(top: &Table, built: &[Option<Built>], study: &Study<'_>, rules: &[&R
     }
     let mut counts: Vec<Reason> = counts.into_values().collect();
     counts.sort_by(|one, other| other.count.cmp(&one.count).then_with(|| one.code.cmp(&other.code)));
-    let mut coded = coded(counts, study, rules);
-    for one in &mut coded {
-        if let Some(what) = whole.remove(one.code.as_str()) {
-            one.what = what;
-        }
-    }
-    coded
+    let coded = coded(counts, study, rules).into_iter();
+    coded.map(|one| whole.remove(one.code.as_str()).map_or(one.clone(), |what| Coded { what, ..one })).collect()
 }
 
 /// What is said of a design that has no value of what is asked for.
@@ -280,11 +275,6 @@ fn unvalued(key: &str) -> Text {
 /// A number to six significant digits.
 fn short(value: f64) -> String {
     format!("{value:.5e}").parse().map_or_else(|_| decimal(value), decimal)
-}
-
-/// What is said of a design.
-pub(super) fn of_design(id: u64, Text { es, en }: &Text) -> Text {
-    Text::new(format!("diseño {id}: {es}"), format!("design {id}: {en}"))
 }
 
 fn write_book(study: &Study<'_>, results: &Results<'_>, folder: &Folder, name: &OsStr) -> Result<(), Refusal> {

@@ -8,13 +8,12 @@ use super::super::build::{self, Asked, Settings};
 use super::super::plan::Item;
 use super::Study;
 use super::folder::Rows;
-use super::merge::of_design;
 use crate::escape::printable_path;
 use crate::finding::{Exit, Grade, Refusal};
 use crate::kind::Kind;
 use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::results::{Built, Coded};
-use crate::sweep::row::{codes, values};
+use crate::sweep::row::{codes, says, values};
 use crate::sweep::table::{Cells, Table};
 use crate::text::Text;
 use crate::workbook::results::Tables;
@@ -110,7 +109,7 @@ pub(super) fn rejected(top: &[u64], built: &[Option<Built>]) -> Vec<Coded> {
     let mut counts: BTreeMap<&str, Coded> = BTreeMap::new();
     let stops = top.iter().zip(built).filter_map(|(id, built)| Some((*id, built.as_ref()?.stop()?)));
     for (id, stop) in stops {
-        let first = || Coded { code: stop.code().to_owned(), what: of_design(id, &stop.what), count: 0 };
+        let first = || Coded { code: stop.code().to_owned(), what: says(id, stop), count: 0 };
         counts.entry(stop.code()).or_insert_with(first).count += 1;
     }
     let mut counts: Vec<Coded> = counts.into_values().collect();
