@@ -240,6 +240,8 @@ fn enclosing(values: &Values, program: &text::SheetProgram) -> Result<Stock, Ref
         X = X.max(motion.to.get(Axis::X).abs());
         Z = Z.min(motion.to.get(Axis::Z));
     }
+    // Where nothing is cut at feed the bar is thick enough to need no tailstock.
+    let X = if X > 0.0 { X } else { 7.0 };
     let (D, L) = ((2.0 * X).ceil().clamp(1.0, 1000.0), ((-Z).ceil() + 5.0 + HELD).clamp(40.0, 1000.0));
     Ok(Stock { D, L, d: None })
 }

@@ -1,6 +1,6 @@
 //! A part with its programs, as it is shown.
 
-use crate::finding::{Finding, Place, Refusal};
+use crate::finding::{Finding, Grade, Place, Refusal};
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::Program;
 use crate::kind::Proved;
@@ -38,7 +38,12 @@ pub(super) fn scene(
         let mut shown = ShownProgram::new(program.title.clone(), program.control, frame, &program.text());
         shown.rapids = program.account.rapids;
         shown.tools.extend(part.iter().filter(|_| !turning).flat_map(|part| part.tools.clone()));
-        shown.remarks.extend(findings.iter().filter(|finding| belongs(finding, program.key)).map(Remark::from));
+        shown.remarks.extend(
+            findings
+                .iter()
+                .filter(|finding| belongs(finding, program.key, scene.programs.is_empty()))
+                .map(Remark::from),
+        );
         let mut setting = setting(program);
         if !turning && !program.finds_its_start() {
             // The machine is taken there by hand, as the set-up sheet says.
@@ -58,10 +63,11 @@ pub(super) fn scene(
     Ok(scene)
 }
 
-/// True for a finding about a program, or one about the whole.
-fn belongs(finding: &Finding, key: &str) -> bool {
+/// True for a finding about a program, or one about the whole: of these a person must see the grave ones with every program, and
+/// the notes with the first.
+fn belongs(finding: &Finding, key: &str, first: bool) -> bool {
     match finding.place {
         Place::Block { program, .. } => program == key,
-        _ => true,
+        _ => first || finding.grade > Grade::Note,
     }
 }

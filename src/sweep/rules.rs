@@ -268,10 +268,10 @@ rules! {
         remedy "con level = limits, ponga level = program, que los rechaza antes de elegir los mejores; la hoja MEJORES de {path} dice por qué cada uno", "with level = limits, set level = program, which rejects them before the best are chosen; the sheet TOP of {path} says why each one";
         why "Con level = limits rodete no relee ningún programa: no ve lo que solo un programa muestra, tampoco si corta otro álabe.", "With level = limits rodete reads no program back: it does not see what only a program shows, not even a cut into another blade.";
         example Example::Made { key: "sweep-rejected-whole", how: t("un barrido con level = limits de álabes tan gruesos que la herramienta corta el vecino", "a sweep with level = limits of blades so thick that the tool cuts the neighbour") };
-    "D0210" OtherWorkbook Stop { path: String, other: Text }
+    "D0210" OtherWorkbook Stop { path: String, other: String }
         es "{path} contiene filas de otro libro, {other}"
         en "{path} holds rows of another workbook, {other}"
         remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
-        why "--fresh borra lo que dejó este libro, y no los resultados de otro.", "--fresh removes what this workbook left, and not the results of another one.";
+        why "Las filas de dos libros no caben en una carpeta, y --fresh solo borra lo que dejó este.", "The rows of two workbooks do not fit into one folder, and --fresh removes what this one left alone.";
         example Example::Made { key: "sweep-other-workbook", how: t("sweep --fresh en una carpeta con las filas de otro libro", "sweep --fresh into a folder with the rows of another workbook") };
 }

@@ -163,6 +163,13 @@ fn to_begin_anew_removes_nothing_of_another_workbook() {
     fs::write(at.join("a.xlsx"), book("program")).unwrap();
     assert!(String::from_utf8(sweep(at, "-o s --limit 20").stderr).unwrap().contains("error D0201: "));
     assert!(done(at, "-o s --limit 20 --fresh").starts_with("20 designs: "));
+    // A plan that names no workbook, as earlier versions wrote it, may be of this one.
+    let plan = at.join("s/plan.json");
+    let mut told: serde_json::Value = serde_json::from_slice(&fs::read(&plan).unwrap()).unwrap();
+    assert_eq!(told.as_object_mut().unwrap().remove("workbook").unwrap(), "a.xlsx");
+    fs::write(&plan, told.to_string()).unwrap();
+    assert!(String::from_utf8(sweep(at, "-o s --limit 21").stderr).unwrap().contains("error D0201: "));
+    assert!(done(at, "-o s --limit 21 --fresh").starts_with("21 designs: "));
 }
 
 #[test]

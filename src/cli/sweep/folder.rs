@@ -21,7 +21,6 @@ use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::file;
 use crate::sweep::rules::{ChunkTorn, ChunksMissing, OtherChunks, OtherPlan, OtherWorkbook};
 use crate::sweep::table::Table;
-use crate::text::{Text, t};
 
 const PLAN: &str = "plan.json";
 /// The key in the plan's file of the workbook's name: whose rows and sheets are in the folder.
@@ -75,9 +74,9 @@ impl<'a> Rows<'a> {
             // A copy under another name has the same plan and rows; what is to be removed must be of this very name.
             let same = opening != Opening::Anew && known.get("plan") == Some(&told);
             let named = known.get(WORKBOOK).and_then(Value::as_str);
-            if !same && named != Some(&own) {
-                let other =
-                    named.map_or(t("que no se nombra", "which is not named"), |named| Text::same(printable(named)));
+            // What is of no named workbook may be of this one.
+            if let Some(named) = named.filter(|named| !same && *named != own) {
+                let other = printable(named);
                 return Err(OtherWorkbook { path: path(), other }.refused(Exit::Refused, Place::File));
             }
         }

@@ -290,6 +290,7 @@ fn outcome(
             contours: &drawn.part,
             tolerance: given.setup.tolerance,
             second: followed.len() > 1,
+            threaded: followed.iter().any(|one| one.simulation.threaded()),
             most_work: left,
         };
         let (told, undone) = compared(&part, &profile, &mut quantities);

@@ -13,7 +13,7 @@ use crate::parameter::Parameter;
 use crate::parameter::field::{Entry, Fields};
 use crate::removal::turning::deviation::{CHORDS, Profile, Span, Unmeasured, deviation};
 use crate::table::{Quantity, Unit};
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// The wanted profile of the sheet; `None` where there is none.
 ///
@@ -85,6 +85,8 @@ pub(super) struct Comparison<'c> {
     pub(super) tolerance: f64,
     /// It was turned about: they are in coordinates of the second set-up.
     pub(super) second: bool,
+    /// A thread was cut: a profile has none, so that its groove is missing metal, and may hide other.
+    pub(super) threaded: bool,
     /// How many steps of work are left.
     pub(super) most_work: u64,
 }
@@ -126,10 +128,16 @@ pub(super) fn compared(
         t("", "")
     };
     let limit = explained(part.tolerance);
-    let missing = (under > limit).then(|| {
+    let missing = (under > limit && !part.threaded).then(|| {
         let told = MetalMissing { held: held.clone(), under: size(under), least: least.clone() }.at(Place::File);
         told.with(format!("{} mm", shown(under, 4)), format!("≤ {} mm", shown(limit, 4)))
     });
+    let held = if part.threaded {
+        let Text { es, en } = held;
+        Text::new(format!("{es}, con la rosca como metal que falta"), format!("{en}, with the thread as missing metal"))
+    } else {
+        held
+    };
     let note = Compared { held, over: size(over), most, under: size(under), least }.at(Place::File);
     (missing.into_iter().chain([note]).collect(), false)
 }
@@ -144,7 +152,7 @@ mod tests {
         let r = 10.0 - under;
         let contours = [vec![[-50.0, 0.0], [0.0, 0.0], [0.0, r], [-50.0, r]]];
         let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
-        let part = Comparison { contours: &contours, tolerance: 0.0002, second, most_work: 1_000_000 };
+        let part = Comparison { contours: &contours, tolerance: 0.0002, second, threaded: false, most_work: 1_000_000 };
         compared(&part, &profile, &mut Vec::new()).0
     }
 
@@ -158,6 +166,17 @@ mod tests {
         }
         let found = told(1.0, false);
         assert!(found[0].what.en.contains("up to 1 mm is missing (X20 Z-1)"), "{:?}", found[0].what);
+    }
+
+    #[test]
+    fn the_groove_of_a_thread_is_told_by_the_note_alone() {
+        let contours = [vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 9.0], [-50.0, 9.0]]];
+        let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
+        let part =
+            Comparison { contours: &contours, tolerance: 0.0002, second: false, threaded: true, most_work: 1_000_000 };
+        let (found, _) = compared(&part, &profile, &mut Vec::new());
+        assert!(found.len() == 1 && found[0].is(Compared::RULE), "{found:?}");
+        assert!(found[0].what.en.contains("with the thread as missing metal"), "{:?}", found[0].what);
     }
 
     #[test]

@@ -307,5 +307,5 @@ rules! {
             "correct the program there (X, Z, G41 or G42, the nose in TOOLS), or the profile";
         why "El metal que falta deja la pieza inservible: no se puede volver a poner.",
             "Missing metal scraps the part: it cannot be put back.";
-        example book!("lathe", "PROFILE!A6" = "'1", "PROFILE!B6" = "22", "PROFILE!C6" = "-3", "PROFILE!A7" = "'1", "PROFILE!B7" = "22", "PROFILE!C7" = "-24");
+        example book!("lathe", "PROGRAM!A43" = "(no thread)", "PROGRAM!A44" = "(no thread)", "PROFILE!A6" = "'1", "PROFILE!B6" = "22", "PROFILE!C6" = "-3", "PROFILE!A7" = "'1", "PROFILE!B7" = "22", "PROFILE!C7" = "-24");
 }

@@ -127,6 +127,11 @@ impl Watch {
         self.threads.passes()
     }
 
+    /// True where a thread has been cut.
+    pub const fn threaded(&self) -> bool {
+        self.threads.any()
+    }
+
     /// The alarms of passes that left the groove of their thread; see [`Threads::off_groove`].
     pub fn off_groove(&self) -> Vec<Alarm> {
         self.threads.off_groove()

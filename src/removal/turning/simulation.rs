@@ -269,6 +269,12 @@ impl Simulation {
             })
     }
 
+    /// True where a thread has been cut.
+    #[must_use]
+    pub const fn threaded(&self) -> bool {
+        self.watch.threaded()
+    }
+
     /// The same work on from here, but in rapid motions each axis goes at its own of these rates, X and Z.
     #[must_use]
     pub fn bent(&self, rates: [f64; 2]) -> Self {

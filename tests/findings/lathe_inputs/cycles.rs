@@ -22,6 +22,23 @@ fn simulated(dialect: &str, blocks: &str) -> (f64, Vec<u64>) {
     (document["totals"]["removed_volume_mm3"].as_f64().unwrap(), lines)
 }
 
+/// Without a stock rodete takes one, which no rejected cycle gives a size.
+#[test]
+fn a_program_whose_first_cut_is_a_rejected_cycle_is_told_no_collision() {
+    let blocks = ["G71 P10 Q20 U0.4 W0.1 D2000 F0.25"].into_iter().chain(CONTOUR.split('|'));
+    let text: Vec<&str> =
+        HEAD.into_iter().chain(["G0 X52. Z2."]).chain(blocks).chain(["G0 X100. Z100.", "M30"]).collect();
+    let (document, exit) = simulate(&text.join("\n"), &[], &["--dialect", "fanuc-lathe-a"]);
+    let codes: Vec<&str> = document["findings"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|one| one["grade"] == "stop")
+        .filter_map(|one| one["code"].as_str())
+        .collect();
+    assert_eq!((exit, codes), (3, vec!["G0128"]), "{document}");
+}
+
 #[test]
 fn nothing_is_made_behind_a_rejected_cycle_whatever_it_is_rejected_for() {
     const FANUC_CYCLES: &[&str] = &[
