@@ -3,6 +3,7 @@
 use crate::finding::{Finding, Grade};
 use crate::kind::Kind;
 use crate::kind::measure::Level;
+use crate::parameter::field::Chosen;
 use crate::sweep::indices::LEAST;
 use crate::sweep::plan::Plan;
 use crate::sweep::ranking::Counts;
@@ -144,19 +145,36 @@ impl Results<'_> {
         })
     }
 
-    /// What the designs were judged by, where a whole build knows more.
+    /// What the designs were judged by, as the end of a sentence.
     #[must_use]
-    pub fn judged(&self) -> Text {
+    pub fn judged_by(&self) -> Text {
         match self.plan.level {
             Level::Limits => t(
-                "Juzgado con level = limits, por los límites derivados: ningún programa se ha releído, y un diseño que aquí vale puede rechazarse al generarlo entero.",
-                "Judged with level = limits, by the derived limits: no program was read back, and a design that is good here may be rejected when it is built whole.",
+                "por los límites derivados: ningún programa se ha releído",
+                "by the derived limits: no program was read back",
             ),
             Level::Program => t(
-                "Juzgado con level = program: los programas, releídos, con todas las comprobaciones.",
-                "Judged with level = program: the programs, read back, with all checks.",
+                "por los programas, releídos, con todas las comprobaciones",
+                "by the programs, read back, with all checks",
             ),
         }
+    }
+
+    /// The same in full, and where a whole build knows more.
+    #[must_use]
+    pub fn judged(&self) -> Text {
+        let (level, by) = (self.plan.level.key(), self.judged_by());
+        let [es, en] = match self.plan.level {
+            Level::Limits => [
+                ", y un diseño que aquí vale puede rechazarse al generarlo entero",
+                ", and a design that is good here may be rejected when it is built whole",
+            ],
+            Level::Program => ["", ""],
+        };
+        Text::new(
+            format!("Juzgado con level = {level}, {}{es}.", by.es),
+            format!("Judged with level = {level}, {}{en}.", by.en),
+        )
     }
 
     /// What the best designs are, and which of them are built.

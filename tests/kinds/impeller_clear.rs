@@ -147,6 +147,10 @@ fn rounded_ends_are_judged_and_their_rests_told() {
         let root = outcome.quantities.iter().find(|one| one.symbol == "root_height").unwrap().value;
         assert!(root >= r_cf / 3.0, "{root}");
         assert_eq!(told(&outcome, "rounded end").is_some(), root >= 2.0);
+        // What is left above the corner has no figure where there is nothing above it.
+        for symbol in ["rest_above", "rest_obverse", "rest_reverse"] {
+            assert_eq!(quantity(&outcome, symbol).is_none(), root >= 2.0, "{symbol}");
+        }
         let finish = common::program(&outcome, "finish");
         assert!(finish.contains(end) && finish.contains("CORNER RADIUS"), "{}", &finish[..600]);
         assert_eq!(common::program(&outcome, "rough").contains("FLAT END MILL"), r_c == 0.0);
@@ -164,10 +168,13 @@ fn one_tool_for_both_is_told_of_once_and_sticks_out_alike() {
         ];
         let made = common::outcome("full", &[&usual, changes].concat());
         assert_eq!(End::of(&made.findings, false), End::Whole, "{:?}", made.findings);
-        ["P1209", "P1214"].map(|code| made.findings.iter().filter(|finding| finding.code() == code).count())
+        ["P1209", "P1214", "P1230"].map(|code| made.findings.iter().filter(|finding| finding.code() == code).count())
     };
-    assert_eq!(one(&[]), [1, 1]);
-    assert_eq!(one(&[("l_t", Value::Real(60.0)), ("d_h", Value::Real(30.0))]), [0, 1]);
+    assert_eq!(one(&[]), [1, 1, 0]);
+    assert_eq!(one(&[("l_t", Value::Real(60.0)), ("d_h", Value::Real(30.0))]), [0, 1, 0]);
+    // The same corner radius says nothing else.
+    assert_eq!(one(&[("r_c", Value::Real(0.5)), ("r_cf", Value::Real(0.5))]), [1, 1, 0]);
+    assert_eq!(one(&[("r_cf", Value::Real(0.5))]), [1, 1, 1]);
 }
 
 #[test]
@@ -204,6 +211,25 @@ fn the_largest_tool_for_a_rest_does_not_depend_on_the_one_that_is_given() {
     // It leaves no more, and one a tenth larger does.
     let left = |d_f: f64| quantity(&outcome(&[("d_f", Value::Real(d_f))]), "root_height").unwrap();
     assert!(left(d) <= 0.4 && left(d + 0.1) > 0.4, "{d} {} {}", left(d), left(d + 0.1));
+}
+
+#[test]
+fn the_largest_tool_for_a_rest_finds_room_round_the_splitters() {
+    let splitters = ("splitters", Value::Choice("yes"));
+    let asked = outcome(&[splitters.clone(), ("h_r", Value::Real(2.0))]);
+    let what = told(&asked, "left in the corner of face and floor").unwrap();
+    let d: f64 = what.split("end mill is ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    let with = |d: f64| refused(&quick(&[splitters.clone(), ("d_f", Value::Real(d))]));
+    assert!((4.0..6.0).contains(&d) && with(d).is_none() && with(d + 0.05).is_some(), "{what}");
+}
+
+#[test]
+fn numbers_of_many_passes_in_one_place_fit_into_the_figure() {
+    let outcome = common::outcome("clear", &[("r_c", Value::Real(2.9)), ("s_w", Value::Real(0.0))]);
+    let figure = outcome.figures.iter().find(|figure| figure.key == "roughing").expect("a figure");
+    let longest = figure.labels.iter().map(|label| label.text.en.chars().count()).max();
+    assert!(longest.is_some_and(|longest| longest < 20), "{longest:?}");
+    assert!(figure.labels.iter().any(|label| label.text.en.contains('…')), "{:?}", figure.labels);
 }
 
 #[test]

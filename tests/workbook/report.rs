@@ -438,6 +438,14 @@ mod embedded {
         }
         assert!(sticking.contains("Diameter 2·R 50 mm"), "{sticking}");
         assert!(sticking.contains("B and C show 0 before each program"), "{sticking}");
+        // A rounded end has a name, too.
+        assert!(sticking.contains("Roughing tool: Flat end mill"), "{sticking}");
+        let round =
+            [("r_c", 3.0), ("r_cf", 0.5), ("c_s", 0.1), ("tol", 0.03)].map(|(key, size)| (key, Value::Real(size)));
+        let Some(round) = sheet(&round) else { return };
+        for told in ["Roughing tool: Ball end mill", "Finishing tool: Bull-nose end mill"] {
+            assert!(round.contains(told), "{told}: {round}");
+        }
         let linuxcnc = |rotary: &'static str| {
             sheet(&[
                 ("dialect", Value::Choice("linuxcnc")),

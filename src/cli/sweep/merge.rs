@@ -249,10 +249,10 @@ fn cautions(top: &Table, built: &[Option<Built>], study: &Study<'_>, rules: &[&R
         let of_row: BTreeSet<&str> = match built {
             Some(built) => {
                 let found = built.findings.iter().filter(|one| one.grade == Grade::Caution);
-                found.map(|one| (one.code(), one)).for_each(|(code, one)| {
-                    whole.entry(code).or_insert_with(|| says(id, one));
-                });
-                built.findings.iter().filter(|one| one.grade == Grade::Caution).map(Finding::code).collect()
+                found
+                    .inspect(|one| _ = whole.entry(one.code()).or_insert_with(|| says(id, one)))
+                    .map(Finding::code)
+                    .collect()
             }
             None => codes.and_then(|codes| codes.text(row)).into_iter().flat_map(|text| text.split(';')).collect(),
         };

@@ -3,11 +3,11 @@
 //! The rows are taken from the control itself. A field without a row, and a value without a text, do not compile.
 
 use super::{
-    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, CommentForm,
-    Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange, FeedPath,
-    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius,
-    NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode,
-    RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
+    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
+    FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
+    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
+    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -25,45 +25,180 @@ pub struct Feature {
     pub does: Text,
 }
 
+/// Features as they are told one after the other.
+#[derive(Default)]
+struct Features(Vec<Feature>);
+
+impl Features {
+    fn row(&mut self, of: Text, does: Text) {
+        self.0.push(Feature { of, does });
+    }
+
+    fn text(&mut self, text: &TextForm) {
+        let TextForm { opening, comment, end_of_line, greatest_number, memory } = text;
+        self.row(t("primera línea", "first line"), opening.told());
+        self.row(t("comentarios que se escriben", "comments as written"), comment.told());
+        self.row(t("fin de línea", "end of a line"), Text::same(end_of_line.replace('\r', "CR ").replace('\n', "LF")));
+        self.row(t("mayor número de bloque N", "largest block number N"), Text::same(greatest_number.to_string()));
+        self.row(
+            t("memoria para un programa", "memory for one program"),
+            Text::new(format!("{memory} bytes, más allá una precaución"), format!("{memory} bytes, a caution beyond")),
+        );
+    }
+
+    fn lexis(&mut self, lexis: &Lexis) {
+        let Lexis {
+            letters,
+            refused,
+            free,
+            negative,
+            dwell,
+            language,
+            comments,
+            delete,
+            percent,
+            mark,
+            empty,
+            greatest_number,
+            decimals,
+            point,
+            longest_line,
+            most_machine_codes,
+            builders,
+        } = lexis;
+        self.row(t("letras, además de G, M y N", "letters, besides G, M and N"), letters.told());
+        self.row(t("letras que rodete rechaza", "letters that rodete rejects"), refused.told());
+        self.row(t("letras que no necesitan un código", "letters that need no code"), free.told());
+        self.row(
+            t(
+                "letras de F, S, T, D, L y Q que pueden ser negativas",
+                "letters of F, S, T, D, L and Q that may be negative",
+            ),
+            negative.told(),
+        );
+        self.row(t("tiempo de espera (G4)", "time of a dwell (G4)"), dwell_words(dwell));
+        self.row(t("además de palabras", "besides words"), language.told());
+        self.row(t("comentarios que se leen", "comments as read"), comments.told());
+        self.row(t("salto de bloque", "block delete"), delete.told());
+        self.row(t("principio y fin del texto", "begin and end of the text"), percent.told());
+        self.row(t("marca de orden de bytes (BOM)", "byte order mark (BOM)"), mark.told());
+        self.row(t("bloque sin palabras", "block without words"), empty.told());
+        self.row(
+            t("mayor número de bloque que se lee", "largest block number as read"),
+            Text::same(greatest_number.to_string()),
+        );
+        self.row(t("decimales de una cota", "decimals of a dimension"), decimals.told());
+        self.row(t("cota sin punto decimal", "dimension without a decimal point"), point.told());
+        self.row(t("mayor longitud de una línea", "longest line"), Text::same(longest_line.to_string()));
+        self.row(t("códigos M en un bloque", "M codes in a block"), at_most(*most_machine_codes));
+        self.row(t("códigos M del fabricante en un bloque", "the builder's M codes in a block"), builders.told());
+    }
+
+    fn start(&mut self, start: &Start, drilling: Drilling) {
+        let Start { motion, feed, plane, retract } = start;
+        let retract = match drilling {
+            Drilling::None => t("ningún ciclo", "no cycle"),
+            Drilling::Rs274 | Drilling::Lathe => retract.told(),
+        };
+        self.row(t("al empezar: movimiento", "at the start: motion"), motion.told());
+        self.row(t("al empezar: avance", "at the start: feed"), feed.told());
+        self.row(t("al empezar: plano", "at the start: plane"), Text::same(plane.name()));
+        self.row(t("al empezar: retirada de los ciclos", "at the start: retract of cycles"), retract);
+    }
+
+    fn geometry(&mut self, axes: &AxisWords, arcs: &ArcWords) {
+        let AxisWords { x, increments } = axes;
+        let ArcWords { letters, across, negative, radii } = arcs;
+        self.row(t("palabra X", "word X"), x.told());
+        self.row(t("cotas incrementales", "incremental dimensions"), increments.told());
+        self.row(t("letras de un arco, además de los ejes", "letters of an arc, besides the axes"), letters.told());
+        self.row(
+            t("palabra de centro a través del plano (K en G17)", "centre word across the plane (K in G17)"),
+            across.told(),
+        );
+        self.row(t("R negativo de un arco", "negative R of an arc"), negative.told());
+        self.row(t("diferencia de los radios de un arco", "difference of the radii of an arc"), radii.told());
+    }
+
+    fn rates(&mut self, rotary: &RotaryRule, feed: &FeedRule, letters: Letters) {
+        let RotaryRule { delivered, rollover } = rotary;
+        // Codes have tables of their own, those of F among them.
+        let FeedRule { law, codes: _, missing, change, path } = feed;
+        let rotary_axes = ['A', 'B', 'C'].into_iter().any(|axis| letters.has(axis as u8 - b'A'));
+        let turned = |does: Text| if rotary_axes { does } else { t("ningún eje giratorio", "no rotary axis") };
+        self.row(t("ejes giratorios como se entrega", "rotary axes as delivered"), turned(delivered.told()));
+        self.row(t("palabra absoluta de un eje rollover", "absolute word of a rollover axis"), turned(rollover.told()));
+        self.row(
+            t("F de ejes lineales y giratorios juntos", "F of linear and rotary axes together"),
+            turned(law.told()),
+        );
+        self.row(t("avance sin F", "feed move without F"), missing.told());
+        self.row(t("F cuando un código cambia lo que significa", "F where a code changes its meaning"), change.told());
+        self.row(t("ejes a los que pertenece F", "axes that F belongs to"), path.told());
+    }
+
+    fn spindle(&mut self, spindle: &SpindleRule, codes: &Codes) {
+        let SpindleRule { turns, limit } = spindle;
+        self.row(t("el husillo gira", "the spindle turns"), turns.told());
+        self.row(
+            t("límite de giro con velocidad de corte constante", "speed limit under constant surface speed"),
+            coded(
+                codes,
+                G::ConstantSurfaceSpeed,
+                match limit {
+                    SpeedLimit::Word => t("D de G96", "D of G96"),
+                    SpeedLimit::Code => match codes.names(G::SetPositionOrSpeed).as_slice() {
+                        [] => no_code(),
+                        names => Text::new(
+                            format!("{} con S sola", names.join(", ")),
+                            format!("{} with S alone", names.join(", ")),
+                        ),
+                    },
+                },
+            ),
+        );
+    }
+
+    fn written(&mut self, written: Option<&Writing>) {
+        let writing =
+            |told: fn(&Writing) -> Text| written.map_or_else(|| t("no se escribe", "nothing is written"), told);
+        self.row(
+            t("se escribe: bloque de seguridad", "written: safety block"),
+            writing(|writing| Text::same(block(&writing.safety_block()))),
+        );
+        self.row(
+            t("se escribe: llamada de la herramienta", "written: call of a tool"),
+            writing(|writing| {
+                Text::same(writing.tool.blocks(1, 1).iter().map(|words| block(words)).collect::<Vec<_>>().join(", "))
+            }),
+        );
+        self.row(
+            t("se escribe: control de altura", "written: height control"),
+            writing(|writing| writing.height.told()),
+        );
+    }
+}
+
 impl Control {
     /// Every feature, in the order of the fields: of every control as many, each at the same place.
     #[must_use]
     pub fn features(&self) -> Vec<Feature> {
-        // Sources are a list of their own, codes tables, those of F among them; here these only tell whether a rule is ever asked.
+        // Sources are a list of their own, codes tables; here these only tell whether a rule is ever asked.
         let Self {
             name: _,
             sources: _,
             codes,
             machine_code,
-            text: TextForm { opening, comment, end_of_line, greatest_number, memory },
+            text,
             class,
-            lexis:
-                Lexis {
-                    letters,
-                    refused,
-                    free,
-                    negative,
-                    dwell,
-                    language,
-                    comments,
-                    delete,
-                    percent,
-                    mark,
-                    empty,
-                    greatest_number: greatest_read,
-                    decimals,
-                    point,
-                    longest_line,
-                    most_machine_codes,
-                    builders,
-                },
-            start: Start { motion, feed: feed_at_start, plane, retract },
+            lexis,
+            start,
             order,
-            axes: AxisWords { x, increments },
-            arcs: ArcWords { letters: arc_letters, across, negative: negative_radius, radii },
-            rotary: RotaryRule { delivered, rollover },
-            feed: FeedRule { law, codes: _, missing, change: feed_change, path },
-            spindle: SpindleRule { turns, limit },
+            axes,
+            arcs,
+            rotary,
+            feed,
+            spindle,
             tool,
             change,
             length,
@@ -78,126 +213,41 @@ impl Control {
             written,
             alarms,
         } = self;
-        let no_code = || t("ningún código", "no code");
-        let coded = |code: G, does: Text| if codes.has(code) { does } else { no_code() };
-        let rotary_axes = ['A', 'B', 'C'].into_iter().any(|axis| letters.has(axis as u8 - b'A'));
-        let turned = |does: Text| if rotary_axes { does } else { t("ningún eje giratorio", "no rotary axis") };
-        let cycles = |does: Text| match drilling {
-            Drilling::None => t("ningún ciclo", "no cycle"),
-            Drilling::Rs274 | Drilling::Lathe => does,
-        };
-        let mut features = Vec::new();
-        let mut row = |of: Text, does: Text| features.push(Feature { of, does });
-        row(t("clase", "class"), class.told());
-        row(t("primera línea", "first line"), opening.told());
-        row(t("comentarios que se escriben", "comments as written"), comment.told());
-        row(t("fin de línea", "end of a line"), Text::same(end_of_line.replace('\r', "CR ").replace('\n', "LF")));
-        row(t("mayor número de bloque N", "largest block number N"), Text::same(greatest_number.to_string()));
-        row(
-            t("memoria para un programa", "memory for one program"),
-            Text::new(format!("{memory} bytes, más allá una precaución"), format!("{memory} bytes, a caution beyond")),
-        );
-        row(t("letras, además de G, M y N", "letters, besides G, M and N"), letters.told());
-        row(t("letras que rodete rechaza", "letters that rodete rejects"), refused.told());
-        row(t("letras que no necesitan un código", "letters that need no code"), free.told());
-        row(
-            t(
-                "letras de F, S, T, D, L y Q que pueden ser negativas",
-                "letters of F, S, T, D, L and Q that may be negative",
-            ),
-            negative.told(),
-        );
-        row(t("tiempo de espera (G4)", "time of a dwell (G4)"), dwell_words(dwell));
-        row(t("además de palabras", "besides words"), language.told());
-        row(t("comentarios que se leen", "comments as read"), comments.told());
-        row(t("salto de bloque", "block delete"), delete.told());
-        row(t("principio y fin del texto", "begin and end of the text"), percent.told());
-        row(t("marca de orden de bytes (BOM)", "byte order mark (BOM)"), mark.told());
-        row(t("bloque sin palabras", "block without words"), empty.told());
-        row(
-            t("mayor número de bloque que se lee", "largest block number as read"),
-            Text::same(greatest_read.to_string()),
-        );
-        row(t("decimales de una cota", "decimals of a dimension"), decimals.told());
-        row(t("cota sin punto decimal", "dimension without a decimal point"), point.told());
-        row(t("mayor longitud de una línea", "longest line"), Text::same(longest_line.to_string()));
-        row(t("códigos M en un bloque", "M codes in a block"), at_most(*most_machine_codes));
-        row(t("códigos M del fabricante en un bloque", "the builder's M codes in a block"), builders.told());
-        row(t("al empezar: movimiento", "at the start: motion"), motion.told());
-        row(t("al empezar: avance", "at the start: feed"), feed_at_start.told());
-        row(t("al empezar: plano", "at the start: plane"), Text::same(plane.name()));
-        row(t("al empezar: retirada de los ciclos", "at the start: retract of cycles"), cycles(retract.told()));
-        row(t("orden de un bloque", "order of a block"), order.told());
-        row(t("palabra X", "word X"), x.told());
-        row(t("cotas incrementales", "incremental dimensions"), increments.told());
-        row(t("letras de un arco, además de los ejes", "letters of an arc, besides the axes"), arc_letters.told());
-        row(
-            t("palabra de centro a través del plano (K en G17)", "centre word across the plane (K in G17)"),
-            across.told(),
-        );
-        row(t("R negativo de un arco", "negative R of an arc"), negative_radius.told());
-        row(t("diferencia de los radios de un arco", "difference of the radii of an arc"), radii.told());
-        row(t("ejes giratorios como se entrega", "rotary axes as delivered"), turned(delivered.told()));
-        row(t("palabra absoluta de un eje rollover", "absolute word of a rollover axis"), turned(rollover.told()));
-        row(t("F de ejes lineales y giratorios juntos", "F of linear and rotary axes together"), turned(law.told()));
-        row(t("avance sin F", "feed move without F"), missing.told());
-        row(t("F cuando un código cambia lo que significa", "F where a code changes its meaning"), feed_change.told());
-        row(t("ejes a los que pertenece F", "axes that F belongs to"), path.told());
-        row(t("el husillo gira", "the spindle turns"), turns.told());
-        row(
-            t("límite de giro con velocidad de corte constante", "speed limit under constant surface speed"),
-            coded(
-                G::ConstantSurfaceSpeed,
-                match limit {
-                    SpeedLimit::Word => t("D de G96", "D of G96"),
-                    SpeedLimit::Code => match codes.names(G::SetPositionOrSpeed).as_slice() {
-                        [] => no_code(),
-                        names => Text::new(
-                            format!("{} con S sola", names.join(", ")),
-                            format!("{} with S alone", names.join(", ")),
-                        ),
-                    },
-                },
-            ),
-        );
-        row(t("llamada de la herramienta", "call of a tool"), tool.told());
-        row(
+        let mut features = Features::default();
+        features.row(t("clase", "class"), class.told());
+        features.text(text);
+        features.lexis(lexis);
+        features.start(start, *drilling);
+        features.row(t("orden de un bloque", "order of a block"), order.told());
+        features.geometry(axes, arcs);
+        features.rates(rotary, feed, lexis.letters);
+        features.spindle(spindle, codes);
+        features.row(t("llamada de la herramienta", "call of a tool"), tool.told());
+        features.row(
             t("M6 cambia", "M6 changes in"),
             if machine_code(6) == Some(M::ToolChange) { change.told() } else { t("nada", "nothing") },
         );
-        row(t("letra del corrector de longitud", "letter of a length offset"), length.told());
-        row(t("orígenes", "offsets"), offsets.told());
-        row(t("en vigor tras G80", "in force after G80"), coded(G::Cancel, cancel.told()));
-        row(
+        features.row(t("letra del corrector de longitud", "letter of a length offset"), length.told());
+        features.row(t("orígenes", "offsets"), offsets.told());
+        features.row(t("en vigor tras G80", "in force after G80"), coded(codes, G::Cancel, cancel.told()));
+        features.row(
             t("cotas de máquina (G53)", "machine coordinates (G53)"),
-            coded(G::MachineCoordinates, machine_move.told()),
+            coded(codes, G::MachineCoordinates, machine_move.told()),
         );
-        row(t("punto de referencia", "reference point"), reference.told());
-        row(t("esquinas entre líneas", "corners between lines"), corners.told());
-        row(t("G41 y G42", "G41 and G42"), radius.told());
-        row(t("ciclos de taladrado", "drilling cycles"), drilling.told());
-        row(t("subprogramas", "subprograms"), by.told());
-        row(
+        features.row(t("punto de referencia", "reference point"), reference.told());
+        features.row(t("esquinas entre líneas", "corners between lines"), corners.told());
+        features.row(t("G41 y G42", "G41 and G42"), radius.told());
+        features.row(t("ciclos de taladrado", "drilling cycles"), drilling.told());
+        features.row(t("subprogramas", "subprograms"), by.told());
+        features.row(
             t("subprogramas, unos dentro de otros", "subprograms inside one another"),
             match by {
                 CallBy::Nothing => t("ninguno", "none"),
                 CallBy::Label | CallBy::Number => at_most(*depth),
             },
         );
-        let writing =
-            |told: fn(&Writing) -> Text| written.map_or_else(|| t("no se escribe", "nothing is written"), told);
-        row(
-            t("se escribe: bloque de seguridad", "written: safety block"),
-            writing(|writing| Text::same(block(&writing.safety_block()))),
-        );
-        row(
-            t("se escribe: llamada de la herramienta", "written: call of a tool"),
-            writing(|writing| {
-                Text::same(writing.tool.blocks(1, 1).iter().map(|words| block(words)).collect::<Vec<_>>().join(", "))
-            }),
-        );
-        row(t("se escribe: control de altura", "written: height control"), writing(|writing| writing.height.told()));
-        row(
+        features.written(*written);
+        features.row(
             t("alarmas con su número", "alarms by their numbers"),
             match alarms {
                 Some(AlarmFamily::Fanuc) => t("de Fanuc", "Fanuc's"),
@@ -205,8 +255,17 @@ impl Control {
                 None => t("ninguna", "none"),
             },
         );
-        features
+        features.0
     }
+}
+
+/// What a code does, where a control has it.
+fn coded(codes: &Codes, code: G, does: Text) -> Text {
+    if codes.has(code) { does } else { no_code() }
+}
+
+fn no_code() -> Text {
+    t("ningún código", "no code")
 }
 
 /// Words as they stand in a block.

@@ -36,7 +36,7 @@ use crate::kind::{Chapters, Drawing, End, Kind, Outcome, Provenance, Shown, Soli
 use crate::kinds::lathe::drawn::Drawn;
 use crate::kinds::lathe::follow::{Begins, Followed, follow, late};
 use crate::kinds::lathe::parameters::{self as form, FORM, PROGRAM_KEY, SECOND_KEY};
-use crate::kinds::lathe::profile::{Comparison, compared, wanted};
+use crate::kinds::lathe::profile::{Comparison, Wanted, compared, wanted};
 use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NothingInTheJaws};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
@@ -46,7 +46,6 @@ use crate::number::shown;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form, at};
 use crate::removal::turning::alarm::Alarm;
-use crate::removal::turning::deviation::Profile;
 use crate::removal::turning::simulation::{Setup, Simulation};
 use crate::removal::turning::step::Step;
 use crate::text::{Language, t};
@@ -196,7 +195,7 @@ pub fn watched(
         wrong.extend(setup::without_rule(&fields));
         wrong.extend(text::twice(&fields));
     }
-    let profile = wanted(&fields).map_err(|finding| wrong.push(*finding)).unwrap_or_default();
+    let wanted = wanted(&fields).map_err(|finding| wrong.push(*finding)).unwrap_or_default();
     let given = match Given::of(&fields) {
         Ok(given) if wrong.is_empty() => given,
         Ok(_) => return Err(refused(wrong)),
@@ -222,7 +221,7 @@ pub fn watched(
     };
     let mut followed: Vec<Followed> = std::iter::once(one).chain(two).collect();
     late(&mut followed, watch);
-    Ok(outcome(fields, source, &given, followed, profile))
+    Ok(outcome(fields, source, &given, followed, wanted))
 }
 
 fn refused(findings: Vec<Finding>) -> Refusal {
@@ -258,7 +257,7 @@ fn outcome(
     source: Provenance,
     given: &Given,
     mut followed: Vec<Followed>,
-    profile: Option<Profile>,
+    wanted: Option<Wanted>,
 ) -> Simulated {
     let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
@@ -280,11 +279,11 @@ fn outcome(
         .collect();
     drawn.chuck = paths.last().map(|(drawn, _)| drawn.chuck.clone()).unwrap_or_default();
     let (mut lines, mut arcs) = (Vec::new(), Vec::new());
-    let wanted = ("profile", Shown::Whether(profile.is_some()));
+    let profiled = ("profile", Shown::Whether(wanted.is_some()));
     let mut endless = followed.iter().any(|one| one.endless);
     // Where a program was not followed to its end, or not made, there is no part yet to be compared.
     let made = !endless && !followed.iter().any(|one| one.uncut);
-    if let Some(profile) = profile.filter(|_| made) {
+    if let Some(wanted) = wanted.filter(|_| made) {
         let left = followed.last().map_or(0, |one| one.simulation.work_left());
         let part = Comparison {
             contours: &drawn.part,
@@ -293,12 +292,12 @@ fn outcome(
             threaded: followed.iter().any(|one| one.simulation.threaded()),
             most_work: left,
         };
-        let (told, undone) = compared(&part, &profile, &mut quantities);
+        let (told, undone) = compared(&part, &wanted, &mut quantities);
         findings.extend(told);
         findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
         endless = undone;
-        drawn.wanted = profile.points().unwrap_or_default();
-        (lines, arcs) = profile.drawn();
+        drawn.wanted = wanted.profile.points().unwrap_or_default();
+        (lines, arcs) = wanted.profile.drawn();
     }
     let contour = figures::contour(&drawn.part, lines);
     let alarms = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.alarms)).collect();
@@ -334,7 +333,7 @@ fn outcome(
             .collect(),
         solids: vec![Solid { key: "part", contours: drawn.part.clone(), tolerance: TOLERANCE }],
         scene: None,
-        setup: [("supported", Shown::Whether(supported)), wanted]
+        setup: [("supported", Shown::Whether(supported)), profiled]
             .into_iter()
             .chain(second)
             .chain(grip.into_iter().flatten())

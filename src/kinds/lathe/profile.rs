@@ -1,6 +1,6 @@
 //! The wanted profile of a turning's workbook, and how the part compares with it.
 
-use crate::finding::{Finding, Place, Raise, Size};
+use crate::finding::{CellPlace, Finding, Place, Raise, Size};
 use crate::geometry::exact::region::Ring;
 use crate::kinds::lathe::parameters::{Element, PROFILE_G, PROFILE_KEY, PROFILE_R, PROFILE_X, PROFILE_Z};
 use crate::kinds::lathe::rules::{
@@ -15,11 +15,26 @@ use crate::removal::turning::deviation::{CHORDS, Profile, Span, Unmeasured, devi
 use crate::table::{Quantity, Unit};
 use crate::text::{Text, t};
 
+/// The wanted profile, and where it stands on the sheet.
+pub(super) struct Wanted {
+    pub(super) profile: Profile,
+    /// The cells of each span's end, X and Z.
+    cells: Vec<Vec<CellPlace>>,
+}
+
+impl Wanted {
+    /// The cells of the span that is nearest to a point, `[z, r]` in mm.
+    fn row(&self, point: [f64; 2]) -> Place {
+        let cells = self.profile.nearest(point).and_then(|span| self.cells.get(span));
+        cells.map_or(Place::File, |cells| Place::Cells(cells.clone()))
+    }
+}
+
 /// The wanted profile of the sheet; `None` where there is none.
 ///
 /// # Errors
 /// The cells of a profile that has one point only, and of an arc without a radius or one that does not reach its end.
-pub(super) fn wanted(fields: &Fields) -> Result<Option<Profile>, Box<Finding>> {
+pub(super) fn wanted(fields: &Fields) -> Result<Option<Wanted>, Box<Finding>> {
     let mut rows = fields.rows(PROFILE_KEY).peekable();
     let point = |row: &Entry<'_>| [row.get(&PROFILE_Z), row.get(&PROFILE_X) / 2.0];
     let stop =
@@ -29,9 +44,11 @@ pub(super) fn wanted(fields: &Fields) -> Result<Option<Profile>, Box<Finding>> {
         return stop(&first, &PROFILE_G.row, &ProfileOfOnePoint {});
     }
     let mut profile = Profile { start: point(&first), spans: Vec::new() };
+    let mut cells = Vec::new();
     let mut from = profile.start;
     for row in rows {
         let to = point(&row);
+        cells.push([row.cell(&PROFILE_X.row), row.cell(&PROFILE_Z.row)].concat());
         let clockwise = match row.get(&PROFILE_G) {
             Element::Clockwise => true,
             Element::CounterClockwise => false,
@@ -58,7 +75,7 @@ pub(super) fn wanted(fields: &Fields) -> Result<Option<Profile>, Box<Finding>> {
         profile.spans.push(span);
         from = to;
     }
-    Ok(Some(profile))
+    Ok(Some(Wanted { profile, cells }))
 }
 
 /// The most by which what is programmed and what is written as the profile are off for being written in thousandths of a millimetre, mm.
@@ -92,12 +109,8 @@ pub(super) struct Comparison<'c> {
 }
 
 /// How the part compares with the wanted profile, as quantities and findings, and whether that was left undone for want of work.
-pub(super) fn compared(
-    part: &Comparison<'_>,
-    profile: &Profile,
-    quantities: &mut Vec<Quantity>,
-) -> (Vec<Finding>, bool) {
-    let contours = part.contours;
+pub(super) fn compared(part: &Comparison<'_>, wanted: &Wanted, quantities: &mut Vec<Quantity>) -> (Vec<Finding>, bool) {
+    let (contours, profile) = (part.contours, &wanted.profile);
     let found = match deviation(contours, profile, part.most_work) {
         Ok(found) => found,
         Err(Unmeasured::Gone) => {
@@ -129,7 +142,8 @@ pub(super) fn compared(
     };
     let limit = explained(part.tolerance);
     let missing = (under > limit && !part.threaded).then(|| {
-        let told = MetalMissing { held: held.clone(), under: size(under), least: least.clone() }.at(Place::File);
+        let told = MetalMissing { held: held.clone(), under: size(under), least: least.clone() };
+        let told = told.at(found.under.map_or(Place::File, |(_, place)| wanted.row(place)));
         told.with(format!("{} mm", shown(under, 4)), format!("≤ {} mm", shown(limit, 4)))
     });
     let held = if part.threaded {
@@ -151,9 +165,33 @@ mod tests {
     fn told(under: f64, second: bool) -> Vec<Finding> {
         let r = 10.0 - under;
         let contours = [vec![[-50.0, 0.0], [0.0, 0.0], [0.0, r], [-50.0, r]]];
-        let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
         let part = Comparison { contours: &contours, tolerance: 0.0002, second, threaded: false, most_work: 1_000_000 };
-        compared(&part, &profile, &mut Vec::new()).0
+        compared(&part, &line([-40.0, 10.0]), &mut Vec::new()).0
+    }
+
+    /// A cell of the sheet.
+    fn cell(cell: &str) -> CellPlace {
+        CellPlace { sheet: "PROFILE".to_owned(), cell: cell.to_owned() }
+    }
+
+    /// A profile of one line.
+    fn line(to: [f64; 2]) -> Wanted {
+        let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line(to)] };
+        Wanted { profile, cells: vec![vec![cell("B6"), cell("C6")]] }
+    }
+
+    #[test]
+    fn missing_metal_is_told_at_the_row_of_its_span() {
+        // Straight at radius 10, a quarter of a circle inwards, and on at radius 8; metal is missing from one of them.
+        let arc = Span::Arc { to: [-22.0, 8.0], radius: 2.0, clockwise: false };
+        let spans = vec![Span::Line([-20.0, 10.0]), arc, Span::Line([-40.0, 8.0])];
+        let rows = [["B6", "C6"], ["B7", "C7"], ["B8", "C8"]];
+        let cells = rows.map(|row| row.map(cell).to_vec());
+        let wanted = Wanted { profile: Profile { start: [-1.0, 10.0], spans }, cells: cells.to_vec() };
+        for (at, row) in [([-10.0, 9.0], 0), ([-18.0, 10.5], 0), ([-20.6, 8.4], 1), ([-30.0, 7.0], 2)] {
+            assert_eq!(wanted.row(at), Place::Cells(cells[row].clone()), "{at:?}");
+        }
+        assert_eq!(told(1.0, false)[0].place, Place::Cells(vec![cell("B6"), cell("C6")]));
     }
 
     #[test]
@@ -171,10 +209,9 @@ mod tests {
     #[test]
     fn the_groove_of_a_thread_is_told_by_the_note_alone() {
         let contours = [vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 9.0], [-50.0, 9.0]]];
-        let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
         let part =
             Comparison { contours: &contours, tolerance: 0.0002, second: false, threaded: true, most_work: 1_000_000 };
-        let (found, _) = compared(&part, &profile, &mut Vec::new());
+        let (found, _) = compared(&part, &line([-40.0, 10.0]), &mut Vec::new());
         assert!(found.len() == 1 && found[0].is(Compared::RULE), "{found:?}");
         assert!(found[0].what.en.contains("with the thread as missing metal"), "{:?}", found[0].what);
     }

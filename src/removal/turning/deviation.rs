@@ -98,6 +98,18 @@ impl Profile {
         Some(points)
     }
 
+    /// The span nearest to a point, `[z, r]` in mm, counted from 0; of two that are as near, the first. `None` for a profile without spans.
+    #[must_use]
+    pub fn nearest(&self, at: [f64; 2]) -> Option<usize> {
+        let mut start = self.start;
+        let apart = self.spans.iter().map(|&span| {
+            let points = Self { start, spans: vec![span] }.points().unwrap_or_default();
+            start = points.last().copied().unwrap_or(start);
+            points.windows(2).map(|pair| beside(at, pair[0], pair[1])).fold(f64::INFINITY, f64::min)
+        });
+        apart.enumerate().min_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(span, _)| span)
+    }
+
     /// The profile as drawn: its straight lines, and its arcs.
     #[must_use]
     pub fn drawn(&self) -> (Vec<Vec<[f64; 2]>>, Vec<Arc>) {

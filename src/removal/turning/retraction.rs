@@ -62,6 +62,11 @@ fn blade_wedge(tool: &TurningTool, pieces: &[Piece]) -> f64 {
     if straight { side_relief(width, depth) * depth + TOUCH } else { 0.0 }
 }
 
+/// True where a blade goes straight back. Behind that, too, all that it covers is free of metal: what it met, it took away.
+pub fn straight_back(tool: &TurningTool, pieces: &[Piece]) -> bool {
+    blade_wedge(tool, pieces) > 0.0
+}
+
 /// True where a tool goes from where it has worked towards the side on which its own body lies.
 pub fn retracts(tool: &TurningTool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Piece]) -> bool {
     let body = tool.tip.mirror();

@@ -9,7 +9,7 @@ use super::engagement::{Engagement, Led, Ready, WITHIN};
 use super::motion_totals::{Tally, travel};
 use super::once::Watch;
 use super::path::{self, Piece};
-use super::retraction::retracts;
+use super::retraction::{retracts, straight_back};
 use super::rules::{ArcTolerance, PartBeyondSpace, ToolWithoutOutline};
 use super::spindle::SpindleUse;
 pub use super::start::Setup;
@@ -42,7 +42,7 @@ pub struct Simulation {
     fallen: Vec<Labelled>,
     /// The thread that the last motion cut.
     led: Option<Led>,
-    /// The tool that stands where it worked last, `[z, r]` on the grid.
+    /// The tool that stands where it worked last, or straight behind that, `[z, r]` on the grid.
     stands: Option<(u32, [f64; 2])>,
     /// What made the part's surfaces.
     chain: Chain,
@@ -316,8 +316,16 @@ impl Simulation {
 
         let mut contact = Contact::default();
         let begins = !self.led.is_some_and(|led| led.leads(control.tool, start));
-        let removed =
-            if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
+        let leaves = self.tools.get(&control.tool).zip(self.stands).map(|(ready, stands)| {
+            let leaves = retracts(&ready.tool, stands, control.tool, &pieces);
+            (leaves, leaves && straight_back(&ready.tool, &pieces))
+        });
+        let (leaves, back) = leaves.unwrap_or_default();
+        let removed = if pieces.is_empty() {
+            Removed::default()
+        } else {
+            self.cut(&pieces, leaves, control, &mut contact, &mut tally)
+        };
         self.judge(control, &pieces, begins, &contact, &mut tally);
         if begins && contact.real && motion.kind != MotionKind::Rapid {
             self.watch.run_in(control.tool, &pieces, &mut tally);
@@ -333,7 +341,8 @@ impl Simulation {
         let speed = [turning.at(program_start), turning.at(program_end)];
         let cuts = contact.real && motion.kind != MotionKind::Rapid;
         if !pieces.is_empty() {
-            self.stands = (motion.kind != MotionKind::Rapid).then_some((control.tool, to));
+            // A blade that goes straight back in several rapids meets in each of them what its own sides have left.
+            self.stands = (motion.kind != MotionKind::Rapid || back).then_some((control.tool, to));
         }
         let cutting_speed = if cuts { tally.speed } else { 0.0 };
         let rate = match seconds {
@@ -369,14 +378,20 @@ impl Simulation {
     }
 
     /// Takes away what the tool sweeps, and looks where the rest of it goes.
-    fn cut(&mut self, pieces: &[Piece], control: &InForce, contact: &mut Contact, tally: &mut Tally) -> Removed {
+    fn cut(
+        &mut self,
+        pieces: &[Piece],
+        leaves: bool,
+        control: &InForce,
+        contact: &mut Contact,
+        tally: &mut Tally,
+    ) -> Removed {
         let removed = Removed::default();
         let Some(ready) = self.tools.get(&control.tool) else { return removed };
         let kind = tally.motion.kind;
         if !matches!(kind, MotionKind::Feed(_) | MotionKind::Arc(..)) {
             self.chain.end();
         }
-        let leaves = self.stands.is_some_and(|stands| retracts(&ready.tool, stands, control.tool, pieces));
         let mut engagement = Engagement {
             place: control.tool,
             ready,

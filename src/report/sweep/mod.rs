@@ -202,16 +202,7 @@ impl Setter<'_> {
         let plan = self.results.plan;
         let (count, seed) = (plan.count, plan.seed);
         let method = plan.method.key();
-        let judged = match plan.level {
-            Level::Limits => t(
-                "por sus límites derivados: ningún programa se ha releído",
-                "by the derived limits: no program was read back",
-            ),
-            Level::Program => t(
-                "por sus programas, releídos, con todas las comprobaciones",
-                "by the programs, read back, with all checks",
-            ),
-        };
+        let judged = self.results.judged_by();
         let chance = if matches!(plan.method, Method::Latin | Method::Sobol | Method::Saltelli) {
             Text::new(format!(", seed = {seed}"), format!(", seed = {seed}"))
         } else {

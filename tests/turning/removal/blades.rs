@@ -282,6 +282,12 @@ fn a_blade_that_scrapes_its_own_wedge_in_rapid_stops_with_the_remedy_that_helps(
         assert!((alarm.depth.unwrap() - wedge(deep)).abs() < 1e-5, "{alarm:?}");
         assert_eq!((alarm.cause, alarm.cause.grade()), (Cause::BladeWedge, Grade::Stop));
     }
+    // In several rapids it is the same wedge; aside from the second on, it is more.
+    for (z, cause) in [(-30.0, Cause::BladeWedge), (-30.05, Cause::RapidInMetal)] {
+        let two = outside(5.0).rapid(46.0, -30.0).rapid(54.0, z).raised();
+        let causes: Vec<Cause> = two.iter().map(|alarm| alarm.cause).collect();
+        assert_eq!(causes, [Cause::BladeWedge, cause], "{two:?}");
+    }
     // What the remedy names helps.
     outside(5.0).cut(54.0, -30.0).silent();
     outside(5.0).rapid(40.0, -29.8).rapid(54.0, -29.8).silent();

@@ -41,6 +41,8 @@ pub struct Asked {
     pub finish: Mill,
     /// d_f, T_f and D_f as they stand in the form.
     pub given: (Option<f64>, Option<u32>, Option<u32>),
+    /// r_cf as it stands there.
+    pub given_corner: Option<f64>,
     /// h_r, the height of rest that is allowed in the corners; `None` where it is not asked about.
     pub root: Option<f64>,
 }
@@ -96,7 +98,7 @@ impl Asked {
             stages,
         };
         let root = fields.get(&fields::ROOT);
-        Some(Self { cut, tolerance, finish, given, root })
+        Some(Self { cut, tolerance, finish, given, given_corner: r_cf, root })
     }
 }
 

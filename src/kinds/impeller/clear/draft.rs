@@ -22,7 +22,7 @@ use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
 use crate::kinds::impeller::clear::root::BESIDE;
 use crate::kinds::impeller::clear::round::Round;
-use crate::kinds::impeller::clear::scallop::Ridge;
+use crate::kinds::impeller::clear::scallop::{LAPPED, Ridge};
 use crate::kinds::impeller::clear::told::{By, Dropped, ToolTold};
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::gap::over_tops;
@@ -34,8 +34,6 @@ use crate::number::trig::{atan2, hypot, sin_cos};
 
 /// The feed into the full.
 pub(super) const SLOT_FEED: f64 = 0.5;
-/// The part of its width by which a tool steps from lane to lane at most.
-const LAPPED: f64 = 0.9;
 /// Pairs of lanes that are looked at side by side.
 const AHEAD: usize = 16;
 /// Places along a face at which its error is looked at.
@@ -58,16 +56,9 @@ pub(super) fn ridge(contacts: &Contacts, q: f64) -> Ridge {
     Ridge::at(&contacts.lane, v_at(q), tan / (1.0 + tan * tan).sqrt())
 }
 
-/// The steps between lanes that leave ridges no higher than c, and no strip between the ends of two neighbours: the law of the
-/// ridges holds as far as an end reaches along the parallel.
+/// The steps between lanes that leave ridges no higher than c, and no strip between the ends of two neighbours.
 fn ridges(contacts: &Contacts, c: f64) -> u32 {
-    let OwnNormal { torus, r_f, tool, .. } = contacts.lane;
-    let reach = match tool.flat_radius() {
-        flat if flat > 0.0 => LAPPED * flat + (2.0 * tool.r_c * c).sqrt(),
-        _ => f64::INFINITY,
-    };
-    let widest = |q: f64| ridge(contacts, q).turn(c).min(2.0 * reach / (torus.R + r_f * sin_cos(v_at(q)).1));
-    steps(contacts.greatest(|q| contacts.room(q) / widest(q)) - 1e-9)
+    steps(contacts.greatest(|q| contacts.room(q) / ridge(contacts, q).turn(c)) - 1e-9)
 }
 
 /// The sine of the greatest angle of the lanes to the parallel at a station.

@@ -20,7 +20,7 @@ use crate::kinds::impeller::solids::Stock;
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::shown;
 use crate::parameter::at;
-use crate::text::{Language, Text, t};
+use crate::text::{Language, Text, all_of, t};
 
 /// The least that must be left of ε beside the rounding, mm.
 const LEFT: f64 = 0.001;
@@ -132,29 +132,67 @@ pub(in crate::kinds::impeller) fn too_long(program: Text, blocks: u64) -> Option
     let told = TooManyClearBlocks { program, blocks, most: CLEAR_BLOCKS };
     (blocks > CLEAR_BLOCKS).then(|| {
         missed(
-            told.at(at([form::TOL.key(), fields::SCALLOP.key(), fields::FEED_CHANGE.key(), fields::LEVEL.key()])),
+            told.at(at([
+                form::TOL.key(),
+                fields::SCALLOP.key(),
+                fields::STEP.key(),
+                fields::FEED_CHANGE.key(),
+                form::D_T.key(),
+                fields::D_F.key(),
+                fields::LEVEL.key(),
+            ])),
             blocks,
             CLEAR_BLOCKS,
         )
     })
 }
 
+/// What of the finishing tool stands in the form without its diameter.
+fn not_read(asked: &Asked) -> Option<Finding> {
+    let (d_f, T_f, D_f) = asked.given;
+    let cells = [
+        (fields::CORNER_F.key(), asked.given_corner.is_some_and(|r_cf| r_cf != asked.cut.rough.r_c)),
+        (fields::T_F.key(), T_f.is_some()),
+        (fields::OFFSET_F.key(), D_f.is_some()),
+    ];
+    let filled: Vec<Key> =
+        cells.into_iter().filter(|(_, filled)| *filled && d_f.is_none()).map(|(key, _)| key).collect();
+    if filled.is_empty() {
+        return None;
+    }
+    let cells = all_of(filled.iter().map(|key| Text::same(key.symbol())));
+    let told = FinishingCellsNotRead { cells, r_c: Size::mm(asked.cut.rough.r_c) };
+    Some(told.at(Place::Parameters([fields::D_F.key()].into_iter().chain(filled).collect())))
+}
+
 /// The largest flat finishing tool whose whole plan leaves no more in the corner than is allowed, in steps of 0.05 mm, sought between
 /// one that leaves as little by its passes along the faces alone and one that is known to leave more. The floor's passes take of the
-/// corner, too, so that a larger tool may do.
+/// corner, too, so that a larger tool may do; round the splitters there may be room for a smaller one alone.
 fn by_plans(job: &Job, asked: &Asked, first: Option<f64>, too_large: Option<f64>) -> Option<f64> {
-    let (first, allowed) = (first?, asked.root?);
-    let keeps = |steps: f64| {
-        let cut = Cut { finish: Tool::flat(steps / STEPS_A_MM), ..asked.cut };
-        Plan::new(job, &cut).is_ok_and(|plan| plan.told.root.height <= allowed)
+    let (mut first, allowed) = (first?, asked.root?);
+    let plan = |d: f64| Plan::new(job, &Cut { finish: Tool::flat(d), ..asked.cut });
+    let keeps = |plan: &Result<Plan, DoesNotFit>| {
+        plan.as_ref().is_ok_and(|Plan { told, .. }| told.no_splitter.is_none() && told.root.height <= allowed)
     };
+    let mut tried = plan(first);
+    let room = match &tried {
+        Ok(plan) => plan.told.no_splitter.map(|none| none.largest),
+        Err(why) => Some(why.largest),
+    };
+    if let Some(room) = room {
+        first = room.filter(|room| *room < first)?;
+        tried = plan(first);
+    }
+    if !keeps(&tried) {
+        return None;
+    }
     let mut good = (first * STEPS_A_MM).floor();
     // No finishing tool is wider than the roughing tool, which is tried itself.
     let mut bad = too_large.map_or((asked.cut.rough.d * STEPS_A_MM).floor() + 1.0, |d| (d * STEPS_A_MM).ceil());
     let from = good;
     while bad - good > 1.0 {
         let middle = f64::midpoint(good, bad).floor();
-        if keeps(middle) { good = middle } else { bad = middle }
+        if keeps(&plan(middle / STEPS_A_MM)) { good = middle } else { bad = middle }
     }
     Some(if good > from { good / STEPS_A_MM } else { first })
 }
@@ -275,14 +313,21 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
             findings.push(FeedChangesInBlock { tool: tool_name(which), change }.at(at([fields::FEED_CHANGE.key()])));
         }
     }
+    findings.extend(not_read(asked));
+    // A rounded end is left out of by its corner as well.
+    let corners = [(asked.cut.rough, fields::CORNER.key()), (asked.cut.finish, fields::CORNER_F.key())];
+    let corner = corners[usize::from(two)];
+    let finishing = [fields::D_F.key()].into_iter().chain(Some(corner.1).filter(|_| corner.0.r_c > 0.0));
     let share = |v: f64, digits| Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), digits);
     let root = &told.root;
-    let (over, height, width) = (finely(root.over), at_most(root.height), at_most(root.width));
-    let (here, there) = (share(root.v, 0), share(root.width_v, 0));
-    if root.height > 0.0 || root.width > 0.0 {
-        findings.push(
-            RestAtTheRoot { over, height, here, thick: at_most(root.thick), width, there }.at(at([fields::D_F.key()])),
-        );
+    let over = finely(root.over);
+    if root.height > 0.0 {
+        let (height, here, thick) = (at_most(root.height), share(root.v, 0), at_most(root.thick));
+        findings.push(RestAtTheRoot { over, height, here, thick }.at(Place::Parameters(finishing.clone().collect())));
+    }
+    if root.width > 0.0 {
+        let (width, there) = (at_most(root.width), share(root.width_v, 0));
+        findings.push(RestBesideTheRoot { over, width, there }.at(Place::Parameters(finishing.clone().collect())));
     }
     if let Some(v) = told.unfinished {
         findings.push(FacesUnfinished { share: share(v, 0) }.at(at([
@@ -307,8 +352,8 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
             },
         );
         findings.push(
-            LargestForTheRoot { height: Size::mm(allowed), tool, left: height }
-                .at(at([fields::ROOT.key(), fields::D_F.key()])),
+            LargestForTheRoot { height: Size::mm(allowed), tool, left: at_most(root.height) }
+                .at(Place::Parameters([fields::ROOT.key()].into_iter().chain(finishing).collect())),
         );
     }
     if told.finish_from > 0.0 {

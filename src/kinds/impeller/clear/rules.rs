@@ -80,10 +80,10 @@ rules! {
         remedy "mida el voladizo al montar la herramienta, o escriba l_t, l_f y d_h para que rodete lo compruebe", "measure the stick-out when you set the tool, or fill in l_t, l_f and d_h to have it checked";
         why "Cuenta el bruto, no las mordazas ni el plato.", "The blank is counted, clamps and chuck are not.";
         example book!("impeller", "splitters" = "no", "l_t" = "");
-    "P1210" RestAtTheRoot Note { over: Size, height: Size, here: Size, thick: Size, width: Size, there: Size }
-        es "en el rincón de cara y fondo queda material de hasta {height} de alto, al {here} % del camino del cubo al borde (a media altura, {thick} de grueso), y {width} de ancho, al {there} %; no cuenta lo que no pasa de {over}"
-        en "in the corner of face and floor up to {height} of metal is left in height, at {here} % of the way from hub to rim ({thick} thick half-way up), and {width} in width, at {there} %; what is no thicker than {over} is not counted"
-        remedy "una fresa de acabado menor deja menos", "a smaller finishing tool leaves less";
+    "P1210" RestAtTheRoot Note { over: Size, height: Size, here: Size, thick: Size }
+        es "en el rincón de cara y fondo queda material de hasta {height} de alto, al {here} % del camino del cubo al borde (a media altura, {thick} de grueso); no cuenta lo que no pasa de {over} de grueso"
+        en "in the corner of face and floor up to {height} of metal is left in height, at {here} % of the way from hub to rim ({thick} thick half-way up); what is no thicker than {over} is not counted"
+        remedy "una fresa de acabado menor, o de menor radio de esquina, deja menos", "a smaller finishing tool, or one of a smaller corner radius, leaves less";
         why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");
     "P1211" RidgesOfTheFloor Note { most: Size, beside: Size, share: Size }
@@ -113,7 +113,7 @@ rules! {
     "P1215" TooManyClearBlocks Stop { program: Text, blocks: u64, most: u64 }
         es "«{program}» tendría al menos {blocks} bloques; el límite es {most}"
         en "\"{program}\" would have at least {blocks} blocks; the limit is {most}"
-        remedy "elija una tol, una c_s o una delta mayor, una fresa de acabado más gruesa (d_f), o menos niveles (a_k)", "choose a larger tol, c_s or delta, a thicker finishing tool (d_f), or fewer levels (a_k)";
+        remedy "elija una tol, c_s, kappa o delta mayor, fresas más gruesas (d_t, d_f), o menos niveles (a_k)", "choose a larger tol, c_s, kappa or delta, thicker tools (d_t, d_f), or fewer levels (a_k)";
         why "Un programa tan largo no cabe en la memoria de muchos controles.", "So long a program does not fit the memory of many controls.";
         example book!("impeller", "tol" = "0.0045", "delta" = "0.005");
     "P1216" PublishedLeavesMetal Caution {}
@@ -129,8 +129,8 @@ rules! {
         why "El radio de esquina no cabe en la punta de la fresa.", "The corner radius does not fit into the end of the tool.";
         example book!("impeller --case full", "method" = "clear", "r_c" = "4");
     "P1218" FacesUnfinished Caution { share: Size }
-        es "la punta redondeada de la fresa de acabado deja material en las caras hasta la cara torneada, al {share} % del camino del cubo al borde"
-        en "the rounded end of the finishing tool leaves material on the faces up to the turned surface, at {share} % of the way from hub to rim"
+        es "la punta redondeada de la fresa de acabado deja material en las caras hasta la cara torneada, por ejemplo al {share} % del camino del cubo al borde"
+        en "the rounded end of the finishing tool leaves material on the faces up to the turned surface, for example at {share} % of the way from hub to rim"
         remedy "elija un radio de esquina bastante menor que la profundidad a_p", "choose a corner radius well below the depth a_p";
         why "La cara solo se acaba por encima del radio de esquina.", "A face is finished only above the corner radius.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "c_s" = "0.1", "r_c" = "3");
@@ -149,15 +149,15 @@ rules! {
     "P1221" LargestForTheRoot Note { height: Size, tool: Text, left: Size }
         es "para que queden {height} como mucho en el rincón de cara y fondo: {tool}; la fresa de acabado dada deja hasta {left}"
         en "for at most {height} left in the corner of face and floor: {tool}; the finishing tool given leaves up to {left}"
-        remedy "escriba en d_f ese diámetro o uno menor, o una h_r mayor", "write that diameter or a smaller one in d_f, or a larger h_r";
+        remedy "escriba en d_f ese diámetro o uno menor, con el radio de esquina vacío, o una h_r mayor", "write that diameter or a smaller one in d_f, with its corner radius empty, or a larger h_r";
         why "Se prueban fresas frontales con todas sus pasadas, de 0.05 en 0.05 mm.",
             "Flat end mills are tried with all of their passes, in steps of 0.05 mm.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "h_r" = "0.4");
     "P1222" FloorAboveRidges Caution { most: Size, wanted: Size, beside: Size, share: Size }
-        es "en el fondo quedan unos {most} al {share} % del camino del cubo al borde, a más de {beside} de las caras: más que la cresta c_s de {wanted} y la tolerancia"
-        en "on the floor about {most} is left at {share} % of the way from hub to rim, farther than {beside} from the faces: more than the ridge c_s of {wanted} and the tolerance"
-        remedy "una fresa de acabado menor deja menos donde el canal es apenas más ancho que ella, también junto a un álabe intermedio", "a smaller finishing tool leaves less where the channel is hardly wider than the tool, beside a splitter, too";
-        why "Una fresa frontal en un fondo cóncavo solo toca con el borde: en medio de un canal estrecho no llega a tocar.", "A flat end on a hollow floor touches with its edge only: in the middle of a narrow channel it does not reach down.";
+        es "en el fondo la fresa de acabado deja unos {most} al {share} % del camino del cubo al borde, a más de {beside} de las caras: más que la cresta c_s de {wanted} y la tolerancia"
+        en "on the floor the finishing tool leaves about {most} at {share} % of the way from hub to rim, farther than {beside} from the faces: more than the ridge c_s of {wanted} and the tolerance"
+        remedy "una fresa de acabado menor deja menos donde el canal es apenas más ancho que ella, también junto a un álabe intermedio; si su punta es redonda, una c_s menor", "a smaller finishing tool leaves less where the channel is hardly wider than the tool, beside a splitter, too; of a rounded end, a smaller c_s";
+        why "Una fresa frontal en un fondo cóncavo solo toca con el borde: en medio de un canal estrecho no llega a tocar. Lo que el desbaste se haya llevado ya no se descuenta.", "A flat end on a hollow floor touches with its edge only: in the middle of a narrow channel it does not reach down. What roughing has taken there already is not counted off.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no");
     "P1223" NoNumberLeft Stop { number: u32, most: u32 }
         es "el número de programa es {number}, y el programa de acabado, que lleva el siguiente, pasaría de {most}"
@@ -200,4 +200,16 @@ rules! {
         remedy "elija una tol menor", "choose a smaller tol";
         why "Cada cara puede perder hasta tol: el álabe queda más delgado.", "Each face may lose up to tol: the blade comes out thinner.";
         example book!("impeller", "e" = "0.3", "tol" = "0.2");
+    "P1229" RestBesideTheRoot Note { over: Size, width: Size, there: Size }
+        es "en el rincón de cara y fondo queda material de hasta {width} de ancho, al {there} % del camino del cubo al borde; no cuenta lo que no pasa de {over} de grueso"
+        en "in the corner of face and floor up to {width} of metal is left in width, at {there} % of the way from hub to rim; what is no thicker than {over} is not counted"
+        remedy "una fresa de acabado menor, o de menor radio de esquina, deja menos", "a smaller finishing tool, or one of a smaller corner radius, leaves less";
+        why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
+        example book!("impeller", "splitters" = "no");
+    "P1230" FinishingCellsNotRead Caution { cells: Text, r_c: Size }
+        es "sin d_f acaba la misma herramienta que desbasta, y no se lee: {cells}; el radio de esquina es r_c = {r_c}"
+        en "without d_f the roughing tool finishes, too, and this is not read: {cells}; the corner radius is r_c = {r_c}"
+        remedy "escriba el diámetro de la fresa de acabado en d_f, o vacíe esas celdas", "fill in the diameter of the finishing tool, d_f, or empty these cells";
+        why "Quien escribe esas celdas cuenta con otra herramienta que la que llevan los programas.", "Whoever fills in these cells counts on another tool than the programs do.";
+        example book!("impeller", "splitters" = "no", "d_f" = "", "T_f" = "", "D_f" = "", "r_cf" = "1.5");
 }

@@ -22,6 +22,8 @@ const BEYOND: f64 = 0.2;
 /// How far a number stands off the end of its way, and how near to another it is put beside it; in R.
 const OFF: f64 = 0.045;
 const APART: f64 = 0.085;
+/// The maximum number of pass numbers that are all written in one place.
+const LISTED: usize = 4;
 /// The printed height of each figure, mm.
 const HEIGHT: f64 = 118.0;
 
@@ -77,7 +79,7 @@ fn arrow(ink: Ink, points: Vec<[f64; 2]>) -> Stroke {
 
 /// Puts a number beyond the end of a way that is farther out, or beyond the other one where both are in the channel; ways that
 /// end near one another have their numbers in one place.
-fn number_at_end(design: &Design, points: &[[f64; 2]], number: usize, places: &mut Vec<([f64; 2], Vec<String>)>) {
+fn number_at_end(design: &Design, points: &[[f64; 2]], number: usize, places: &mut Vec<([f64; 2], Vec<usize>)>) {
     let far = |[x, y]: &[f64; 2]| x * x + y * y;
     let [first, second, .., before, last] = points else { return };
     let R = design.torus.R;
@@ -87,10 +89,10 @@ fn number_at_end(design: &Design, points: &[[f64; 2]], number: usize, places: &m
     // From the hub on, clear of the blade.
     let off = if out { OFF } else { 4.0 * OFF };
     let at = [0, 1].map(|axis| end[axis] + (end[axis] - before[axis]) * off * R / long);
-    let near = |(other, _): &&mut ([f64; 2], Vec<String>)| hypot(at[0] - other[0], at[1] - other[1]) < APART * R;
+    let near = |(other, _): &&mut ([f64; 2], Vec<usize>)| hypot(at[0] - other[0], at[1] - other[1]) < APART * R;
     match places.iter_mut().find(near) {
-        Some((_, numbers)) => numbers.push(number.to_string()),
-        None => places.push((at, vec![number.to_string()])),
+        Some((_, numbers)) => numbers.push(number),
+        None => places.push((at, vec![number])),
     }
 }
 
@@ -145,8 +147,16 @@ fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
         ),
         axes: None,
         strokes,
-        labels: places.into_iter().map(|(at, numbers)| label(at, Text::same(numbers.join(", ")))).collect(),
+        labels: places.into_iter().map(|(at, numbers)| label(at, Text::same(listed(&numbers)))).collect(),
         legend,
+    }
+}
+
+/// Numbers that stand in one place: of many the first and the last, so that they fit beside the channel.
+fn listed(numbers: &[usize]) -> String {
+    match numbers {
+        [first, _, _, .., last] if numbers.len() > LISTED => format!("{first} … {last}"),
+        _ => numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
     }
 }
 
