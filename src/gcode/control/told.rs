@@ -5,9 +5,9 @@
 use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, CommentForm,
     Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange, FeedPath,
-    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed, NegativeRadius,
-    NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode,
-    RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark, MissingFeed,
+    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
+    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -49,6 +49,7 @@ impl Control {
                     delete,
                     percent,
                     mark,
+                    lone_return,
                     empty,
                     greatest_number: greatest_read,
                     decimals,
@@ -113,6 +114,7 @@ impl Control {
         row(t("salto de bloque", "block delete"), delete.told());
         row(t("principio y fin del texto", "begin and end of the text"), percent.told());
         row(t("marca de orden de bytes (BOM)", "byte order mark (BOM)"), mark.told());
+        row(t("CR sin LF detrás", "CR without an LF behind it"), lone_return.told());
         row(t("bloque sin palabras", "block without words"), empty.told());
         row(
             t("mayor número de bloque que se lee", "largest block number as read"),
@@ -285,6 +287,10 @@ told! {
     Mark {
         Self::Skipped => "se omite, con una nota", "skipped, with a note";
         Self::Rejected => "se rechaza", "rejected";
+    }
+    LoneReturn {
+        Self::EndsLine => "termina la línea", "ends the line";
+        Self::Rejected => "se rechaza: el control lo toma por un espacio", "rejected: the control takes it for a blank";
     }
     EmptyBlock {
         Self::Passed => "se pasa por alto", "passed over";

@@ -1,7 +1,7 @@
 //! The texts that a program is read from: its own, and those of subprograms in files of their own, with what has been sought
 //! in each.
 
-use crate::gcode::control::Lexis;
+use crate::gcode::control::{Lexis, LoneReturn};
 use crate::gcode::interpreter::numbers::Numbers;
 use crate::gcode::interpreter::refused::Result;
 use crate::gcode::interpreter::source::{Bytes, Position, SourceText};
@@ -40,12 +40,13 @@ impl<'a> Indexed<'a> {
 /// The texts.
 pub(super) struct Library<'a> {
     texts: Vec<Indexed<'a>>,
+    lone_return: LoneReturn,
 }
 
 impl<'a> Library<'a> {
     /// The program's own text.
-    pub(super) fn new(bytes: Box<dyn Bytes + 'a>) -> Self {
-        Self { texts: vec![Indexed::new(SourceText::new(bytes, None))] }
+    pub(super) fn new(bytes: Box<dyn Bytes + 'a>, lone_return: LoneReturn) -> Self {
+        Self { texts: vec![Indexed::new(SourceText::new(bytes, None, lone_return))], lone_return }
     }
 
     /// A text. There is always the program's own, and no number is handed out for one that is not there.
@@ -66,7 +67,8 @@ impl<'a> Library<'a> {
 
     /// Takes in the file of a subprogram; returns the number of its text.
     pub(super) fn add(&mut self, bytes: Vec<u8>, name: String) -> usize {
-        self.texts.push(Indexed::new(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name))));
+        let bytes = Box::new(std::io::Cursor::new(bytes));
+        self.texts.push(Indexed::new(SourceText::new(bytes, Some(name), self.lone_return)));
         self.texts.len() - 1
     }
 

@@ -241,7 +241,7 @@ impl<'a> Interpreter<'a> {
         };
         let memory = Memory {
             control,
-            library: Library::new(bytes),
+            library: Library::new(bytes, control.lexis.lone_return),
             parameters,
             tools,
             queue: VecDeque::new(),
