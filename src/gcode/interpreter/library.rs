@@ -55,6 +55,11 @@ impl<'a> Library<'a> {
         &mut self.texts[text.min(last)].source
     }
 
+    /// How many lines the texts have as far as they have been read.
+    pub(super) fn lines(&self) -> usize {
+        self.texts.iter().map(|text| text.source.furthest()).sum()
+    }
+
     /// The name of a text that is a subprogram's own file.
     pub(super) fn file(&self, text: usize) -> Option<&String> {
         self.texts.get(text)?.source.file.as_ref()
@@ -97,6 +102,36 @@ impl<'a> Library<'a> {
         match numbers {
             Some(known) => Ok(known),
             unknown => Ok(unknown.insert(Numbers::of(source, lexis)?)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::control::LINUXCNC;
+    use crate::gcode::interpreter::{Files, Interpreter, Setting};
+    use crate::text::Text;
+
+    /// A folder with `50.ngc`, which holds the program O50.
+    struct Beside;
+
+    impl Files for Beside {
+        fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text> {
+            Ok((name == "50").then(|| b"O50\nG0 X5\nM99\n".to_vec()))
+        }
+    }
+
+    #[test]
+    fn lines_count_up_to_the_last_one_that_was_read_however_often_it_was() {
+        let passed = "G21 G90\no100 sub\nG1 X1 F100\no100 endsub\no100 call\no100 call\nM2\n\n";
+        let called = "G21 G90\nM98 P2 L3\nM30\nO2\nG0 Y1\nM99\nG0 Y9\n";
+        let own_file = "G21 G90\nM98 P50 L2\nM2\n";
+        for (program, lines) in [(passed, 7), (called, 6), ("G21 G90\nM2\nG0 X1\n", 2), (own_file, 3 + 3)] {
+            let mut setting = Setting::new(&LINUXCNC);
+            setting.files = Box::new(Beside);
+            let mut interpreter = Interpreter::over(program.as_bytes(), setting);
+            assert!(interpreter.by_ref().all(|motion| motion.is_ok()), "{program}");
+            assert_eq!(interpreter.lines(), lines, "{program}");
         }
     }
 }

@@ -35,7 +35,7 @@ pub(super) struct SourceText<'a> {
     bytes: Box<dyn Bytes + 'a>,
     /// Where the bytes stand.
     at: Position,
-    /// Lines read so far, counted once.
+    /// The last line in the text that has been read.
     furthest: usize,
     /// The name of a subprogram's own file.
     pub(super) file: Option<String>,
@@ -54,6 +54,11 @@ impl<'a> SourceText<'a> {
             self.furthest = line;
         }
         first
+    }
+
+    /// The last line that has been read for the first time.
+    pub(super) const fn furthest(&self) -> usize {
+        self.furthest
     }
 
     /// Reads the line at a place into `line`, without its end; gives where the next one begins, `None` where there is none.
@@ -113,6 +118,7 @@ impl SourceText<'_> {
         if next.first() == Some(&b'\n') {
             return Ok(());
         }
+        self.first_time(self.at.lines);
         let mut fault = Refused::of(&LoneReturnRejected {}, &[column]).fatal();
         (fault.line, fault.file) = (self.at.lines, self.file.clone());
         Err(fault)
