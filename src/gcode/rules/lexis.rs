@@ -226,4 +226,11 @@ rules! {
         why "Para el control, lo que sigue al CR está en el mismo bloque, o en el mismo comentario, aunque el editor muestre otra línea.",
             "For the control, what stands behind the CR is in the same block, or in the same comment, though the editor shows another line.";
         example Example::program("linuxcnc", "G21 G90 F100|G1 X10\rY5|M2", "2:7");
+    "G0032" LetterForZero Stop {}
+        es "hay una letra O donde va una cifra"
+        en "a letter O stands where a digit should"
+        remedy "¿es la cifra 0? Escriba 0", "is it the digit 0? Write 0";
+        why "La letra O y la cifra 0 se parecen, y el control se para en la letra.",
+            "The letter O and the digit 0 look alike, and the control stops at the letter.";
+        example Example::program("linuxcnc", "G21 G90 F100|GO X1|M2", "2:2");
 }
