@@ -47,6 +47,8 @@ pub const BLOCK_HOLES: i64 = 9_999;
 /// A feed per revolution, mm, above which F is taken for one per minute. Threads and taps have leads up to 6 mm; a face mill of ten
 /// teeth takes 5.
 pub const GREATEST_FEED_PER_TURN: f64 = 10.0;
+/// A dwell, s, beyond which its word is asked for its unit. None that a tool needs is longer.
+pub const LONGEST_DWELL: f64 = 60.0;
 
 // Turning cycles
 

@@ -203,6 +203,13 @@ rules! {
         remedy "", "";
         why "Con la otra unidad la pieza saldría 25.4 veces mayor o menor.", "In the other unit the part would be 25.4 times larger or smaller.";
         example line!("verify" "part.ngc"; "part.ngc" = "G0 X1|M30");
+    "U0136" MillingProgram Stop {}
+        es "es un programa de fresado: simulate lee programas de torno"
+        en "this is a milling program: simulate reads turning programs"
+        remedy "compruébelo con rodete verify o véalo con rodete view; si es de un torno, indique su control con --dialect",
+            "use rodete verify or rodete view; if it is for a lathe, name its control with --dialect";
+        why "Leído como el de un torno, sus palabras serían otras y no cortaría nada.", "Read as a lathe's, its words would be others, and it would cut nothing.";
+        example line!("simulate" "plate.nc"; "plate.nc" = "G21 G90 G17|T1 M6|G43 H1|G0 X10 Y10|M30");
     "U0141" NoSuchCode Stop { code: String }
         es "{code} no es un código de rodete"
         en "{code} is not a rodete code"

@@ -10,7 +10,7 @@ use super::verdict::Ending;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
-use crate::gcode::control::guess::guess_turning;
+use crate::gcode::control::guess::{guess_turning, mills};
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, decoded, wide};
 use crate::gcode::motion::MotionKind;
@@ -87,6 +87,10 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Ending, wants: Wants) ->
     }
     let sha256 = store::sha256(wanted.bytes);
     verdict.sha256 = Some(sha256.clone());
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    if wanted.dialect.is_none() && wanted.tools.is_none() && mills(wanted.bytes, &ending) {
+        return Err(MillingProgram {}.refused(Exit::Refused, Place::File));
+    }
     let (values, found) = given(wanted).map_err(|refusal| of_workbook(refusal, wanted.tools))?;
     verdict.language = wanted.tools.map(|_| values.language);
     verdict.findings.extend(found.into_iter().map(|finding| told_of(finding, wanted.tools)));

@@ -25,12 +25,18 @@ impl DwellWord {
         number * self.unit
     }
 
+    /// True where the number is the seconds themselves.
+    #[must_use]
+    pub fn counts_seconds(self) -> bool {
+        self.unit == 1.0
+    }
+
     /// The word of a time in seconds: with three decimals where it counts seconds, else a whole number.
     ///
     /// # Errors
     /// For a time that no program may carry.
     pub fn word(self, seconds: f64) -> Result<Word, OutOfFormat> {
-        if self.unit == 1.0 {
+        if self.counts_seconds() {
             return Ok(Word::size(self.letter, Milli::round(seconds)?));
         }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a delay within a minute")]

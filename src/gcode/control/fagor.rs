@@ -5,10 +5,10 @@ use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
-    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Post, Radii, RadiusRule, Reference, Retract,
-    Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange,
-    Turns, Writing,
+    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
+    MissingFeed, NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Post, Radii, RadiusRule, Reference,
+    Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall,
+    ToolChange, Turns, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -178,6 +178,7 @@ const LEXIS: Lexis = Lexis {
     delete: BlockDelete::Three,
     percent: Percent::Named,
     mark: Mark::Skipped,
+    lone_return: LoneReturn::EndsLine,
     empty: EmptyBlock::Rejected,
     greatest_number: 99_999_999,
     decimals: Decimals::FourOrFive,

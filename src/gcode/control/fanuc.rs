@@ -12,7 +12,7 @@ use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
+    FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark, MissingFeed,
     NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
     RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
 };
@@ -58,6 +58,7 @@ pub static FANUC_LATHE_A: Control = Control {
         delete: BlockDelete::Numbered,
         percent: Percent::Leader,
         mark: Mark::Skipped,
+        lone_return: LoneReturn::EndsLine,
         empty: EmptyBlock::Passed,
         greatest_number: 999_999_999,
         decimals: Decimals::Free,

@@ -53,6 +53,19 @@ pub fn guess_turning(head: &[u8]) -> &'static Control {
     if named || text.lines().any(tool_and_offset) { &FAGOR_8055_T } else { &FANUC_LATHE_A }
 }
 
+/// True where a program is a mill's for certain: the header of rodete names a mill's control; or the program is read as a mill's, and
+/// beside words of Y it changes its tool by M6 or takes up a tool's length by G43. A lathe that has Y or live tools calls them by T alone.
+#[must_use]
+pub fn mills(head: &[u8], ending: &str) -> bool {
+    if guess(head, ending, false).turns() {
+        return false;
+    }
+    let text = String::from_utf8_lossy(head);
+    let codes = || text.lines().map(code);
+    text.lines().find_map(headed).is_some()
+        || codes().any(|line| word(&line, 'Y')) && codes().any(|line| has(&line, "M", "6") || has(&line, "G", "43"))
+}
+
 /// The dialect that a header of rodete's names, as `;RODETE 0.1.0 - DIALECT FAGOR-8055-T`.
 fn headed(line: &str) -> Option<&'static Control> {
     let comment = line.trim().trim_start_matches([';', '(']).trim_end_matches(')').to_ascii_lowercase();
@@ -169,7 +182,26 @@ fn builders_code(line: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{guess, guess_turning, tools_headed};
+    use super::{guess, guess_turning, mills, tools_headed};
+
+    #[test]
+    fn a_milling_program_is_told_from_a_lathes_with_y_and_live_tools() {
+        for (head, ending, mill) in [
+            ("T1 M6\nG43 H1\nG0 X1 Y2\n", "nc", true),
+            ("N10 T1\nN20 M06\nN30 G0 X1 Y2\n", "ngc", true),
+            ("G43 H1 Z50\nG1 Y-2 F100\n", "nc", true),
+            ("%0001-A,MX--,\r\nT1 D1\r\nM6\r\nG1 X20 Y0\r\n", "nc", true),
+            (";RODETE 0.1.0 - DIALECT FAGOR-8055\nG1 X20\n", "nc", true),
+            (";RODETE 0.1.0 - DIALECT FAGOR-8055-T\nM6\nG1 X20 Y1\n", "nc", false),
+            ("T0101\nM6\nG0 X1 Y2\n", "nc", false),
+            ("G50 S2000\nT1 M6\nG0 X1 Y2\n", "nc", false),
+            ("T1 M6\nG43\nG0 X1 Z2\n", "ngc", false),
+            ("G0 X1 Y2\nM2\n", "nc", false),
+            ("(T1 M6 Y2)\nG0 X1 Y2 (M6)\n", "nc", false),
+        ] {
+            assert_eq!(mills(head.as_bytes(), ending), mill, "{head}");
+        }
+    }
 
     #[test]
     fn a_dialect_is_told_from_the_beginning_of_a_program() {

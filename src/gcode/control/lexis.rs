@@ -180,6 +180,26 @@ impl Mark {
     }
 }
 
+/// What a carriage return is that no line feed follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoneReturn {
+    /// The end of a line, as a line feed is.
+    EndsLine,
+    /// Rejected: the control takes it for a blank, where an editor shows the end of a line.
+    Rejected,
+}
+
+impl LoneReturn {
+    /// True where a file with one is not read.
+    #[must_use]
+    pub const fn rejected(self) -> bool {
+        match self {
+            Self::EndsLine => false,
+            Self::Rejected => true,
+        }
+    }
+}
+
 /// What a block without words is: an empty line, a block number alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EmptyBlock {
@@ -263,6 +283,8 @@ pub struct Lexis {
     pub percent: Percent,
     /// A byte order mark.
     pub mark: Mark,
+    /// A carriage return without a line feed behind it.
+    pub lone_return: LoneReturn,
     /// A block without words.
     pub empty: EmptyBlock,
     /// The greatest block number.

@@ -5,9 +5,10 @@
 use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, MachineMove, Mark, MissingFeed,
-    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
-    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, Writing,
+    FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
+    MissingFeed, NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference,
+    Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
+    Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -58,6 +59,7 @@ impl Features {
             delete,
             percent,
             mark,
+            lone_return,
             empty,
             greatest_number,
             decimals,
@@ -82,6 +84,7 @@ impl Features {
         self.row(t("salto de bloque", "block delete"), delete.told());
         self.row(t("principio y fin del texto", "begin and end of the text"), percent.told());
         self.row(t("marca de orden de bytes (BOM)", "byte order mark (BOM)"), mark.told());
+        self.row(t("CR sin LF detrás", "CR without an LF behind it"), lone_return.told());
         self.row(t("bloque sin palabras", "block without words"), empty.told());
         self.row(
             t("mayor número de bloque que se lee", "largest block number as read"),
@@ -344,6 +347,10 @@ told! {
     Mark {
         Self::Skipped => "se omite, con una nota", "skipped, with a note";
         Self::Rejected => "se rechaza", "rejected";
+    }
+    LoneReturn {
+        Self::EndsLine => "termina la línea", "ends the line";
+        Self::Rejected => "se rechaza: el control lo toma por un espacio", "rejected: the control takes it for a blank";
     }
     EmptyBlock {
         Self::Passed => "se pasa por alto", "passed over";

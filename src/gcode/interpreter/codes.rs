@@ -13,6 +13,7 @@ use crate::gcode::rules::modes::{
 };
 use crate::gcode::rules::words::{DwellNotWhole, OrientWord};
 use crate::gcode::turning::pace::Pace;
+use crate::limits::LONGEST_DWELL;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
 
@@ -163,8 +164,17 @@ impl Reader<'_, '_> {
         if letter != super::block::letter::P || self.memory.control.lexis.dwell.len() > 1 {
             self.block.take(letter);
         }
+        self.see_dwell(letter, seconds);
         self.emit(MotionKind::Dwell(seconds), self.state.at, Some(seconds));
         Ok(())
+    }
+
+    /// Remarks a dwell beyond a minute whose letter counts seconds: it may be meant in milliseconds.
+    pub(super) fn see_dwell(&mut self, index: usize, seconds: f64) {
+        let word = self.memory.control.lexis.dwell.iter().find(|word| word.index() == index);
+        if let Some(word) = word.filter(|word| word.counts_seconds() && seconds > LONGEST_DWELL) {
+            self.memory.remarks.dwelt(self.block.spot, word.letter, seconds);
+        }
     }
 
     /// The letter of a dwell's time, and the time in seconds.

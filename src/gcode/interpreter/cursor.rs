@@ -4,7 +4,7 @@ use crate::gcode::control::Comments;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::rules::lexis::{
     BlockAfterEnd, Comma, CommentInWord, CommentNested, CommentNotOpened, CommentOpen, EdgeNotSupported, Exponent,
-    HighLevel, NameEmpty, NameOpen, NoNumber, Strange, TooGreat, TwoPoints,
+    HighLevel, LetterForZero, NameEmpty, NameOpen, NoNumber, Strange, TooGreat, TwoPoints,
 };
 
 /// A place in a line.
@@ -72,6 +72,18 @@ impl<'l> Cursor<'l> {
         self.peek();
         let rest = self.line.get(self.at..).unwrap_or_default();
         WORDS.iter().any(|word| rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word)))
+    }
+
+    /// True where a statement of a macro language is next, by its first word: no word of a block has two letters.
+    pub(super) fn macro_statement(&mut self) -> bool {
+        self.peek();
+        self.line.get(self.at + 1).is_some_and(u8::is_ascii_alphabetic) && self.macro_word()
+    }
+
+    /// True where the character in hand stands right behind a digit or a decimal point.
+    pub(super) fn behind_number(&self) -> bool {
+        let before = self.at.checked_sub(1).and_then(|before| self.line.get(before));
+        before.is_some_and(|&before| before.is_ascii_digit() || before == b'.')
     }
 
     /// Passes `,C` or `,R` if it stands next, and says whether it is `,R`; passes nothing else.
@@ -222,7 +234,7 @@ impl<'l> Cursor<'l> {
             self.at += 1;
         }
         if digits == 0 {
-            return Err(no_number(start));
+            return Err(self.no_number(start));
         }
         let value = if long || mantissa >= 1 << 53 || decimals > 22 {
             // More digits than a number can hold: read them all, rounded once.
@@ -231,7 +243,7 @@ impl<'l> Cursor<'l> {
                 .filter(|byte| byte.is_ascii_digit() || **byte == b'.')
                 .map(|&byte| char::from(byte))
                 .collect();
-            let value: f64 = text.parse().map_err(|_| no_number(start))?;
+            let value: f64 = text.parse().map_err(|_| self.no_number(start))?;
             if !value.is_finite() {
                 return Err(too_great(start));
             }
@@ -275,6 +287,14 @@ impl<'l> Cursor<'l> {
             return Err(Refused::of(&NameEmpty {}, &[start]));
         }
         Ok(name)
+    }
+
+    /// The refusal of what stands at a column in place of a number.
+    pub(super) fn no_number(&self, column: usize) -> Box<Refused> {
+        match self.line.get(column) {
+            Some(b'o' | b'O') => letter_for_zero(column),
+            _ => Refused::of(&NoNumber {}, &[column]),
+        }
     }
 
     /// The refusal of the character in hand.
@@ -411,9 +431,9 @@ fn strange(line: &[u8], column: usize, character: u8) -> Box<Refused> {
     Refused::of(&Strange { character: name }, &[column])
 }
 
-/// Something stands where a number should.
-pub(super) fn no_number(column: usize) -> Box<Refused> {
-    Refused::of(&NoNumber {}, &[column])
+/// The letter O stands where a digit should.
+pub(super) fn letter_for_zero(column: usize) -> Box<Refused> {
+    Refused::of(&LetterForZero {}, &[column])
 }
 
 fn too_great(column: usize) -> Box<Refused> {

@@ -141,6 +141,20 @@ mod tests {
     }
 
     #[test]
+    fn dwells_beyond_a_minute_are_told_once_with_the_longest_of_them() {
+        for blocks in ["G4 P60", "S900 M3|G0 Z5|G82 Z-1 R2 P0.5"] {
+            assert!(remarked(&format!("G21 G90 F100\n{}\nM2\n", blocks.replace('|', "\n"))).is_empty(), "{blocks}");
+        }
+        let program = b"G21 G90 F100\nG4 P500\nS900 M3\nG0 Z5\nG82 Z-1 R2 P1000\nX5\nG80\nM2\n";
+        let mut interpreter = Interpreter::over(program, Setting::new(&LINUXCNC));
+        assert!(interpreter.by_ref().all(|motion| motion.is_ok()));
+        let told: Vec<_> = interpreter.remarks().into_iter().filter(|finding| finding.code() == "G0533").collect();
+        assert_eq!(told.len(), 1, "{told:?}");
+        let expected = "dwell of 1000 s: P counts seconds on this control; 3 such dwells, the longest in line 5";
+        assert_eq!(told[0].what.en, expected);
+    }
+
+    #[test]
     fn a_cut_asks_for_a_spindle_that_turns() {
         for (blocks, told) in [
             ("S900 M3|G1 X1", &[][..]),

@@ -6,7 +6,7 @@
 use crate::finding::Exit;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::Parameter;
-use crate::gcode::interpreter::cursor::{Cursor, Decimal, no_number};
+use crate::gcode::interpreter::cursor::{Cursor, Decimal};
 use crate::gcode::interpreter::flow::VALUES;
 use crate::gcode::interpreter::parameters::COUNT;
 use crate::gcode::interpreter::refused::{Refused, Result};
@@ -193,7 +193,7 @@ impl Reader<'_, '_> {
         let name = match name {
             Some(name) if !cursor.peek().is_ascii_lowercase() => name,
             // Behind a letter stands rather no number at all; inside an expression only a function has a letter.
-            None if cursor.depth == 1 => return Err(no_number(column)),
+            None if cursor.depth == 1 => return Err(cursor.no_number(column)),
             _ => return Err(unknown_function(column)),
         };
         if name == "exists" {
@@ -326,7 +326,7 @@ impl Reader<'_, '_> {
 /// What stands where a number should: nothing, another word, or a character that no block may hold.
 fn no_value(cursor: &mut Cursor<'_>) -> Box<Refused> {
     match cursor.peek() {
-        0 | b'a'..=b'z' => no_number(cursor.column()),
+        0 | b'a'..=b'z' => cursor.no_number(cursor.column()),
         b']' => Refused::of(&ValueMissing {}, &[cursor.column()]),
         _ => cursor.refuse_character(),
     }

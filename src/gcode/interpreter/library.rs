@@ -1,7 +1,7 @@
 //! The texts that a program is read from: its own, and those of subprograms in files of their own, with what has been sought
 //! in each.
 
-use crate::gcode::control::Lexis;
+use crate::gcode::control::{Lexis, LoneReturn};
 use crate::gcode::interpreter::numbers::Numbers;
 use crate::gcode::interpreter::refused::Result;
 use crate::gcode::interpreter::source::{Bytes, Position, SourceText};
@@ -40,18 +40,24 @@ impl<'a> Indexed<'a> {
 /// The texts.
 pub(super) struct Library<'a> {
     texts: Vec<Indexed<'a>>,
+    lone_return: LoneReturn,
 }
 
 impl<'a> Library<'a> {
     /// The program's own text.
-    pub(super) fn new(bytes: Box<dyn Bytes + 'a>) -> Self {
-        Self { texts: vec![Indexed::new(SourceText::new(bytes, None))] }
+    pub(super) fn new(bytes: Box<dyn Bytes + 'a>, lone_return: LoneReturn) -> Self {
+        Self { texts: vec![Indexed::new(SourceText::new(bytes, None, lone_return))], lone_return }
     }
 
     /// A text. There is always the program's own, and no number is handed out for one that is not there.
     pub(super) fn text(&mut self, text: usize) -> &mut SourceText<'a> {
         let last = self.texts.len() - 1;
         &mut self.texts[text.min(last)].source
+    }
+
+    /// How many lines the texts have as far as they have been read.
+    pub(super) fn lines(&self) -> usize {
+        self.texts.iter().map(|text| text.source.furthest()).sum()
     }
 
     /// The name of a text that is a subprogram's own file.
@@ -66,7 +72,8 @@ impl<'a> Library<'a> {
 
     /// Takes in the file of a subprogram; returns the number of its text.
     pub(super) fn add(&mut self, bytes: Vec<u8>, name: String) -> usize {
-        self.texts.push(Indexed::new(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name))));
+        let bytes = Box::new(std::io::Cursor::new(bytes));
+        self.texts.push(Indexed::new(SourceText::new(bytes, Some(name), self.lone_return)));
         self.texts.len() - 1
     }
 
@@ -95,6 +102,36 @@ impl<'a> Library<'a> {
         match numbers {
             Some(known) => Ok(known),
             unknown => Ok(unknown.insert(Numbers::of(source, lexis)?)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::control::LINUXCNC;
+    use crate::gcode::interpreter::{Files, Interpreter, Setting};
+    use crate::text::Text;
+
+    /// A folder with `50.ngc`, which holds the program O50.
+    struct Beside;
+
+    impl Files for Beside {
+        fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text> {
+            Ok((name == "50").then(|| b"O50\nG0 X5\nM99\n".to_vec()))
+        }
+    }
+
+    #[test]
+    fn lines_count_up_to_the_last_one_that_was_read_however_often_it_was() {
+        let passed = "G21 G90\no100 sub\nG1 X1 F100\no100 endsub\no100 call\no100 call\nM2\n\n";
+        let called = "G21 G90\nM98 P2 L3\nM30\nO2\nG0 Y1\nM99\nG0 Y9\n";
+        let own_file = "G21 G90\nM98 P50 L2\nM2\n";
+        for (program, lines) in [(passed, 7), (called, 6), ("G21 G90\nM2\nG0 X1\n", 2), (own_file, 3 + 3)] {
+            let mut setting = Setting::new(&LINUXCNC);
+            setting.files = Box::new(Beside);
+            let mut interpreter = Interpreter::over(program.as_bytes(), setting);
+            assert!(interpreter.by_ref().all(|motion| motion.is_ok()), "{program}");
+            assert_eq!(interpreter.lines(), lines, "{program}");
         }
     }
 }

@@ -31,8 +31,6 @@ impl Reader<'_, '_> {
             if self.memory.repeated > self.memory.setting.budget.repeated_blocks {
                 return Err(self.endless());
             }
-        } else {
-            self.memory.lines += 1;
         }
         Ok(())
     }

@@ -162,7 +162,6 @@ struct Memory<'a> {
     units_used: [bool; 2],
     spindle: SpindleSeen,
     repeated: u64,
-    lines: usize,
     /// An absolute motion has been made, and an incremental one.
     distances: [bool; 2],
     /// No word of a rotary axis has meant something else on a rollover axis than on a linear one.
@@ -241,7 +240,7 @@ impl<'a> Interpreter<'a> {
         };
         let memory = Memory {
             control,
-            library: Library::new(bytes),
+            library: Library::new(bytes, control.lexis.lone_return),
             parameters,
             tools,
             queue: VecDeque::new(),
@@ -264,7 +263,6 @@ impl<'a> Interpreter<'a> {
             units_used: [false; 2],
             spindle: SpindleSeen::default(),
             repeated: 0,
-            lines: 0,
             distances: [false; 2],
             any_rotary: true,
             setting,
@@ -330,10 +328,11 @@ impl<'a> Interpreter<'a> {
         matches!(self.memory.distances, [false, true])
     }
 
-    /// How many lines have been read, each counted once.
+    /// How many lines there are as far as the program, and each file of a subprogram, has been read: up to the last line that it came to,
+    /// however often it did.
     #[must_use]
-    pub const fn lines(&self) -> usize {
-        self.memory.lines
+    pub fn lines(&self) -> usize {
+        self.memory.library.lines()
     }
 
     /// The var file as the control would leave it: the parameters that were in it, and those that LinuxCNC keeps.

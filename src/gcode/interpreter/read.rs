@@ -1,17 +1,19 @@
 //! From a line to a block.
 
 use crate::gcode::code::{G, Group, M, TurningCycle};
+use crate::gcode::control::ALL;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
-use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent};
+use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent, letter_for_zero};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
     CodeNotSupported, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat,
-    LetterNotSupported, LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany, Macros,
-    Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, WordTooGreat, WordTwice,
+    LetterNotSupported, LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany,
+    MacroLanguage, Macros, Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, UnknownToAll,
+    WordTooGreat, WordTwice,
 };
 use crate::limits::COUNT;
 use crate::machine::length_unit::LengthUnit;
@@ -41,10 +43,38 @@ fn twice(letter: char, first: usize, second: usize) -> Box<Refused> {
     Refused::of(&WordTwice { letter }, &[first, second])
 }
 
+/// The number of a G code in tenths.
+fn tenths(value: f64) -> Option<usize> {
+    whole(value * 10.0).and_then(|tenths| usize::try_from(tenths).ok())
+}
+
+/// The number of an M code.
+fn machine_number(value: f64) -> Option<u32> {
+    whole(value).and_then(|number| u32::try_from(number).ok())
+}
+
+/// True where a control has a G or M code that is not refused.
+fn read_by_any(letter: char, value: f64) -> bool {
+    ALL.iter().any(|control| match letter {
+        'G' => {
+            let code = tenths(value).and_then(|tenths| control.codes.get(tenths));
+            code.is_some_and(|code| !matches!(code, G::Refused(..) | G::RefusedCycle(_)))
+        }
+        _ => {
+            let code = machine_number(value).and_then(|number| (control.machine_code)(number));
+            code.is_some_and(|code| !matches!(code, M::Refused(_)))
+        }
+    })
+}
+
 impl Reader<'_, '_> {
     /// Reads the words of a line behind its block number into the block in hand.
     pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         cursor.e_words = self.memory.control.lexis.letters.has(E);
+        if !self.memory.control.lexis.language.refuses_macros() && cursor.macro_statement() {
+            let dialect = self.memory.setting.control.name;
+            return Err(Refused::of(&MacroLanguage { dialect }, &[cursor.column()]));
+        }
         loop {
             match cursor.peek() {
                 0 => break,
@@ -114,8 +144,7 @@ impl Reader<'_, '_> {
         let column = cursor.column();
         cursor.pass();
         let value = self.value(cursor)?.value;
-        let tenths = whole(value * 10.0).and_then(|tenths| usize::try_from(tenths).ok());
-        let found = tenths.and_then(|tenths| self.memory.control.codes.get(tenths));
+        let found = tenths(value).and_then(|tenths| self.memory.control.codes.get(tenths));
         match found {
             Some(G::Refused(_, name) | G::RefusedCycle(name)) => {
                 Err(Refused::of(&CodeNotSupported { code: value, reason: t(name.0, name.1) }, &[column]))
@@ -136,8 +165,8 @@ impl Reader<'_, '_> {
             self.see_point(b'm' - b'a', &number, column)?;
         }
         let value = number.value;
-        let number = whole(value).and_then(|number| u32::try_from(number).ok());
-        let found = number.and_then(|number| Some((number, (self.memory.control.machine_code)(number)?)));
+        let found =
+            machine_number(value).and_then(|number| Some((number, (self.memory.control.machine_code)(number)?)));
         match found {
             Some((number, M::Refused(name))) => {
                 Err(Refused::of(&MachineCodeNotSupported { code: number, reason: t(name.0, name.1) }, &[column]))
@@ -172,7 +201,11 @@ impl Reader<'_, '_> {
     #[cold]
     pub(super) fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Refused> {
         let dialect = self.memory.setting.control.name;
-        Refused::of(&Unknown { letter, value, dialect }, &[column])
+        if read_by_any(letter, value) {
+            Refused::of(&Unknown { letter, value, dialect }, &[column])
+        } else {
+            Refused::of(&UnknownToAll { letter, value, dialect }, &[column])
+        }
     }
 
     /// `,C` and `,R`.
@@ -208,6 +241,9 @@ impl Reader<'_, '_> {
         let column = cursor.column();
         let index = letter - b'a';
         let known = self.memory.control.lexis.letters.has(index);
+        if letter == b'o' && cursor.behind_number() {
+            return Err(letter_for_zero(column));
+        }
         if !(known || (self.fagor_cycle() && TurningCycle::Fagor(0).letters().has(index))) {
             return Err(self.unknown_letter(letter, column));
         }

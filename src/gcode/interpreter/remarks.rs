@@ -6,6 +6,7 @@ use crate::finding::{Finding, Grade, Place, Raise, Size};
 use crate::gcode::interpreter::library::{Library, Spot};
 use crate::gcode::interpreter::refused::place;
 use crate::gcode::rules::geometry::HalfTurn;
+use crate::gcode::rules::modes::LongDwell;
 use crate::limits::REMARKS;
 use crate::text::{Text, t};
 
@@ -16,6 +17,7 @@ pub(super) struct Remarks {
     /// How often each was seen, and the text that its line stands in.
     list: Vec<(u64, usize, Finding)>,
     turns: Option<Turns>,
+    dwells: Option<Dwells>,
     /// The lines, each in its text, that cycles have read as blocks of their contour, and whether the one in hand is of them.
     contours: BTreeSet<(usize, usize)>,
     again: bool,
@@ -28,6 +30,15 @@ struct Turns {
     first: Spot,
     /// Letter, degrees and line of the greatest.
     greatest: (char, f64, usize),
+}
+
+/// Dwells beyond a minute of a word that counts seconds.
+#[derive(Debug)]
+struct Dwells {
+    count: u64,
+    first: Spot,
+    /// Letter, seconds and line of the longest.
+    longest: (char, f64, usize),
 }
 
 impl Remarks {
@@ -77,6 +88,16 @@ impl Remarks {
         }
     }
 
+    /// Remarks a dwell that is told, by a word that counts seconds.
+    pub(super) fn dwelt(&mut self, spot: Spot, letter: char, seconds: f64) {
+        let longest = (letter, seconds, spot.line);
+        let dwells = self.dwells.get_or_insert(Dwells { count: 0, first: spot, longest });
+        dwells.count += 1;
+        if seconds > dwells.longest.1 {
+            dwells.longest = longest;
+        }
+    }
+
     /// The remarks as findings, gravest first, with how often each was seen.
     pub(super) fn findings(&self, library: &Library<'_>) -> Vec<Finding> {
         let file = |text: usize| library.file(text).map(String::as_str);
@@ -95,6 +116,7 @@ impl Remarks {
             })
             .collect();
         findings.extend(self.turns.as_ref().map(|turns| turns.finding(file(turns.first.text))));
+        findings.extend(self.dwells.as_ref().map(|dwells| dwells.finding(file(dwells.first.text))));
         findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
         findings
     }
@@ -112,5 +134,20 @@ impl Turns {
         };
         let degrees = Size::degrees(degrees, 3);
         HalfTurn { axis, degrees, count: self.count, line, more }.at(place(file, self.first.line, Vec::new()))
+    }
+}
+
+impl Dwells {
+    fn finding(&self, file: Option<&str>) -> Finding {
+        let (letter, seconds, line) = self.longest;
+        let more = match self.count {
+            1 => t("", ""),
+            count => Text::new(
+                format!("; {count} esperas así, esta es la mayor, en la línea {line}"),
+                format!("; {count} such dwells, the longest in line {line}"),
+            ),
+        };
+        let time = Size { value: seconds, unit: "s", decimals: 3 };
+        LongDwell { letter, time, count: self.count, line, more }.at(place(file, self.first.line, Vec::new()))
     }
 }

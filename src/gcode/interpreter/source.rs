@@ -4,8 +4,9 @@ use std::borrow::Cow;
 use std::io::{self, BufRead, Seek, SeekFrom};
 
 use crate::finding::answer::answer;
+use crate::gcode::control::LoneReturn;
 use crate::gcode::interpreter::refused::{Refused, Result};
-use crate::gcode::rules::lexis::{LineEndless, ProgramTooLarge, Unreadable};
+use crate::gcode::rules::lexis::{LineEndless, LoneReturnRejected, ProgramTooLarge, Unreadable};
 use crate::limits::{LINE_BYTES, PROGRAM_BYTES};
 
 /// Bytes that can be read again from an earlier place.
@@ -34,15 +35,16 @@ pub(super) struct SourceText<'a> {
     bytes: Box<dyn Bytes + 'a>,
     /// Where the bytes stand.
     at: Position,
-    /// Lines read so far, counted once.
+    /// The last line in the text that has been read.
     furthest: usize,
     /// The name of a subprogram's own file.
     pub(super) file: Option<String>,
+    lone_return: LoneReturn,
 }
 
 impl<'a> SourceText<'a> {
-    pub(super) fn new(bytes: Box<dyn Bytes + 'a>, file: Option<String>) -> Self {
-        Self { bytes, at: Position::START, furthest: 0, file }
+    pub(super) fn new(bytes: Box<dyn Bytes + 'a>, file: Option<String>, lone_return: LoneReturn) -> Self {
+        Self { bytes, at: Position::START, furthest: 0, file, lone_return }
     }
 
     /// True where a line is read for the first time.
@@ -54,8 +56,13 @@ impl<'a> SourceText<'a> {
         first
     }
 
+    /// The last line that has been read for the first time.
+    pub(super) const fn furthest(&self) -> usize {
+        self.furthest
+    }
+
     /// Reads the line at a place into `line`, without its end; gives where the next one begins, `None` where there is none.
-    /// Lines end with a line feed, a carriage return, or both.
+    /// Lines end with a line feed, a carriage return, or both; a control may not take the return alone.
     pub(super) fn line(&mut self, at: Position, line: &mut Vec<u8>) -> Result<Option<Position>> {
         line.clear();
         if self.at != at {
@@ -93,9 +100,28 @@ impl<'a> SourceText<'a> {
             }
             if end.is_some() {
                 self.at.lines += 1;
+                self.see_return(line.len())?;
                 return Ok(Some(self.at));
             }
         }
+    }
+}
+
+impl SourceText<'_> {
+    /// Refuses a carriage return, at a column of the line that it has just ended, that no line feed follows, where the control takes
+    /// it for a blank: what stands behind it would be read as another block than the control's, or as no comment.
+    fn see_return(&mut self, column: usize) -> Result<()> {
+        if !self.at.after_return || !self.lone_return.rejected() {
+            return Ok(());
+        }
+        let next = self.bytes.fill_buf().map_err(|error| unreadable(&error))?;
+        if next.first() == Some(&b'\n') {
+            return Ok(());
+        }
+        self.first_time(self.at.lines);
+        let mut fault = Refused::of(&LoneReturnRejected {}, &[column]).fatal();
+        (fault.line, fault.file) = (self.at.lines, self.file.clone());
+        Err(fault)
     }
 }
 

@@ -348,7 +348,8 @@ rules! {
     "G0349" BlockEmpty Stop {}
         es "bloque sin palabras"
         en "block without words"
-        remedy "borre la línea; un comentario va detrás de «;», sin número de bloque", "delete the line; a comment stands behind ';', without a block number";
+        remedy "borre la línea; un comentario va detrás de «;», sin número de bloque; si hay una línea vacía detrás de cada línea, los finales de línea están duplicados: guarde el archivo con CR LF",
+            "delete the line; a comment stands behind ';', without a block number; if there is an empty line behind each line, the line ends are doubled: save the file with CR LF";
         why "Ante una línea vacía, o con solo el número de bloque, el control da el error 0001.",
             "At an empty line, or one with a block number alone, the control gives error 0001.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|N20|G1 X10|M30", "2");

@@ -219,4 +219,18 @@ rules! {
         why "«%» abre la cabecera con el nombre del programa; el final es M30.",
             "'%' opens the header with the program's name; the end is M30.";
         example Example::program("fagor-8055", "%FLANGE,MX,|G71 G90 G94 F100|G1 X10|%", "4:1");
+    "G0031" LoneReturnRejected Stop {}
+        es "un CR sin LF detrás no termina la línea: el control lo toma por un espacio"
+        en "a CR without an LF behind it does not end the line: the control takes it for a blank"
+        remedy "guarde el archivo con finales de línea LF o CR LF", "save the file with line ends LF or CR LF";
+        why "Para el control, lo que sigue al CR está en el mismo bloque, o en el mismo comentario, aunque el editor muestre otra línea.",
+            "For the control, what stands behind the CR is in the same block, or in the same comment, though the editor shows another line.";
+        example Example::program("linuxcnc", "G21 G90 F100|G1 X10\rY5|M2", "2:7");
+    "G0032" LetterForZero Stop {}
+        es "hay una letra O donde va una cifra"
+        en "a letter O stands where a digit should"
+        remedy "¿es la cifra 0? Escriba 0", "is it the digit 0? Write 0";
+        why "La letra O y la cifra 0 se parecen, y el control se para en la letra.",
+            "The letter O and the digit 0 look alike, and the control stops at the letter.";
+        example Example::program("linuxcnc", "G21 G90 F100|GO X1|M2", "2:2");
 }

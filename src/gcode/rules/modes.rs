@@ -2,6 +2,7 @@
 
 use crate::finding::rule::rules;
 use crate::finding::{Example, Size};
+use crate::text::Text;
 
 rules! {
     /// The rows of this file.
@@ -230,4 +231,11 @@ rules! {
         why "Ninguna herramienta aguanta tal avance en cada vuelta.",
             "No tool stands such a feed in each revolution.";
         example Example::program("linuxcnc", "G21 G90 G95 S900 M3|G1 X10 F100|M2", "2");
+    "G0533" LongDwell Caution { letter: char, time: Size, count: u64, line: usize, more: Text }
+        es "espera de {time}: en este control {letter} cuenta segundos{more}"
+        en "dwell of {time}: {letter} counts seconds on this control{more}"
+        remedy "compruebe el tiempo: otros controles cuentan milisegundos", "check the time: other controls count milliseconds";
+        why "Un tiempo escrito en milisegundos se lee aquí mil veces mayor, con el husillo en marcha.",
+            "A time written in milliseconds is read a thousand times longer here, with the spindle running.";
+        example Example::program("linuxcnc", "G21 G90 F100|G4 P500|M2", "2");
 }

@@ -91,7 +91,7 @@ rules! {
         remedy "corríjalo, o indique el dialecto del programa: con --dialect, o en la hoja DATOS de un libro", "correct it, or name the program's dialect: with --dialect, or on the sheet DATA of a workbook";
         why "El control se para en un código que no conoce, o lo interpreta de otra manera.",
             "The control stops at a code that it does not know, or reads it differently.";
-        example Example::program("linuxcnc", "G21 G90 F100|G77|M2", "2:1");
+        example Example::program("linuxcnc", "G21 G90 F100|G32 Z-5|M2", "2:1");
     "G0113" EdgeTwice Stop alarm Fanuc 53 {}
         es "más de un «,C» o «,R» en un bloque"
         en "more than one ',C' or ',R' in one block"
@@ -204,4 +204,20 @@ rules! {
             "write it in two blocks: the first with depth and retraction, the second with P and Q, or X and Z, and F";
         why "Este control lee G71 a G76 en dos bloques, con otras letras.", "This control reads G71 to G76 in two blocks, with other letters.";
         example Example::program("fanuc-lathe-a", "G21 G99|G0 X54. Z2.|G71 P10 Q20 U0.4 W0.1 D2000 F0.2|N10 G0 X30.|N20 G1 Z-20.|M30", "3:23");
+    "G0129" MacroLanguage Stop { dialect: &'static str }
+        es "IF, WHILE, DO, END y GOTO pertenecen a un lenguaje de macros que el dialecto {dialect} no tiene"
+        en "IF, WHILE, DO, END and GOTO belong to a macro language that the dialect {dialect} does not have"
+        remedy "escriba los bloques sin macros; para LinuxCNC, con palabras O (O1 IF, O1 WHILE)",
+            "write the blocks without macros; for LinuxCNC, with O-words (O1 IF, O1 WHILE)";
+        why "El control lee las letras de una en una, cada una con su número, y se para.",
+            "The control reads the letters one by one, each with its number, and stops.";
+        example Example::program("linuxcnc", "G21 G90 F100|WHILE [#1 LT 3] DO1|G91 X1|END1|M2", "2:1");
+    "G0130" UnknownToAll Stop { letter: char, value: f64, dialect: &'static str }
+        es "{letter}{value} no existe en el dialecto {dialect}, y rodete no lo lee en ningún otro"
+        en "{letter}{value} does not exist in the dialect {dialect}, and rodete reads it in no other"
+        remedy "corríjalo, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve",
+            "correct, delete or replace it: rodete cannot verify a program that contains it";
+        why "El control se para en un código que no conoce, y rodete no sabe qué hace en otro.",
+            "The control stops at a code that it does not know, and rodete does not know what it does on another.";
+        example Example::program("linuxcnc", "G21 G90 F100|G68 X0 Y0 R30|M2", "2:1");
 }

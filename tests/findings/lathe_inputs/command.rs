@@ -397,3 +397,15 @@ fn a_comment_in_latin_1_is_read_and_utf_16_is_named() {
         assert!(said.err.contains(": the file is in UTF-16"), "{command}: {}", said.err);
     }
 }
+
+#[test]
+fn a_milling_program_is_named_as_one_unless_the_control_is_given() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("p.nc"), "%\nO1001\nG21 G17 G90\nT1 M6\nG43 Z50. H1\nG0 X10. Y10.\nM30\n%\n").unwrap();
+    let said = run(folder.path(), &["simulate", "p.nc"]);
+    assert_eq!((said.exit, said.out.as_str()), (3, ""));
+    let errors: Vec<_> = said.err.lines().filter(|line| line.starts_with("error ")).collect();
+    assert_eq!(errors, ["error U0136: this is a milling program: simulate reads turning programs"]);
+    let said = simulate(folder.path(), &[]);
+    assert!(said.err.contains("error G0106: G17") && !said.err.contains("U0136"), "{}", said.err);
+}

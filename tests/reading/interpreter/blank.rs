@@ -33,7 +33,7 @@ fn a_blank_line_behind_every_line_changes_nothing_but_the_line_numbers() {
         jumps += usize::from(text.contains("endsub") || text.contains("endwhile") || text.contains("M98"));
         let judge = Judge { var: var.as_deref(), tools: Some(&tools), ..Judge::default() };
         let plain = read(text.as_bytes(), ours::setting(&judge)).unwrap_or_else(|fault| panic!("{name}: {fault}"));
-        for end in ["\n", "\r\n", "\r"] {
+        for end in ["\n", "\r\n"] {
             for times in [1, 2, 3] {
                 let wanted: Vec<_> = plain.iter().map(|&(line, pose)| ((line - 1) * times + 1, pose)).collect();
                 let found = read(spread(&text, end, times).as_bytes(), ours::setting(&judge));
@@ -63,5 +63,5 @@ fn blank_lines_where_calls_and_returns_of_a_fanuc_lead_are_counted() {
 fn a_refusal_behind_a_jump_names_its_line() {
     let program = "o1 sub\n\nG0 X1\no1 endsub\n\n\no1 call\n\nG77\nM2\n";
     let found = read(program.as_bytes(), ours::setting(&Judge::default()));
-    assert_eq!(found, Err("9: G77 does not exist in the dialect linuxcnc".to_owned()));
+    assert_eq!(found, Err("9: G77 does not exist in the dialect linuxcnc, and rodete reads it in no other".to_owned()));
 }

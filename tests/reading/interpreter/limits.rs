@@ -30,10 +30,25 @@ fn a_file_without_blocks_is_no_program() {
 
 #[test]
 fn lines_end_in_every_way() {
-    for end in ["\n", "\r\n", "\r", "\n\r\n"] {
+    for end in ["\n", "\r\n", "\n\r\n"] {
         let program = ["G21 G90", "G0 X1", "X2 (c)", "X3 ; c", "M2"].join(end);
         assert_eq!(ends(program.as_bytes()), [1.0, 2.0, 3.0], "{end:?}");
         assert_eq!(ends((program + end).as_bytes()), [1.0, 2.0, 3.0], "{end:?}");
+    }
+}
+
+#[test]
+fn a_lone_return_ends_a_line_and_is_rejected_by_linuxcnc() {
+    let program = b"G0 X1.\rX2.\rM30\r";
+    for control in ALL {
+        let read: Vec<_> = Interpreter::over(program, Setting::new(control)).collect();
+        if control.name == "linuxcnc" {
+            let [Err(fault)] = read.as_slice() else { panic!("{read:?}") };
+            assert_eq!((fault.rule.code, fault.line, fault.columns.as_slice()), ("G0031", 1, &[7][..]));
+        } else {
+            let lines: Vec<_> = read.into_iter().map(|motion| motion.unwrap().line).collect();
+            assert_eq!(lines, [1, 2], "{}", control.name);
+        }
     }
 }
 

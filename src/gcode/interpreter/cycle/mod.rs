@@ -304,6 +304,7 @@ impl Reader<'_, '_> {
 
     fn wait(&mut self, seconds: f64) {
         if seconds > 0.0 {
+            self.see_dwell(letter::P, seconds);
             self.emit(MotionKind::Dwell(seconds), self.state.at, Some(seconds));
         }
     }
