@@ -186,6 +186,8 @@ pub const DIAGNOSTIC_LINES: usize = 8;
 pub const ATTACHED_BYTES: u64 = 32 * 1024 * 1024;
 /// Bytes of a logo, 8 MiB. It is in every report.
 pub const LOGO_BYTES: u64 = 8 * 1024 * 1024;
+/// Pixels of a logo to a side. Of 20,000 a report takes a gigabyte of memory.
+pub const LOGO_PIXELS: u32 = 4000;
 /// Files of a folder of templates. A folder that was named by mistake must not be read whole.
 pub const TEMPLATE_FILES: usize = 1000;
 /// Bytes of all of them, 64 MiB. They are held in memory.

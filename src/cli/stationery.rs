@@ -64,7 +64,9 @@ pub(super) fn named(workbook: &Path, outcome: &Outcome, verified: &[NamedFile]) 
         Ok(now) => now.map(|(_, now)| now.sha256),
         Err(caution) => {
             let above = beside(workbook).join("..").join(name.replace('\\', "/"));
-            let found = bytes(&above, LOGO_BYTES).ok().map(|bytes| store::sha256(&bytes));
+            // Beside results alone a file of that name may stand above.
+            let known = verified.iter().any(|then| then.name == name);
+            let found = known.then(|| bytes(&above, LOGO_BYTES).ok()).flatten().map(|bytes| store::sha256(&bytes));
             // The file is there: only that it is another is told.
             if found.is_none() {
                 findings.push(*caution);
@@ -118,6 +120,9 @@ pub(super) fn templates(folder: &Path) -> Result<Vec<Template>, Box<Finding>> {
             } else if kind.is_file() && found.len() < TEMPLATE_FILES {
                 let bytes = bytes(&entry.path(), left).map_err(|reason| refused(named(&name, reason)))?;
                 left = left.saturating_sub(u64::try_from(bytes.len()).unwrap_or(u64::MAX));
+                if name.ends_with(".typ") && std::str::from_utf8(&bytes).is_err() {
+                    return Err(refused(named(&name, t("no está en UTF-8", "it is not in UTF-8"))));
+                }
                 found.push(Template { path: name, bytes });
             } else if kind.is_dir() || kind.is_file() {
                 return Err(refused(t("tiene demasiados archivos o carpetas", "it has too many files or folders")));
@@ -145,6 +150,14 @@ mod tests {
     }
 
     #[cfg(unix)]
+    #[test]
+    fn a_template_in_another_coding_is_refused_by_its_name() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("cover.typ"), b"caf\xE9").unwrap();
+        let told = templates(folder.path()).unwrap_err().what.en.clone().into_owned();
+        assert!(told.contains("cover.typ: it is not in UTF-8"), "{told}");
+    }
+
     #[test]
     fn a_template_that_leads_out_of_its_folder_is_refused() {
         let folder = tempfile::tempdir().unwrap();

@@ -56,4 +56,13 @@ rules! {
             "The results workbook keeps the SHA-256 of each file that the workbook names, and the report was made with the file of then.";
         example Example::Made { key: "changed-logo", how: t(
             "un libro de resultados cuyo logotipo ha cambiado", "a results workbook whose logo has changed") };
+    "T0207" LogoNotSuited Caution { name: String, reason: Text }
+        es "el logotipo {name} no sirve: {reason}; el informe va sin él"
+        en "the logo {name} cannot be used: {reason}; the report goes without it"
+        remedy "guárdelo en colores RGB, con todo dentro del propio archivo y como mucho 4000 píxeles de lado, o deje vacía la celda",
+            "save it in RGB colours, with everything inside the file itself and at most 4000 pixels a side, or leave the cell empty";
+        why "El compilador no dibuja colores de imprenta (CMYK) ni lee otros archivos, y una imagen enorme ocupa toda la memoria.",
+            "The compiler draws no printing colours (CMYK) and reads no other files, and a huge picture takes all of the memory.";
+        example Example::Made { key: "cmyk-logo", how: t(
+            "un libro que nombra como logotipo un JPEG en CMYK", "a workbook that names a JPEG in CMYK as its logo") };
 }

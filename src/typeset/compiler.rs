@@ -104,8 +104,10 @@ impl Typst {
             // A grandchild may hold the pipe open: what was read until now is enough.
             .and_then(|receiver| receiver.recv_timeout(Duration::from_secs(1)).ok())
             .unwrap_or_default();
-        let failed =
-            |ending| ReportFailure::Failed { program: self.program.clone(), ending, diagnostics: text.clone() };
+        let failed = |ending| {
+            let (program, built_in) = (self.program.clone(), !self.leading.is_empty());
+            ReportFailure::Failed { program, built_in, ending, diagnostics: text.clone() }
+        };
         let status = ended.map_err(failed)?;
         if !status.success() {
             return Err(failed(Ending::Status(status)));

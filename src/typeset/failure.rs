@@ -63,11 +63,19 @@ pub enum ReportFailure {
         /// What it wrote on standard error, as it came.
         diagnostics: Vec<u8>,
     },
+    /// A document of templates that are the user's own was not finished in time.
+    #[error("templates were not finished within {} s", time.as_secs_f64())]
+    OwnTemplateEndless {
+        /// The deadline.
+        time: Duration,
+    },
     /// The typst command line gave no report.
     #[error("{} gave no report: {ending:?}", program.display())]
     Failed {
         /// The program.
         program: PathBuf,
+        /// It is the compiler inside the binary.
+        built_in: bool,
         /// How it ended.
         ending: Ending,
         /// What it wrote on standard error, as it came.
@@ -88,11 +96,12 @@ impl ReportFailure {
         matches!(self, Self::Failed { ending: Ending::Status(_), .. })
     }
 
-    /// The same, of a document with templates that are the user's own: what is refused is most likely theirs.
+    /// The same, of a document with templates that are the user's own: what is refused, or does not end, is most likely theirs.
     #[must_use]
     pub(crate) fn of_own_templates(self) -> Self {
         match self {
             Self::Failed { ending: Ending::Status(_), diagnostics, .. } => Self::OwnTemplate { diagnostics },
+            Self::Failed { ending: Ending::Deadline(time), .. } => Self::OwnTemplateEndless { time },
             other => other,
         }
     }
@@ -117,7 +126,13 @@ impl ReportFailure {
             Self::OwnTemplate { diagnostics } => {
                 TemplateRefused { document, lines: first_lines(diagnostics) }.at(Place::File)
             }
-            Self::Failed { program, ending, diagnostics } => {
+            Self::OwnTemplateEndless { time } => {
+                TemplateEndless { document, seconds: time.as_secs_f64() }.at(Place::File)
+            }
+            Self::Failed { built_in: true, ending, diagnostics, .. } => {
+                BuiltInFailed { document, how: ending.how(), lines: first_lines(diagnostics) }.at(Place::File)
+            }
+            Self::Failed { program, ending, diagnostics, .. } => {
                 let (program, lines) = (clean(&program.to_string_lossy()), first_lines(diagnostics));
                 let (how, version) = (ending.how(), TYPST_VERSION);
                 CompilerFailed { document, program, how, lines, version }.at(Place::File)

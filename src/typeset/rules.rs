@@ -41,4 +41,20 @@ rules! {
             "In front of each message stand the file, its line and column; kind/ is the folder of the workbook's kind.";
         example Example::Made { key: "false-templates", how: t(
             "build --templates con una plantilla que typst rechaza", "build --templates with a template that typst rejects") };
+    "T0105" TemplateEndless Caution { document: Text, seconds: f64 }
+        es "{document} no se ha terminado en {seconds} s con sus plantillas propias"
+        en "{document} was not finished within {seconds} s with templates of your own"
+        remedy "busque en ellas un bucle o una lista muy larga, o genere sin --templates; las hojas y los programas están completos",
+            "look for a loop or a very long list in them, or build without --templates; the sheets and programs are complete";
+        why "rodete detiene el compilador si no termina.", "rodete stops the compiler if it does not end.";
+        example Example::Made { key: "endless-templates", how: t(
+            "build --templates con una plantilla que no termina", "build --templates with a template that does not end") };
+    "T0106" BuiltInFailed Caution { document: Text, how: Text, lines: String }
+        es "{document} no se ha podido componer: el compilador incorporado {how}{lines}"
+        en "{document} could not be typeset: the built-in compiler {how}{lines}"
+        remedy "si la máquina está muy ocupada o sin memoria, vuelva a generar; si no, es un fallo de rodete: comuníquelo; las hojas y los programas están completos",
+            "if the machine is very busy or out of memory, build again; if not, this is a fault in rodete: report it; the sheets and programs are complete";
+        why "Las plantillas son las de rodete, y su compilador las conoce.", "The templates are rodete's, and its compiler knows them.";
+        example Example::Made { key: "false-built-in", how: t(
+            "build en una máquina sin memoria", "build on a machine without memory") };
 }

@@ -167,12 +167,17 @@ fn made(key: &str, folder: &Path) -> Option<Line> {
             put("turn.nc", TURNING);
             "simulate turn.nc --dialect fanuc-lathe-a -o out".to_owned()
         }
-        "no-logo" | "no-templates" => {
+        "no-logo" | "no-templates" | "cmyk-logo" => {
             let named = common::workbook::Parts::sound().string("logo", "logo.svg").zip();
             let bare = common::workbook::sound(Language::En);
-            fs::write(path("impeller.xlsx"), if key == "no-logo" { named } else { bare }).unwrap();
+            fs::write(path("impeller.xlsx"), if key == "no-templates" { bare } else { named }).unwrap();
+            if key == "cmyk-logo" {
+                // By its first bytes, not by its name.
+                let four = b"\xFF\xD8\xFF\xC0\0\x14\x08\0\x28\0\x28\x04\x01\x11\0\x02\x11\0\x03\x11\0\x04\x11\0";
+                fs::write(path("logo.svg"), four).unwrap();
+            }
             match key {
-                "no-logo" => "build impeller.xlsx".to_owned(),
+                "no-logo" | "cmyk-logo" => "build impeller.xlsx".to_owned(),
                 _ => "build impeller.xlsx --templates nowhere".to_owned(),
             }
         }
@@ -457,6 +462,15 @@ fn set(key: &str) -> Option<Vec<Finding>> {
             let templates = [Template { path: "cover.typ".to_owned(), bytes: b"#nothing".to_vec() }];
             let stationery = Stationery { templates: &templates, ..Stationery::default() };
             report(&script("echo cover.typ:1:2: error: unknown variable: nothing >&2; exit 1"), "a", &stationery)
+        }
+        "endless-templates" => {
+            let templates = [Template { path: "cover.typ".to_owned(), bytes: b"#while true {}".to_vec() }];
+            let stationery = Stationery { templates: &templates, ..Stationery::default() };
+            report(&script("sleep 60").with_deadline(std::time::Duration::from_millis(200)), "a", &stationery)
+        }
+        "false-built-in" => {
+            script("exit 1");
+            report(&Typst::embedded(path("typst")), "a", &bare)
         }
         "false-logo" => {
             let logo = Logo::new("logo.png".to_owned(), b"\x89PNG\r\n\x1a\n".to_vec(), Place::File).ok();

@@ -248,6 +248,14 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             ["fondo junto a las caras, más de c_s + tol", "floor beside the faces, more than c_s + tol"],
         ),
         quantity(
+            "rest_above",
+            "Material que queda en las caras por encima del rincón, como mucho",
+            "Material left on the faces above the corner, at most",
+            told.root.above,
+            mm,
+            ["líneas de las caras; ajuste más tol", "lines of the faces; fit plus tol"],
+        ),
+        quantity(
             "floor_rest",
             "Material que queda en el fondo lejos de las caras (a más de 0.4 mm y el radio de esquina), aproximado",
             "Material left on the floor away from the faces (0.4 mm plus the corner radius), about",
@@ -256,18 +264,6 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             ["crestas entre pasadas", "ridges between lanes"],
         ),
     ];
-    // Where a rounded end leaves the faces unfinished up to their tops, there is nothing above the corner.
-    let finished = told.unfinished.is_none();
-    if finished {
-        list.push(quantity(
-            "rest_above",
-            "Material que queda en las caras por encima del rincón, como mucho",
-            "Material left on the faces above the corner, at most",
-            told.root.above,
-            mm,
-            ["líneas de las caras; ajuste más tol", "lines of the faces; fit plus tol"],
-        ));
-    }
     for (error, symbol, es, en) in [
         (
             &told.faces[0],
@@ -281,10 +277,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             "Material que dejan las pasadas del reverso, como mucho",
             "Material left by the passes along the reverse, at most",
         ),
-    ]
-    .into_iter()
-    .filter(|_| finished)
-    {
+    ] {
         // The fit is that of the poses; between them the blocks leave the way by up to the tolerance.
         let share = ((error.v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0);
         let source = Text::new(
@@ -292,6 +285,10 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             format!("fit of the axis to the face, plus tol; at {share:.0} % of the way from hub to rim"),
         );
         list.push(Quantity { source, ..quantity(symbol, es, en, error.rest + asked.cut.tolerance, mm, ["", ""]) });
+    }
+    // Where a rounded end leaves the faces unfinished up to their tops, there is nothing above the corner.
+    if told.unfinished.is_some() {
+        list.retain(|one| !["rest_above", "rest_obverse", "rest_reverse"].contains(&one.symbol));
     }
     if let Some(v_s) = told.splitter_from {
         let degrees = (v_s - HUB).to_degrees();
