@@ -404,14 +404,18 @@ fn block(line: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gcode::control::LINUXCNC;
+    use crate::gcode::control::{FANUC_LATHE_A, LINUXCNC};
     use crate::gcode::interpreter::{Interpreter, Setting};
     use crate::machine::rotary::TiltingTable;
 
     fn program(text: &str, frame: Chain, shift: [f64; 3]) -> Program {
-        let mut program = Program::new(Text::same("p"), &LINUXCNC, frame, text);
+        program_of(&LINUXCNC, text, frame, shift)
+    }
+
+    fn program_of(control: &'static Control, text: &str, frame: Chain, shift: [f64; 3]) -> Program {
+        let mut program = Program::new(Text::same("p"), control, frame, text);
         program.shift = shift;
-        let mut interpreter = Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
+        let mut interpreter = Interpreter::over(text.as_bytes(), Setting::new(control));
         while let Some(motion) = interpreter.next() {
             program.push(&motion.unwrap(), interpreter.in_force());
         }
@@ -450,11 +454,11 @@ mod tests {
 
     #[test]
     fn lines_are_counted_as_the_interpreter_counts_them_and_a_byte_order_mark_is_none_of_them() {
-        let text = "G21 G90\rG0 X1\r\n\r\r\nG0 X2\nM2";
-        let shown = program(text, Chain::Milling, [0.0; 3]);
-        assert_eq!(shown.blocks, ["G21 G90", "G0 X1", "", "", "G0 X2", "M2"]);
+        let text = "G21 G97\rG0 X1.\r\n\r\r\nG0 X2.\nM30";
+        let shown = program_of(&FANUC_LATHE_A, text, Chain::Milling, [0.0; 3]);
+        assert_eq!(shown.blocks, ["G21 G97", "G0 X1.", "", "", "G0 X2.", "M30"]);
         assert_eq!(shown.line, [2, 5]);
-        let marked = Program::new(Text::same("p"), &LINUXCNC, Chain::Milling, &format!("\u{feff}{text}"));
+        let marked = Program::new(Text::same("p"), &FANUC_LATHE_A, Chain::Milling, &format!("\u{feff}{text}"));
         assert_eq!(marked.blocks, shown.blocks);
     }
 

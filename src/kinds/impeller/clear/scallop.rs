@@ -44,10 +44,10 @@ pub struct Round {
 }
 
 impl Round {
-    /// c between lanes that are ΔC apart, as far as the two meet.
+    /// c between lanes that are ΔC apart; without end where the two do not meet.
     fn height(&self, turn: f64) -> f64 {
-        let half = (self.across * turn / 2.0).min(self.radius);
-        self.radius - (self.radius * self.radius - half * half).sqrt()
+        let half = self.across * turn / 2.0;
+        if half < self.radius { self.radius - (self.radius * self.radius - half * half).sqrt() } else { f64::INFINITY }
     }
 
     /// ΔC between lanes that leave c, no more than [`HIGHEST`].
