@@ -86,6 +86,15 @@ pub enum Place {
         /// The columns in it, as for [`Place::Line`].
         columns: Vec<usize>,
     },
+    /// A file that was named beside a program: a parameter file or a tool table.
+    Beside {
+        /// The file's path as it was given.
+        file: String,
+        /// The line, counted from 1; none where the file as a whole is meant.
+        line: Option<usize>,
+        /// The columns in it, as for [`Place::Line`].
+        columns: Vec<usize>,
+    },
     /// A line of a program file that was read.
     Line {
         /// The line, counted from 1.
@@ -174,6 +183,17 @@ impl Finding {
     #[must_use]
     pub fn placed(self, place: Place) -> Self {
         Self { place, ..self }
+    }
+
+    /// The same in a file that was named beside a program, where it is of a line of it or of the file as a whole.
+    #[must_use]
+    pub fn beside(self, file: &str) -> Self {
+        let (line, columns) = match &self.place {
+            Place::File => (None, Vec::new()),
+            Place::Line { line, columns } => (Some(*line), columns.clone()),
+            _ => return self,
+        };
+        self.placed(Place::Beside { file: file.to_owned(), line, columns })
     }
 
     /// The same as grave as a site has it: a row says the gravest.
