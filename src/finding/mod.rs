@@ -129,6 +129,8 @@ pub struct Finding {
     words: Option<Box<[Text; 2]>>,
     /// What to do about it; empty for a passed check.
     pub remedy: Text,
+    /// How often it was found, where the value does not say it.
+    times: u64,
 }
 
 impl Finding {
@@ -151,6 +153,7 @@ impl Finding {
             limit: String::new(),
             words: None,
             remedy,
+            times: 1,
         }
     }
 
@@ -205,7 +208,13 @@ impl Finding {
     /// How often it was found.
     #[must_use]
     pub fn count(&self) -> u64 {
-        self.value.strip_suffix(" ×").and_then(|count| count.parse().ok()).unwrap_or(1)
+        self.value.strip_suffix(" ×").and_then(|count| count.parse().ok()).unwrap_or(self.times)
+    }
+
+    /// The same, found so often.
+    #[must_use]
+    pub fn found(self, times: u64) -> Self {
+        Self { times, ..self }
     }
 
     /// The finding with the name of the file that it is of before its sentence, where the sentence does not say it.

@@ -367,6 +367,16 @@ fn a_tool_table_or_a_parameter_file_that_is_wrong_is_told_with_its_line() {
 }
 
 #[test]
+fn the_lines_of_a_number_that_stands_twice_are_values_too() {
+    let folder = with_program("twice.nc", b"G21 G98\nM97 P50\nM30\nN50 G0 X40.\nM99\nN50 G0 X50.\nM99\n");
+    let (program, _) = document(&folder, &["twice.nc", "--dialect", "fanuc-lathe-a"]);
+    let found = program["findings"].as_array().expect("findings").iter().find(|one| one["code"] == "G0303");
+    let finding = found.expect("the number that stands twice");
+    assert!(finding["what"]["en"].as_str().is_some_and(|what| what.ends_with("in lines 4 and 6")), "{finding}");
+    assert_eq!(finding["data"], serde_json::json!({ "number": 50, "lines": [4, 6] }));
+}
+
+#[test]
 fn a_workbook_in_place_of_a_program_is_named_and_not_read_as_one() {
     let folder = super::common::with_impeller();
     let told = predicate::str::starts_with("error U0122: impeller.xlsx is a workbook, not a program\n");
