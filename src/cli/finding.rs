@@ -60,9 +60,22 @@ pub(super) fn general<'f>(
     language: Language,
     terminal: &mut Terminal,
 ) {
+    beside(findings, None, language, terminal);
+}
+
+/// The same, with the workbook that was named beside the programs: sheets and cells are those of it.
+pub(super) fn beside<'f>(
+    findings: impl IntoIterator<Item = &'f Finding> + Clone,
+    workbook: Option<&str>,
+    language: Language,
+    terminal: &mut Terminal,
+) {
     let width = terminal.width;
-    let at = |finding: &Finding| match finding.place {
-        Place::Beside { .. } => arrow(finding, "".into(), language, width),
+    let at = |finding: &Finding| match (&finding.place, workbook) {
+        (Place::Beside { .. }, _) => arrow(finding, "".into(), language, width),
+        (Place::Part(_) | Place::Sheet(_) | Place::Cells(_), Some(name)) => {
+            arrow(finding, name.into(), language, width)
+        }
         _ => String::new(),
     };
     let one = |finding: &Finding| head(finding, language, width) + &at(finding) + &hint(finding, language, width);

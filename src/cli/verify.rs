@@ -14,6 +14,7 @@ use super::terminal::Terminal;
 use super::turning::is_workbook;
 use super::verdict::{Ending, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
+use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::code::G;
 use crate::gcode::control::Control;
@@ -99,7 +100,11 @@ pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
             terminal.out(&whole(refusal.exit, stopped.collect()));
             return refusal.exit;
         }
-        Err(refusal) => return refused(&refusal, language, terminal),
+        Err(refusal) => {
+            let tools = arguments.control.tools.as_deref().map(printable_path);
+            finding::beside(&refusal.findings, tools.as_deref(), language, terminal);
+            return refusal.exit;
+        }
     };
     let language = spoken(arguments.lang, shared.language);
     let mut exit = Exit::Done;
@@ -378,7 +383,7 @@ const fn rule(rotary: RotaryMode) -> Text {
 }
 
 fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
-    let name = crate::escape::printable_path(&read.verdict.workbook);
+    let name = printable_path(&read.verdict.workbook);
     finding::faults(&read.verdict.findings, &name, language, terminal);
     if canon {
         return;
