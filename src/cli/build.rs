@@ -144,12 +144,18 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
     let work = |item: &Item| made(item, &settings, &|| false).ending;
     let mut to_open = Vec::new();
     side_by_side::run(&items, work, terminal, |verdict, terminal| {
-        to_open.extend(opened::chosen(&verdict).filter(|_| arguments.open));
+        let path = opened::chosen(&verdict).filter(|_| arguments.open);
+        to_open.extend(path.map(|path| (verdict.workbook.clone(), path)));
         sink.take(verdict, terminal);
     });
+    to_open.dedup_by(|(_, one), (_, other)| one == other);
+    let mut told = Vec::new();
+    for (workbook, path) in &to_open {
+        let Some(finding) = opened::open(path) else { continue };
+        sink.add(workbook, &finding);
+        told.push(finding);
+    }
     let exit = sink.end(terminal);
-    to_open.dedup();
-    let told: Vec<Finding> = to_open.iter().filter_map(|path| opened::open(path)).collect();
     finding::general(&told, language, terminal);
     exit
 }

@@ -1,7 +1,8 @@
 //! The command `compare`: two workbooks of one kind side by side.
 
+use std::ffi::OsStr;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -20,14 +21,15 @@ use super::terminal::Terminal;
 use super::verdict::{code, gravest, status};
 use super::{build, finding, interrupt, json, plan, reading, refused};
 use crate::escape::printable_path;
-use crate::finding::{Exit, Place, Raise, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::kind::comparison::sheets::Sheet;
 use crate::kind::comparison::{Comparison, Found, Input, ProgramPair, Shown};
 use crate::kind::{Kind, Wants};
 use crate::limits::LISTED_DIFFERENCES;
 use crate::machine::axis::{Axis, Pose};
 use crate::report::comparison::{self, Named};
-use crate::store::{Existing, Folder, Set};
+use crate::store::rules::OutputIsInput;
+use crate::store::{Existing, Folder, Set, WrittenFile};
 use crate::text::{Language, Text, t};
 use crate::workbook::{self, comparison_book};
 
@@ -36,6 +38,10 @@ const WIDE: usize = 34;
 
 /// Compares, and prints or writes what differs.
 pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
+    let asked = arguments.output.iter().try_for_each(|file| fit(file, [&arguments.one, &arguments.other]));
+    if let Err(refusal) = asked {
+        return refused(&refusal, spoken(arguments.lang, None), terminal);
+    }
     let interrupted = interrupt::listen();
     let sides = [&arguments.one, &arguments.other].map(|path| computed(path, kinds));
     let language = spoken(arguments.lang, sides[0].ending.language);
@@ -53,38 +59,66 @@ pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Termi
         Ok(pair) => pair,
         Err(refusal) => {
             if arguments.json {
-                terminal.out(&json::laid_out(&document(&sides, None, gravest(exit, refusal.exit))));
+                let exit = gravest(exit, refusal.exit);
+                terminal.out(&json::laid_out(&document(&sides, None, exit, &refusal.findings, &[])));
             }
             return refused(&refusal, language, terminal);
         }
     };
     let Some(comparison) = pair else {
         if arguments.json {
-            terminal.out(&json::laid_out(&document(&sides, None, exit)));
+            terminal.out(&json::laid_out(&document(&sides, None, exit, &[], &[])));
         }
         return exit;
     };
-    let written: Vec<_> =
-        arguments.output.iter().map(|file| write(file, &sides, &comparison, language, &interrupted)).collect();
-    for refusal in written.iter().filter_map(|one| one.as_ref().err()) {
-        exit = gravest(exit, refusal.exit);
-    }
-    if arguments.json {
-        terminal.out(&json::laid_out(&document(&sides, Some(&comparison), exit)));
-    } else {
-        print(&sides, &comparison, language, terminal);
-    }
-    for one in written {
-        match one {
-            Ok(path) if !arguments.json => {
-                let text = Text::new(format!("{path} está listo\n"), format!("{path} is ready\n"));
-                terminal.out(text.get(language));
+    let (mut files, mut findings) = (Vec::new(), Vec::new());
+    for file in &arguments.output {
+        match write(file, &sides, &comparison, language, &interrupted) {
+            Ok(written) => files.extend(written),
+            Err(refusal) => {
+                exit = gravest(exit, refusal.exit);
+                findings.extend(refusal.findings);
             }
-            Ok(_) => {}
-            Err(refusal) => finding::general(&refusal.findings, language, terminal),
         }
     }
+    if arguments.json {
+        terminal.out(&json::laid_out(&document(&sides, Some(&comparison), exit, &findings, &files)));
+    } else {
+        print(&sides, &comparison, language, terminal);
+        for path in files.iter().map(|file| printable_path(&file.path)) {
+            let text = Text::new(format!("{path} está listo\n"), format!("{path} is ready\n"));
+            terminal.out(text.get(language));
+        }
+    }
+    finding::general(&findings, language, terminal);
     exit
+}
+
+/// Whether a file that the comparison is to be written into has a name for it, and is none of the two workbooks.
+///
+/// # Errors
+/// Exit 2.
+fn fit(file: &Path, inputs: [&PathBuf; 2]) -> Result<(), Refusal> {
+    file_name(file)?;
+    if inputs.into_iter().any(|input| same_file::is_same_file(input, file).unwrap_or(false)) {
+        return Err(OutputIsInput { path: printable_path(file) }.refused(Exit::CommandLine, Place::File));
+    }
+    Ok(())
+}
+
+/// The name of a PDF or a workbook to write.
+///
+/// # Errors
+/// Exit 2 where it ends in neither.
+fn file_name(file: &Path) -> Result<&OsStr, Refusal> {
+    match file.file_name() {
+        Some(name) if is_pdf(file) => Ok(name),
+        _ => workbook_name(file),
+    }
+}
+
+fn is_pdf(file: &Path) -> bool {
+    file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pdf"))
 }
 
 /// What a workbook comes to; nothing is written.
@@ -115,19 +149,15 @@ fn compared(sides: &[Made; 2]) -> Result<Option<Comparison<'_>>, Refusal> {
     Ok(Some(Comparison::of(form, [one, other])))
 }
 
-/// Writes the comparison into a file, a workbook or a PDF by its name; gives its path.
+/// Writes the comparison into a file, a workbook or a PDF by its name.
 fn write(
     file: &Path,
     sides: &[Made; 2],
     comparison: &Comparison<'_>,
     language: Language,
     interrupted: &Arc<AtomicBool>,
-) -> Result<String, Refusal> {
-    let pdf = file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pdf"));
-    let name = match file.file_name() {
-        Some(name) if pdf => name,
-        _ => workbook_name(file)?,
-    };
+) -> Result<Vec<WrittenFile>, Refusal> {
+    let (pdf, name) = (is_pdf(file), file_name(file)?);
     let folder = Folder::open(plan::beside(file))?;
     let inputs: Vec<&Path> = sides.iter().map(|side| side.ending.workbook.as_path()).collect();
     let mut set = Set::new(&folder, &inputs, Existing::Replace);
@@ -155,8 +185,7 @@ fn write(
         let names = names.each_ref().map(String::as_str);
         set.write(name, |out| comparison_book::write(comparison, names, language, out))?;
     }
-    set.commit()?;
-    Ok(printable_path(file))
+    set.commit()
 }
 
 /// True where a workbook is rejected: then it has no programs.
@@ -230,7 +259,14 @@ fn table(sheet: &Sheet, language: Language, width: Option<usize>) -> String {
     text
 }
 
-fn document(sides: &[Made; 2], comparison: Option<&Comparison<'_>>, exit: Exit) -> Value {
+/// The document; the findings are those of the comparison as a whole.
+fn document(
+    sides: &[Made; 2],
+    comparison: Option<&Comparison<'_>>,
+    exit: Exit,
+    findings: &[Finding],
+    files: &[WrittenFile],
+) -> Value {
     let workbooks: Vec<Value> = sides
         .iter()
         .map(|side| {
@@ -275,6 +311,8 @@ fn document(sides: &[Made; 2], comparison: Option<&Comparison<'_>>, exit: Exit) 
                 .collect::<Vec<_>>()
         }) },
         "programs": comparison.map(|one| one.programs.iter().map(program).collect::<Vec<_>>()),
+        "findings": findings,
+        "files": json::files(files),
     })
 }
 

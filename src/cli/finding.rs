@@ -54,14 +54,31 @@ pub(super) fn notes<'a>(
     terminal.out(&list(findings, |grade| grade == Grade::Note, names.into(), language, terminal.width));
 }
 
-/// Prints findings that concern the whole command and not one workbook to standard error.
+/// Prints findings that concern the whole command and not one workbook to standard error, with their place where it names its file.
 pub(super) fn general<'f>(
     findings: impl IntoIterator<Item = &'f Finding> + Clone,
     language: Language,
     terminal: &mut Terminal,
 ) {
+    beside(findings, None, language, terminal);
+}
+
+/// The same, with the workbook that was named beside the programs: sheets and cells are those of it.
+pub(super) fn beside<'f>(
+    findings: impl IntoIterator<Item = &'f Finding> + Clone,
+    workbook: Option<&str>,
+    language: Language,
+    terminal: &mut Terminal,
+) {
     let width = terminal.width;
-    let one = |finding: &Finding| head(finding, language, width) + &hint(finding, language, width);
+    let at = |finding: &Finding| match (&finding.place, workbook) {
+        (Place::Beside { .. }, _) => arrow(finding, "".into(), language, width),
+        (Place::Part(_) | Place::Sheet(_) | Place::Cells(_), Some(name)) => {
+            arrow(finding, name.into(), language, width)
+        }
+        _ => String::new(),
+    };
+    let one = |finding: &Finding| head(finding, language, width) + &at(finding) + &hint(finding, language, width);
     let text: String = findings.clone().into_iter().map(one).collect();
     remember(findings, language, terminal);
     terminal.err(&text);
@@ -112,16 +129,21 @@ fn list(
 
 /// One finding as text.
 fn one(finding: &Finding, names: Names<'_>, language: Language, width: Option<usize>) -> String {
-    let arrow = Style::new().fg_color(Some(AnsiColor::Blue.into()));
     let mut text = head(finding, language, width);
     // A note on a result names it in its sentence.
     if finding.grade == Grade::Note && matches!(finding.place, Place::File | Place::Point { .. } | Place::Block { .. })
     {
         return text;
     }
-    text.push_str(&wrapped(&format!("  {arrow}-->{arrow:#} {}", place(&finding.place, names, language)), 6, width));
+    text.push_str(&arrow(finding, names, language, width));
     text.push_str(&hint(finding, language, width));
     text
+}
+
+/// Where a finding belongs, on a line of its own.
+fn arrow(finding: &Finding, names: Names<'_>, language: Language, width: Option<usize>) -> String {
+    let arrow = Style::new().fg_color(Some(AnsiColor::Blue.into()));
+    wrapped(&format!("  {arrow}-->{arrow:#} {}", place(&finding.place, names, language)), 6, width)
 }
 
 /// The grade's word with the code, by which `rodete explain` knows the finding, and the sentence.
@@ -196,11 +218,17 @@ fn place(place: &Place, names: Names<'_>, language: Language) -> String {
             let column = columns.first().map_or(String::new(), |column| format!(":{column}"));
             format!("{input}, {} {file}:{line}{column}", word("subprograma", "subprogram"))
         }
-        // As compilers and editors write it.
-        Place::Line { line, columns } => match columns.first() {
-            Some(column) => format!("{input}:{line}:{column}"),
-            None => format!("{input}:{line}"),
-        },
+        Place::Beside { file, line: None, .. } => printable(file),
+        Place::Beside { file, line: Some(line), columns } => on_line(&printable(file), *line, columns),
+        Place::Line { line, columns } => on_line(input, *line, columns),
+    }
+}
+
+/// A line of a file as compilers and editors write it.
+fn on_line(file: &str, line: usize, columns: &[usize]) -> String {
+    match columns.first() {
+        Some(column) => format!("{file}:{line}:{column}"),
+        None => format!("{file}:{line}"),
     }
 }
 

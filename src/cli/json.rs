@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::verdict::{Ending, code, status};
 use crate::escape::hidden;
 use crate::finding::{Exit, Finding};
+use crate::store::WrittenFile;
 use crate::text::Text;
 
 /// What the documents of every command say of their own form: a key is added without another name, and none is taken away.
@@ -105,13 +106,13 @@ fn workbook(verdict: &Ending) -> Workbook<'_> {
         findings: &verdict.findings,
         quantities: quantities.collect(),
         folder: verdict.folder.as_ref().map(|folder| folder.to_string_lossy().into_owned()),
-        files: files(verdict),
+        files: files(&verdict.files),
     }
 }
 
 /// The files that were written.
-pub(super) fn files(verdict: &Ending) -> Vec<File<'_>> {
-    let file = verdict.files.iter().map(|file| File {
+pub(super) fn files(written: &[WrittenFile]) -> Vec<File<'_>> {
+    let file = written.iter().map(|file| File {
         name: file.name.to_string_lossy().into_owned(),
         path: file.path.to_string_lossy().into_owned(),
         bytes: file.bytes,

@@ -41,7 +41,7 @@ mod view;
 mod watch;
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::error::{Error, ErrorKind};
@@ -54,7 +54,7 @@ use self::terminal::Terminal;
 use self::verdict::{Ending, code, gravest};
 use crate::escape::printable;
 use crate::finding::answer::answer;
-use crate::finding::{Exit, Place, Raise, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::kind::Kind;
 use crate::parameter::FieldKind;
 use crate::text::Language;
@@ -192,6 +192,14 @@ impl Sink {
                 let language = spoken(self.language, verdict.language);
                 show::verdict(&verdict, self.command == BUILD, language, terminal);
             }
+        }
+    }
+
+    /// Adds what was found of a workbook afterwards to its part of the document.
+    fn add(&mut self, workbook: &Path, finding: &Finding) {
+        let verdict = self.kept.iter_mut().flatten().find(|verdict| verdict.workbook == workbook);
+        if let Some(verdict) = verdict {
+            verdict.findings.push(finding.clone());
         }
     }
 

@@ -203,7 +203,7 @@ pub(super) fn document(verdict: &Ending, view: &View) -> String {
             sha256: sheet.sha256.as_deref(),
             findings: &sheet.findings,
         }),
-        files: json::files(verdict),
+        files: json::files(&verdict.files),
     })
 }
 

@@ -111,21 +111,25 @@ impl<'a> Shared<'a> {
         let settled = reading::settled(beside.chain(control.subs.iter().map(PathBuf::as_path)))?;
         let unit = if control.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
         let mut consulted = Vec::new();
-        let mut bytes = |input, path: &Option<PathBuf>| {
+        let mut bytes = |input, path: &'a Option<PathBuf>| {
             let Some(path) = path.as_deref() else { return Ok(None) };
-            let bytes = workbook::open_as(input, path)?;
+            let bytes = workbook::open_as(input, path).map_err(|refusal| of_file(refusal, path))?;
             consulted.push(Consulted::new(path, &bytes));
-            Ok(Some(bytes))
+            Ok(Some((path, bytes)))
         };
-        let var_file = bytes(Input::VarFile, &control.var)?.map(|bytes| VarFile::parse(&bytes)).transpose()?;
+        let var_file = bytes(Input::VarFile, &control.var)?
+            .map(|(path, bytes)| VarFile::parse(&bytes).map_err(|refusal| of_file(refusal, path)))
+            .transpose()?;
         let (mut tools, mut workbook, mut language) = (None, None, None);
         match bytes(Input::ToolTable, &control.tools)? {
-            Some(bytes) if bytes.starts_with(PACKAGE) => {
+            Some((path, bytes)) if bytes.starts_with(PACKAGE) => {
                 language = workbook::language(&bytes, &[&FORM]);
-                let given = given(&bytes).map_err(|refusal| of_workbook(refusal, control.tools.as_deref()))?;
+                let given = given(&bytes).map_err(|refusal| of_file(of_workbook(refusal, Some(path)), path))?;
                 workbook = Some(given);
             }
-            Some(bytes) => tools = Some(tool_table::parse(&bytes, unit)?),
+            Some((path, bytes)) => {
+                tools = Some(tool_table::parse(&bytes, unit).map_err(|refusal| of_file(refusal, path))?);
+            }
             None => {}
         }
         Ok(Self {
@@ -202,6 +206,13 @@ impl<'a> Shared<'a> {
 fn given(bytes: &[u8]) -> Result<Given, Refusal> {
     let filled = workbook::read(bytes, &[&FORM])?;
     Given::of(&Fields::of(&FORM, filled.values)?).map_err(|findings| Refusal { exit: Exit::Refused, findings })
+}
+
+/// A refusal of a file beside the program, with its findings in that file.
+pub(super) fn of_file(refusal: Refusal, file: &Path) -> Refusal {
+    let name = file.to_string_lossy();
+    let findings = refusal.findings.into_iter().map(|finding| finding.beside(&name)).collect();
+    Refusal { exit: refusal.exit, findings }
 }
 
 /// A refusal of the workbook beside the program, whose name its findings say: the place they are printed with is the

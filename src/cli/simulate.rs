@@ -150,6 +150,6 @@ fn document(arguments: &Simulate, verdict: &Ending, followed: Option<&Followed>)
         "totals": totals,
         "alarms": alarms,
         "findings": verdict.findings,
-        "files": json::files(verdict),
+        "files": json::files(&verdict.files),
     })
 }

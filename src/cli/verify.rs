@@ -14,6 +14,7 @@ use super::terminal::Terminal;
 use super::turning::is_workbook;
 use super::verdict::{Ending, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
+use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::code::G;
 use crate::gcode::control::Control;
@@ -42,6 +43,8 @@ struct Read {
     lines: usize,
     /// A motion of it is in inches.
     inch: bool,
+    /// It was read to its end.
+    followed: bool,
     /// A block was rejected: what follows it is not what the control does.
     rejected: bool,
     /// What was read beside it.
@@ -49,6 +52,22 @@ struct Read {
 }
 
 impl Read {
+    /// A program of which nothing was read yet.
+    fn new(path: &Path) -> Self {
+        Self {
+            verdict: Ending::new(path.to_owned()),
+            dialect: None,
+            rotary: None,
+            account: Account::default(),
+            net: [0.0; 9],
+            lines: 0,
+            inch: false,
+            followed: false,
+            rejected: false,
+            consulted: Vec::new(),
+        }
+    }
+
     /// True of a program whose X is a diameter.
     fn lathe(&self) -> bool {
         self.dialect.is_some_and(|dialect| dialect.turns())
@@ -65,13 +84,29 @@ impl Read {
 /// Reads every program and prints what it comes to.
 pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
     let language = spoken(arguments.lang, None);
-    let shared = plan::twice(&arguments.programs).and_then(|()| Shared::new(&arguments.control));
-    let shared = match shared {
+    if let Err(refusal) = plan::twice(&arguments.programs) {
+        return refused(&refusal, language, terminal);
+    }
+    interrupt::listen();
+    let shared = match Shared::new(&arguments.control) {
         Ok(shared) => shared,
-        Err(refusal) => return refused(&refusal, language, terminal),
+        Err(refusal) if arguments.json => {
+            // What stops the command stops every program of it.
+            let stopped = arguments.programs.iter().map(|path| {
+                let mut read = Read::new(path);
+                read.verdict.refuse(refusal.clone());
+                document(&read)
+            });
+            terminal.out(&whole(refusal.exit, stopped.collect()));
+            return refusal.exit;
+        }
+        Err(refusal) => {
+            let tools = arguments.control.tools.as_deref().map(printable_path);
+            finding::beside(&refusal.findings, tools.as_deref(), language, terminal);
+            return refusal.exit;
+        }
     };
     let language = spoken(arguments.lang, shared.language);
-    interrupt::listen();
     let mut exit = Exit::Done;
     let mut documents = Vec::new();
     for path in &arguments.programs {
@@ -84,31 +119,25 @@ pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
         }
     }
     if arguments.json {
-        let whole = json!({
-            "schema": json::SCHEMA,
-            "rodete": env!("CARGO_PKG_VERSION"),
-            "command": "verify",
-            "exit": code(exit),
-            "status": status(exit),
-            "programs": documents,
-        });
-        terminal.out(&json::laid_out(&whole));
+        terminal.out(&whole(exit, documents));
     }
     exit
 }
 
+/// The whole document, of every program.
+fn whole(exit: Exit, programs: Vec<Value>) -> String {
+    json::laid_out(&json!({
+        "schema": json::SCHEMA,
+        "rodete": env!("CARGO_PKG_VERSION"),
+        "command": "verify",
+        "exit": code(exit),
+        "status": status(exit),
+        "programs": programs,
+    }))
+}
+
 fn read(path: &Path, arguments: &Verify, shared: &Shared<'_>, terminal: &mut Terminal) -> Read {
-    let mut read = Read {
-        verdict: Ending::new(path.to_owned()),
-        dialect: None,
-        rotary: None,
-        account: Account::default(),
-        net: [0.0; 9],
-        lines: 0,
-        inch: false,
-        rejected: false,
-        consulted: Vec::new(),
-    };
+    let mut read = Read::new(path);
     if let Err(refusal) = follow(path, arguments, shared, &mut read, terminal) {
         read.verdict.refuse(refusal);
     }
@@ -141,7 +170,7 @@ fn follow(
     let mut interpreter = Interpreter::new(bytes, setting);
     let start = interpreter.position().1;
     let (faults, total) = read_through(&mut interpreter, start, arguments.canon, read, terminal);
-    read.rejected = total > 0;
+    (read.followed, read.rejected) = (true, total > 0);
     read.net = interpreter.position().1.differences(&start);
     read.lines = interpreter.lines();
     if dialect.turns() {
@@ -314,10 +343,10 @@ fn extents(extents: &Option<Extents>, told: impl Fn(Axis) -> bool) -> Value {
 }
 
 fn document(read: &Read) -> Value {
-    // Behind a rejected block no figure is that of the program.
-    let (account, told) = (&read.account, |axis| !read.rejected && read.told(axis));
-    let path =
-        if read.rejected { json!({}) } else { json!({ "feed": account.feed_path, "rapid": account.rapid_path }) };
+    // Behind a rejected block no figure is that of the program, nor is there one of a program that was not read.
+    let known = read.followed && !read.rejected;
+    let (account, told) = (&read.account, |axis| known && read.told(axis));
+    let path = if known { json!({ "feed": account.feed_path, "rapid": account.rapid_path }) } else { json!({}) };
     json!({
         "program": read.verdict.workbook.to_string_lossy(),
         "sha256": read.verdict.sha256,
@@ -332,7 +361,7 @@ fn document(read: &Read) -> Value {
         "end": { "program": pose(&account.end[0], told), "machine": pose(&account.end[1], told) },
         "net_travel": pose(&Pose(read.net), told),
         "path_mm": path,
-        "feed_time_s": (!account.untimed && !read.rejected).then_some(account.seconds),
+        "feed_time_s": (known && !account.untimed).then_some(account.seconds),
         "findings": read.verdict.findings,
     })
 }
@@ -354,7 +383,7 @@ const fn rule(rotary: RotaryMode) -> Text {
 }
 
 fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
-    let name = crate::escape::printable_path(&read.verdict.workbook);
+    let name = printable_path(&read.verdict.workbook);
     finding::faults(&read.verdict.findings, &name, language, terminal);
     if canon {
         return;

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::args::View;
 use super::locale::spoken;
-use super::program::{PACKAGE, Shared, told_from};
+use super::program::{self, PACKAGE, Shared, told_from};
 use super::rules::*;
 use super::terminal::Terminal;
 use super::turning::{Wanted, follow};
@@ -113,7 +113,10 @@ fn placed(scene: Result<Option<Scene>, Refusal>, verdict: &mut Ending) -> Option
 fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
     let control = &arguments.control;
     let machine = match &control.tools {
-        Some(tools) => Some(workbook::open_as(workbook::Input::ToolTable, tools)?.starts_with(PACKAGE)),
+        Some(tools) => {
+            let bytes = workbook::open_as(workbook::Input::ToolTable, tools);
+            Some(bytes.map_err(|refusal| program::of_file(refusal, tools))?.starts_with(PACKAGE))
+        }
         None => None,
     };
     if machine == Some(false) || control.var.is_some() || control.inch {

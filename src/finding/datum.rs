@@ -20,6 +20,8 @@ pub enum Datum {
     },
     /// A whole number.
     Whole(i64),
+    /// Whole numbers, as lines.
+    Wholes(Vec<i64>),
     /// A word that is the same in both languages: a code, a symbol, a name that the user typed.
     Word(String),
     /// A word that has a Spanish and an English form.

@@ -86,6 +86,15 @@ pub enum Place {
         /// The columns in it, as for [`Place::Line`].
         columns: Vec<usize>,
     },
+    /// A file that was named beside a program: a parameter file or a tool table.
+    Beside {
+        /// The file's path as it was given.
+        file: String,
+        /// The line, counted from 1; none where the file as a whole is meant.
+        line: Option<usize>,
+        /// The columns in it, as for [`Place::Line`].
+        columns: Vec<usize>,
+    },
     /// A line of a program file that was read.
     Line {
         /// The line, counted from 1.
@@ -120,6 +129,8 @@ pub struct Finding {
     words: Option<Box<[Text; 2]>>,
     /// What to do about it; empty for a passed check.
     pub remedy: Text,
+    /// How often it was found, where the value does not say it.
+    times: u64,
 }
 
 impl Finding {
@@ -142,6 +153,7 @@ impl Finding {
             limit: String::new(),
             words: None,
             remedy,
+            times: 1,
         }
     }
 
@@ -176,6 +188,17 @@ impl Finding {
         Self { place, ..self }
     }
 
+    /// The same in a file that was named beside a program, where it is of a line of it or of the file as a whole.
+    #[must_use]
+    pub fn beside(self, file: &str) -> Self {
+        let (line, columns) = match &self.place {
+            Place::File => (None, Vec::new()),
+            Place::Line { line, columns } => (Some(*line), columns.clone()),
+            _ => return self,
+        };
+        self.placed(Place::Beside { file: file.to_owned(), line, columns })
+    }
+
     /// The same as grave as a site has it: a row says the gravest.
     #[must_use]
     pub fn graded(self, grade: Grade) -> Self {
@@ -185,7 +208,13 @@ impl Finding {
     /// How often it was found.
     #[must_use]
     pub fn count(&self) -> u64 {
-        self.value.strip_suffix(" ×").and_then(|count| count.parse().ok()).unwrap_or(1)
+        self.value.strip_suffix(" ×").and_then(|count| count.parse().ok()).unwrap_or(self.times)
+    }
+
+    /// The same, found so often.
+    #[must_use]
+    pub fn found(self, times: u64) -> Self {
+        Self { times, ..self }
     }
 
     /// The finding with the name of the file that it is of before its sentence, where the sentence does not say it.

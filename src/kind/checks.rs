@@ -124,6 +124,11 @@ pub fn place(place: &Place) -> Text {
             format!("Subprograma {file}, {}", on_line("línea", *line, "columna", columns)),
             format!("Subprogram {file}, {}", on_line("line", *line, "column", columns)),
         ),
+        Place::Beside { file, line: None, .. } => Text::same(file.as_str()),
+        Place::Beside { file, line: Some(line), columns } => Text::new(
+            format!("{file}, {}", on_line("línea", *line, "columna", columns)),
+            format!("{file}, {}", on_line("line", *line, "column", columns)),
+        ),
         Place::Line { line, columns } => {
             Text::new(on_line("Línea", *line, "columna", columns), on_line("Line", *line, "column", columns))
         }

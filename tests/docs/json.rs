@@ -88,7 +88,7 @@ fn every_key_of_every_document_stands_on_the_page() {
             "`check` and `build`",
             &[&["check", "impeller.xlsx", "--json"], &["build", "impeller.xlsx", "--no-report", "--json"]],
         ),
-        ("`compare`", &[&["compare", "impeller.xlsx", "other.xlsx", "--json"]]),
+        ("`compare`", &[&["compare", "impeller.xlsx", "other.xlsx", "-o", "compared.xlsx", "--json"]]),
         ("`verify`", &[&["verify", "blade.nc", "--tools", "tools.tbl", "--json"]]),
         (
             "`simulate`",

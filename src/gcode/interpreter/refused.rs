@@ -116,8 +116,14 @@ impl Refused {
 impl From<Refused> for Finding {
     fn from(fault: Refused) -> Self {
         let told = fault.message();
+        let mut data = fault.data;
+        if let Some((file, _)) = fault.others.first() {
+            let line = |(_, line): &(_, usize)| i64::try_from(*line).unwrap_or(i64::MAX);
+            data.push(("lines", Datum::Wholes(fault.others.iter().map(line).collect())));
+            data.extend(file.clone().map(|file| ("file", Datum::Word(file))));
+        }
         let place = place(fault.file.as_deref(), fault.line, fault.columns);
-        let mut finding = Finding::of(fault.rule, fault.data, place, told, fault.remedy).graded(Grade::Stop);
+        let mut finding = Finding::of(fault.rule, data, place, told, fault.remedy).graded(Grade::Stop);
         finding.alarm = fault.alarm;
         finding
     }

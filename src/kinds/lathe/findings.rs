@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::finding::rules::OtherContour;
-use crate::finding::{Bare, Finding, Grade, Place, Raise, Size};
+use crate::finding::{Bare, Finding, Grade, Place, Raise, Said, Size};
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::kinds::lathe::Raised;
 use crate::kinds::lathe::rules::{
@@ -139,6 +139,7 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
             let left_out = pair.and_then(|pair| following.get(&pair)).map_or(&[][..], Vec::as_slice);
             if let Some(gravest) = left_out.iter().max() {
                 finding.grade = finding.grade.max(*gravest);
+                finding.data.push(("following", left_out.len().datum()));
                 let Text { es, en } = &finding.what;
                 finding.what = match left_out.len() {
                     1 => Text::new(
@@ -154,6 +155,8 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
                 };
             }
             if count > 1 {
+                finding.data.push(("more", (count - 1).datum()));
+                finding = finding.found(count as u64);
                 let Text { es, en } = &finding.what;
                 finding.what = match count - 1 {
                     1 => Text::new(format!("{es}, y otra vez en la línea"), format!("{en}, and once more on the line")),

@@ -138,9 +138,10 @@ impl SheetProgram {
         let others = fault.others.iter().map(|(file, line)| (file.as_deref(), *line));
         let lines = std::iter::once((fault.file.as_deref(), fault.line)).chain(others);
         let cells: Vec<Vec<CellPlace>> = lines.map(cells).collect::<Option<_>>()?;
-        let mut finding = Finding::from(fault.clone()).placed(Place::Cells(cells.concat()));
-        finding.what.clone_from(&fault.what);
-        Some(finding)
+        // The cells say where.
+        let mut alone = fault.clone();
+        alone.others.clear();
+        Some(Finding::from(alone).placed(Place::Cells(cells.concat())))
     }
 
     /// A place of the interpreter's as one of the workbook's, where the line came from there.

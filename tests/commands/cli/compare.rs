@@ -182,6 +182,7 @@ fn two_kinds_are_refused_and_what_cannot_be_read_says_why() {
     let output = rodete(&folder).args(["compare", "impeller.xlsx", "lathe.xlsx", "--json"]).output().expect("it runs");
     let read: Json = serde_json::from_slice(&output.stdout).expect("a document");
     assert_eq!((&read["exit"], &read["programs"]), (&json!(3), &Json::Null));
+    assert_eq!((&read["findings"][0]["code"], &read["files"]), (&json!("U0117"), &json!([])));
     rodete(&folder).args(["compare", "impeller.xlsx", "no.xlsx"]).assert().code(4);
     fs::write(folder.path().join("bad.xlsx"), "x").expect("a file");
     rodete(&folder).args(["compare", "bad.xlsx", "impeller.xlsx", "--json"]).assert().code(4);
@@ -201,10 +202,33 @@ fn the_comparison_is_written_as_a_workbook_with_the_same_bytes_each_time() {
     let inputs = calamine::Reader::worksheet_range(&mut book, "Inputs").expect("a sheet");
     let row: Vec<String> = inputs.rows().nth(4).expect("a row").iter().map(ToString::to_string).collect();
     assert_eq!(row[..5], ["N", "4", "3", "", "DATA!C11"].map(str::to_owned));
-    // An input is not replaced, nor is another name than a workbook's taken.
-    rodete(&folder).args(["compare", "impeller.xlsx", "other.xlsx", "-o", "other.xlsx"]).assert().code(2);
-    rodete(&folder).args(["compare", "impeller.xlsx", "other.xlsx", "-o", "a.txt"]).assert().code(2);
+    // An input is not replaced, nor is another name than a workbook's taken; nothing is compared.
+    for name in ["other.xlsx", "a.txt"] {
+        for form in [&[][..], &["--json"]] {
+            let line = ["compare", "impeller.xlsx", "other.xlsx", "-o", name];
+            rodete(&folder).args(line).args(form).assert().code(2).stdout("");
+        }
+    }
     assert_eq!(names(folder.path()), ["a.xlsx", "b.xlsx", "impeller.xlsx", "other.xlsx"]);
+}
+
+#[test]
+fn the_document_has_the_file_that_was_written_or_why_it_was_not() {
+    let folder = two(&[("N", Value::Whole(3))]);
+    let write = |name: &str| {
+        let line = ["compare", "impeller.xlsx", "other.xlsx", "-o", name, "--json"];
+        let output = rodete(&folder).args(line).output().expect("it runs");
+        (output.status.code(), serde_json::from_slice::<Json>(&output.stdout).expect("a document"))
+    };
+    let (exit, read) = write("a.xlsx");
+    let file = &read["files"][0];
+    let written = fs::read(folder.path().join("a.xlsx")).expect("a workbook");
+    assert_eq!((exit, &file["path"], &read["findings"]), (Some(0), &json!("a.xlsx"), &json!([])));
+    assert_eq!((&file["bytes"], &file["sha256"]), (&json!(written.len()), &json!(rodete::store::sha256(&written))));
+    fs::create_dir(folder.path().join("b.xlsx")).expect("a folder in the way");
+    let (exit, read) = write("b.xlsx");
+    assert_eq!((exit, &read["exit"], &read["same"], &read["files"]), (Some(5), &json!(5), &json!(false), &json!([])));
+    assert_eq!(read["findings"][0]["grade"], json!("stop"), "{}", read["findings"]);
 }
 
 #[cfg(feature = "embedded-typst")]

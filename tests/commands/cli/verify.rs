@@ -309,9 +309,71 @@ fn canonical_motions_have_the_axis_that_arrives_at_0_and_degrees_for_what_only_t
 
 /// Of a file that nobody read there is nothing to be summed up.
 #[test]
-fn a_file_that_is_not_there_has_no_sum() {
-    let folder = folder();
+fn a_file_that_is_not_there_has_no_sum_and_no_figures() {
+    let folder = super::common::with_impeller();
     rodete(&folder).args(["verify", "program.ngc", "--lang", "en"]).assert().code(4).stdout("");
+    for (name, code) in [("program.ngc", "W0104"), ("impeller.xlsx", "U0122")] {
+        let (program, exit) = document(&folder, &[name]);
+        assert_eq!((exit, &program["findings"][0]["code"]), (4, &Json::from(code)), "{name}: {program}");
+        let nothing = serde_json::json!({});
+        for figures in
+            [&program["path_mm"], &program["net_travel"], &program["end"]["program"], &program["end"]["machine"]]
+        {
+            assert_eq!(figures, &nothing, "{name}");
+        }
+        assert_eq!((&program["feed_time_s"], &program["sha256"]), (&Json::Null, &Json::Null), "{name}");
+    }
+}
+
+/// What stops the command before a program is read is told of each of them, at its line in the file that is meant.
+#[test]
+fn a_tool_table_or_a_parameter_file_that_is_wrong_is_told_with_its_line() {
+    let folder = with_program("program.ngc", b"G21 G90\nG0 X1\nM2\n");
+    fs::write(folder.path().join("bad.tbl"), "T1 Z1\nT2 Z1O.5\n").expect("a table");
+    fs::write(folder.path().join("bad.var"), "5161\t0\n5221\t12,5\n").expect("a file");
+    for (option, file, code, exit, line, at) in [
+        ("--tools", "bad.tbl", "G0813", 3, Json::from(2), "bad.tbl:2:4"),
+        ("--var", "bad.var", "G1009", 3, Json::from(2), "bad.var:2:6"),
+        ("--tools", "none.tbl", "W0106", 4, Json::Null, "none.tbl"),
+        ("--var", "none.var", "W0106", 4, Json::Null, "none.var"),
+    ] {
+        let (program, ended) = document(&folder, &["program.ngc", option, file]);
+        let finding = &program["findings"][0];
+        let place = &finding["place"]["beside"];
+        assert_eq!((ended, &program["exit"]), (exit, &Json::from(exit)), "{file}");
+        assert_eq!(
+            (&finding["code"], &place["file"], &place["line"]),
+            (&code.into(), &file.into(), &line),
+            "{finding}"
+        );
+        assert_eq!((&program["path_mm"], &program["feed_time_s"]), (&serde_json::json!({}), &Json::Null));
+        for command in ["verify", "view"] {
+            let told = predicate::str::contains(format!("error {code}: "))
+                .and(predicate::str::contains(format!("\n  --> {at}\n")));
+            rodete(&folder)
+                .args([command, "program.ngc", option, file, "--lang", "en"])
+                .assert()
+                .code(exit)
+                .stderr(told);
+        }
+    }
+    fs::copy(folder.path().join("program.ngc"), folder.path().join("other.ngc")).expect("a program");
+    let line = ["verify", "program.ngc", "other.ngc", "--tools", "bad.tbl", "--json"];
+    let output = rodete(&folder).args(line).output().expect("an output");
+    let read: Json = serde_json::from_slice(&output.stdout).expect("a JSON document");
+    let codes: Vec<_> =
+        read["programs"].as_array().expect("programs").iter().map(|one| &one["findings"][0]["code"]).collect();
+    assert_eq!((&read["exit"], codes), (&Json::from(3), vec![&Json::from("G0813"); 2]));
+}
+
+#[test]
+fn the_lines_of_a_number_that_stands_twice_are_values_too() {
+    let folder = with_program("twice.nc", b"G21 G98\nM97 P50\nM30\nN50 G0 X40.\nM99\nN50 G0 X50.\nM99\n");
+    let (program, _) = document(&folder, &["twice.nc", "--dialect", "fanuc-lathe-a"]);
+    let found = program["findings"].as_array().expect("findings").iter().find(|one| one["code"] == "G0303");
+    let finding = found.expect("the number that stands twice");
+    assert!(finding["what"]["en"].as_str().is_some_and(|what| what.ends_with("in lines 4 and 6")), "{finding}");
+    assert_eq!(finding["data"], serde_json::json!({ "number": 50, "lines": [4, 6] }));
 }
 
 #[test]

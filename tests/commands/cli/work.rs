@@ -251,6 +251,11 @@ fn what_was_built_is_opened_when_asked_for() {
     assert_eq!(fs::read_to_string(&opened).expect("what was opened"), "impeller-out");
     build(desktop(&folder, false)).stderr(predicate::str::contains("cannot open impeller-out: "));
     assert_eq!(names(folder.path().join("impeller-out")), OUTPUTS);
+    let bare = folder.path().join("bare");
+    let output = rodete(&folder).args(line).arg("--json").env("PATH", bare).output().expect("it runs");
+    let read: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one document");
+    let told = read["workbooks"][0]["findings"].as_array().expect("findings").iter();
+    assert_eq!(told.filter(|one| one["code"] == "U0116").count(), 1, "{read}");
     // A workbook that is refused leaves nothing to open.
     fs::remove_file(&opened).expect("the note");
     let refused = with_refused();

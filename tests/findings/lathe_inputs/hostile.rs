@@ -210,6 +210,7 @@ fn verify_reads_the_tool_sheet_of_a_workbook_and_tells_diameters() {
         "{}",
         said.err
     );
+    assert!(said.err.contains("\n  --> wrong.xlsx, sheet \"DATA\", cell"), "{}", said.err);
     let said = verify(&["mill.nc", "--dialect", "linuxcnc", "--tools", "lathe.xlsx"]);
     let wanted = "error U0126: --tools is a lathe workbook, but the program is read as linuxcnc";
     assert!(said.exit == 3 && said.err.contains(wanted), "{}", said.err);

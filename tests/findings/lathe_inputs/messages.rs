@@ -45,6 +45,7 @@ fn an_alarm_that_comes_back_is_counted_in_words() {
         let found = finding(&Book::new(&blocks).subprogram("O0005", &["G0 Z-95.", "Z2.", "M99"]), "11");
         let what = [&found["what"]["es"], &found["what"]["en"]].map(|text| text.as_str().unwrap());
         assert!(what[0].contains(es) && what[1].contains(en), "{times}: {what:?}");
+        assert_eq!((&found["count"], &found["data"]["more"]), (&times.into(), &(times - 1).into()), "{found}");
     }
 }
 
