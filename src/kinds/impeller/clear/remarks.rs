@@ -314,7 +314,7 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
         }
     }
     findings.extend(not_read(asked));
-    // A rounded end is left out of by its corner as well.
+    // Of a rounded end the radius of its corner counts, too.
     let corners = [(asked.cut.rough, fields::CORNER.key()), (asked.cut.finish, fields::CORNER_F.key())];
     let corner = corners[usize::from(two)];
     let finishing = [fields::D_F.key()].into_iter().chain(Some(corner.1).filter(|_| corner.0.r_c > 0.0));
