@@ -168,7 +168,7 @@ fn push_size(text: &mut String, size: Milli, trimmed: bool) {
     let thousandths = size.thousandths().unsigned_abs();
     push_whole(text, thousandths / 1000);
     let part = thousandths % 1000;
-    let decimals = [part / 100, part / 10 % 10, part % 10].map(digit);
+    let decimals = [digit(part / 100), digit(part / 10 % 10), digit(part % 10)];
     let shown = match decimals {
         _ if !trimmed => 3,
         [b'0', b'0', b'0'] => 0,

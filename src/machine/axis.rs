@@ -85,7 +85,11 @@ impl Position {
 
 impl From<Position> for Pose {
     fn from(position: Position) -> Self {
-        Self(position.0.map(Milli::value))
+        let mut pose = Self::default();
+        for (at, size) in pose.0.iter_mut().zip(position.0) {
+            *at = size.value();
+        }
+        pose
     }
 }
 
@@ -108,6 +112,10 @@ impl Pose {
     /// The differences to another pose, axis by axis.
     #[must_use]
     pub fn differences(&self, from: &Self) -> [f64; 9] {
-        std::array::from_fn(|axis| self.0[axis] - from.0[axis])
+        let mut by = self.0;
+        for (by, from) in by.iter_mut().zip(from.0) {
+            *by -= from;
+        }
+        by
     }
 }

@@ -109,6 +109,20 @@ impl TiltingTable {
         [tip - Vector3::new(0.0, 0.0, self.L), Vector3::new(sin_B * cos_C, sin_B * sin_C, cos_B)]
     }
 
+    /// How fast the tip moves over the part where all axes move evenly: y is where it stands, seen from the pivot, `by` how
+    /// it moves, and B and C turn by so much in the same time.
+    ///
+    /// # Derivation
+    /// In the frame that turns with C, the tip is at M2(B)ᵀ·y; that of ẏ and of Ḃ about the pivot turn with it, and Ċ turns
+    /// the part under it. How far C has turned does not change the size.
+    #[must_use]
+    pub fn tip_speed(y: &Vector3<f64>, by: &Vector3<f64>, B: f64, [dB, dC]: [f64; 2]) -> f64 {
+        let (sin, cos) = sin_cos(B);
+        let turned = |a: &Vector3<f64>| Vector3::new(a.x * cos + a.z * sin, a.y, a.z * cos - a.x * sin);
+        let point = turned(y);
+        (turned(&(by + Vector3::new(y.z, 0.0, -y.x) * dB)) + Vector3::new(-point.y, point.x, 0.0) * dC).norm()
+    }
+
     /// The height above the origin that no point of a part within the radius R about the axis and below the origin
     /// reaches at any B: √(L² + R²) − L.
     ///

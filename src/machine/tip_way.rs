@@ -17,7 +17,6 @@ use crate::limits::WAY_PIECES;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::TiltingTable;
 use crate::number::bisection::key;
-use crate::number::trig::sin_cos;
 
 /// What part of the way the bound of the velocity may lose.
 const CLOSE: f64 = 1e-4;
@@ -29,8 +28,11 @@ fn settled(value: f64) -> f64 {
 
 /// All that the way of a block depends on: X, Y, Z and B of both its ends, mm and degrees, and how far C turns.
 fn block(from: &Pose, to: &Pose) -> [f64; 9] {
-    let [[x, y, z, B], [to_x, to_y, to_z, to_B]] =
-        [from, to].map(|pose| [Axis::X, Axis::Y, Axis::Z, Axis::B].map(|axis| settled(pose.get(axis))));
+    let end = |pose: &Pose| {
+        let at = |axis| settled(pose.get(axis));
+        (at(Axis::X), at(Axis::Y), at(Axis::Z), at(Axis::B))
+    };
+    let ((x, y, z, B), (to_x, to_y, to_z, to_B)) = (end(from), end(to));
     [x, y, z, B, to_x, to_y, to_z, to_B, settled(to.get(Axis::C) - from.get(Axis::C))]
 }
 
@@ -63,15 +65,9 @@ impl Ways {
 
 fn of(machine: TiltingTable, [x, y, z, B, to_x, to_y, to_z, to_B, dC]: [f64; 9]) -> f64 {
     let (start, end) = (Vector3::new(x, y, z + machine.L), Vector3::new(to_x, to_y, to_z + machine.L));
-    let [B, to_B, dC] = [B, to_B, dC].map(f64::to_radians);
+    let (B, to_B, dC) = (B.to_radians(), to_B.to_radians(), dC.to_radians());
     let (by, dB) = (end - start, to_B - B);
-    let speed = |s: f64| {
-        let y = start + by * s;
-        let (sin, cos) = sin_cos(B + dB * s);
-        let turned = |a: Vector3<f64>| Vector3::new(a.x * cos + a.z * sin, a.y, a.z * cos - a.x * sin);
-        let point = turned(y);
-        (turned(by + Vector3::new(y.z, 0.0, -y.x) * dB) + Vector3::new(-point.y, point.x, 0.0) * dC).norm()
-    };
+    let speed = |s: f64| TiltingTable::tip_speed(&(start + by * s), &by, B + dB * s, [dB, dC]);
     let turn = dB.abs() + dC.abs();
     let bend = turn * turn * (turn * start.norm().max(end.norm()) + 3.0 * by.norm()) / 8.0;
     let (first, last) = (speed(0.0), speed(1.0));

@@ -114,17 +114,15 @@ pub fn greatest_above(
             break;
         }
         upper = f64::NEG_INFINITY;
-        let halves = |[low, high]: [f64; 2]| {
-            let middle = low + (high - low) / 2.0;
-            [[low, middle], [middle, high]]
-        };
-        let parts =
-            if first { halves(cell.s).map(|s| Cell { s, ..cell }) } else { halves(cell.t).map(|t| Cell { t, ..cell }) };
-        let mut count = 0;
-        for part in parts {
-            count = look(part, &mut open, &mut best);
+        let middle = |[low, high]: [f64; 2]| low + (high - low) / 2.0;
+        let (mut below, mut beyond) = (cell, cell);
+        if first {
+            (below.s[1], beyond.s[0]) = (middle(cell.s), middle(cell.s));
+        } else {
+            (below.t[1], beyond.t[0]) = (middle(cell.t), middle(cell.t));
         }
-        if count >= most {
+        look(below, &mut open, &mut best);
+        if look(beyond, &mut open, &mut best) >= most {
             upper = open.peek().map_or(f64::NEG_INFINITY, |(Open(above, _), _)| *above);
             break;
         }

@@ -289,18 +289,21 @@ impl Search<'_> {
         let Cell { time: Time { first, last, part }, ends, turn, piece, v, .. } = *cell;
         if !in_time || first == last {
             let middle = (v[0] + v[1]) / 2.0;
-            return [[v[0], middle], [middle, v[1]]].map(|v| Cell { v, span: self.span(piece, v), ..*cell });
+            let mut half = |v: [f64; 2]| Cell { v, span: self.span(piece, v), ..*cell };
+            return [half([v[0], middle]), half([middle, v[1]])];
         }
-        let times = if last > first + 1 {
+        let [before, after] = if last > first + 1 {
             let middle = first + (last - first) / 2;
-            [[first, middle], [middle, last]].map(|[first, last]| Time { first, last, part })
+            [Time { first, last: middle, part }, Time { first: middle, last, part }]
         } else {
             let middle = (part[0] + part[1]) / 2.0;
-            [[part[0], middle], [middle, part[1]]].map(|part| Time { first, last, part })
+            [Time { first, last, part: [part[0], middle] }, Time { first, last, part: [middle, part[1]] }]
         };
-        let middle = self.end(&times[0], 1, turn);
-        let [before, after] = times;
-        [(before, [ends[0], middle]), (after, [middle, ends[1]])].map(|(time, ends)| Cell { time, ends, ..*cell })
+        let middle = self.end(&before, 1, turn);
+        [
+            Cell { time: before, ends: [ends[0], middle], ..*cell },
+            Cell { time: after, ends: [middle, ends[1]], ..*cell },
+        ]
     }
 
     /// The most by which a run of blocks moves a point of the part otherwise than straight from its beginning to its end.
@@ -352,7 +355,7 @@ impl Search<'_> {
             all.push(Span { rulings, tops, top, bottom, beyond, moves, rho, floors, trim, outside });
             all.len() - 1
         };
-        *at.entry((piece, v.map(f64::to_bits))).or_insert_with(new)
+        *at.entry((piece, [v[0].to_bits(), v[1].to_bits()])).or_insert_with(new)
     }
 
     /// The lower bound of a cell, and whether to halve it in time; `None` where nothing of it counts.
@@ -441,7 +444,8 @@ impl Search<'_> {
             }
         }
 
-        let [in_time, in_v] = [0, 1].map(|side: usize| greater(low.changes[side], high.changes[side]));
+        let change = |side: usize| greater(low.changes[side], high.changes[side]);
+        let (in_time, in_v) = (change(0), change(1));
         let (speed, v_speed) = (speed + in_time, v_speed + in_v);
         let (bend, v_bend) = (bend + 2.0 * (B + C) * in_time, v_bend + 2.0 * v_turn * in_v);
         let (bound, k) = least_between(&d, [speed, v_speed], [bend, v_bend]);

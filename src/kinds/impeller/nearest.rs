@@ -117,7 +117,7 @@ pub struct Scan<'a> {
 fn valley(guess: f64, mut width: f64, value: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
     let (mut at, mut closer) = (guess, 0);
     for _ in 0..6 {
-        let [before, here, after] = [-width, 0.0, width].map(|aside| value(at + aside));
+        let [before, here, after] = [value(at - width), value(at), value(at + width)];
         let bend = before - 2.0 * here + after;
         let shift = width * (before - after) / (2.0 * bend);
         // NaN counts as far.
@@ -254,7 +254,7 @@ impl Wall {
 
     /// Where the lines of obverse and reverse at v end.
     fn bottoms(&self, v: f64) -> [f64; 2] {
-        [0, 1].map(|side| self.bottom(v, side))
+        [self.bottom(v, 0), self.bottom(v, 1)]
     }
 
     /// Where the line of obverse (0) or reverse (1) at v ends.

@@ -67,7 +67,19 @@ fn stand(position: &Position) -> Stand {
 }
 
 fn between(from: &Stand, to: &Stand, part: f64) -> Stand {
-    std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * part)
+    let mut at = *from;
+    for (at, to) in at.iter_mut().zip(to) {
+        *at += (to - *at) * part;
+    }
+    at
+}
+
+fn less(to: &Stand, from: &Stand) -> Stand {
+    let mut by = *to;
+    for (by, from) in by.iter_mut().zip(from) {
+        *by -= from;
+    }
+    by
 }
 
 /// Tip and axis of the tool where all axes stand somewhere.
@@ -110,7 +122,7 @@ impl Stretch {
         let [x, y, z, B, C] = between(&self.from, &self.to, part);
         let turned = Turned::to(B, C);
         let [tip, axis] = self.machine.tool_turned(&Vector3::new(x, y, z), &turned);
-        (tip, axis, [Vector3::x(), Vector3::y()].map(|direction| turned.direction_to_part(&direction)))
+        (tip, axis, [turned.direction_to_part(&Vector3::x()), turned.direction_to_part(&Vector3::y())])
     }
 
     /// The point index at a part of the stretch.
@@ -122,23 +134,24 @@ impl Stretch {
     /// How fast the axis moves up to a height above the tip.
     #[must_use]
     pub fn pace(&self, height: f64) -> Pace {
-        let by: Stand = std::array::from_fn(|axis| self.to[axis] - self.from[axis]);
+        let by = less(&self.to, &self.from);
         let [dx, dy, dz, dB, dC] = by;
         let mut pace = Pace { speed: 0.0, acceleration: 0.0, turn: dB.abs() + dC.abs() };
         let tools = [tool(self.machine, &self.from), tool(self.machine, &self.to)];
         for above in [0.0, height] {
-            let out = tools.map(|(tip, axis)| {
+            let out = |(tip, axis): &(Vector3<f64>, Vector3<f64>)| {
                 let point = tip + axis * above;
                 (point.x * point.x + point.y * point.y).sqrt()
-            });
-            let moved = [&self.from, &self.to].map(|at| {
+            };
+            let moved = |at: &Stand| {
                 let (y_x, y_z) = (at[0], at[2] + above + self.machine.L);
                 let first = Vector3::new(dx + dB * y_z, dy, dz - dB * y_x).norm();
                 let second = Vector3::new(2.0 * dB * dz - dB * dB * y_x, 0.0, -2.0 * dB * dx - dB * dB * y_z).norm();
                 (first, second)
-            });
-            let (first, second) = (moved[0].0.max(moved[1].0), moved[0].1.max(moved[1].1));
-            let rho = out[0].max(out[1]) + first / 2.0;
+            };
+            let (from, to) = (moved(&self.from), moved(&self.to));
+            let (first, second) = (from.0.max(to.0), from.1.max(to.1));
+            let rho = out(&tools[0]).max(out(&tools[1])) + first / 2.0;
             pace.speed = pace.speed.max(dC.abs() * rho + first);
             pace.acceleration = pace.acceleration.max(dC * dC * rho + 2.0 * dC.abs() * first + second);
         }
@@ -198,11 +211,11 @@ impl<T> Sweep<T> {
         let off = |k: usize| {
             let Seen { stand: here, reach: here_reach } = &at[k];
             let even = between(&from.stand, &to.stand, k as f64 / (at.len() - 1) as f64);
-            let off: Stand = std::array::from_fn(|axis| here[axis] - even[axis]);
+            let off = less(here, &even);
             let way = Vector3::new(off[0], off[1], off[2]).norm();
             let even_reach = reach(machine, &even, self.height);
-            let [B, C] = [0, 1].map(|axis: usize| off[axis + 3].abs() * here_reach[axis].max(even_reach[axis]));
-            way + B + C
+            let turned = |axis: usize| off[axis + 3].abs() * here_reach[axis].max(even_reach[axis]);
+            way + turned(0) + turned(1)
         };
         // Of blocks that are not straight the middle tells it at once.
         if off(at.len() / 2) > SLACK {

@@ -76,21 +76,24 @@ impl Body {
             return least;
         }
         let asked_of_faces = asked.map_or(f64::INFINITY, |asked| asked.max(2.0 * self.half));
-        let mut faces = Face::ALL.map(|face| self.wall.seen(face, axis, asked_of_faces));
-        if faces[1].most < faces[0].most {
-            faces.reverse();
+        let mut nearer = self.wall.seen(Face::Obverse, axis, asked_of_faces);
+        if less(nearer.most) {
+            return nearer.most;
         }
-        let most = faces[0].most;
-        if less(most) {
-            return most;
+        let mut other = self.wall.seen(Face::Reverse, axis, asked_of_faces);
+        if less(other.most) {
+            return other.most;
         }
-        if faces[0].least.max(faces[1].least) < 2.0 * self.half {
+        if other.most < nearer.most {
+            std::mem::swap(&mut nearer, &mut other);
+        }
+        if nearer.least.max(other.least) < 2.0 * self.half {
             let middle = self.wall.seen_from_middle(axis);
             if !middle.keeps(self.half) {
                 return middle.nearest().0 - self.half;
             }
         }
-        for face in faces {
+        for face in [nearer, other] {
             if face.least < asked.map_or(least, |asked| least.min(asked)) {
                 least = least.min(face.least_or_less(asked.unwrap_or(f64::NEG_INFINITY)));
             }

@@ -61,21 +61,28 @@ fn widest(tool: &Tool, r_f: f64) -> f64 {
 
 /// The line through a point along a unit vector beside the circle of radius R in the centre plane, nearest near ψ.
 #[must_use]
-pub fn passing(through: &Vector3<f64>, along: &Vector3<f64>, R: f64, mut psi: f64) -> Passing {
+pub fn passing(through: &Vector3<f64>, along: &Vector3<f64>, R: f64, psi: f64) -> Passing {
+    passing_near(through, along, R, sin_cos(psi))
+}
+
+/// The same, the sine and the cosine of ψ being known.
+#[must_use]
+pub fn passing_near(through: &Vector3<f64>, along: &Vector3<f64>, R: f64, (mut sin, mut cos): (f64, f64)) -> Passing {
     let across = |vector: Vector3<f64>| vector - along * vector.dot(along);
-    let [mut sin, mut cos] = [0.0; 2];
     for _ in 0..30 {
-        (sin, cos) = sin_cos(psi);
         let (point, tangent) = (Vector3::new(R * cos, R * sin, 0.0), Vector3::new(-R * sin, R * cos, 0.0));
         let away = across(point - through);
         let bend = across(tangent).norm_squared() - away.dot(&point);
         let step = away.dot(&tangent) / bend.max(R * R * 1e-3);
-        psi -= step.clamp(-0.3, 0.3);
         if step.abs() < LAST {
             // So does what is missed by turning straight on by it.
             (sin, cos) = (sin - step * cos, cos + step * sin);
             break;
         }
+        // By 2·atan(step/2), which is as near as the step itself and takes no sine.
+        let half = step.clamp(-0.3, 0.3) / 2.0;
+        let (sin_by, cos_by) = (2.0 * half / (1.0 + half * half), (1.0 - half * half) / (1.0 + half * half));
+        (sin, cos) = (sin * cos_by - cos * sin_by, cos * cos_by + sin * sin_by);
     }
     let from = Vector3::new(R * cos, R * sin, 0.0) - through;
     Passing { m: across(from).norm(), at: from.dot(along), lean: along.y * cos - along.x * sin }

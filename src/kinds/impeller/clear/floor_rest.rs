@@ -69,8 +69,8 @@ fn reach(tool: Tool, pose: &Pose, c: &Vector3<f64>, out: &Vector3<f64>, [r, r_f]
         return r;
     }
     // A cylinder is left through its side or through its end.
-    let [enter, leave] =
-        if square > 1e-14 { [-1.0, 1.0].map(|side| (-half + side * root.sqrt()) / square) } else { [r, r_f] };
+    let through = |side: f64| (-half + side * root.sqrt()) / square;
+    let (enter, leave) = if square > 1e-14 { (through(-1.0), through(1.0)) } else { (r, r_f) };
     let (low, high) = (enter.max(r), leave.min(up / -along).min(r_f));
     if tool.r_c == 0.0 || high <= low {
         return if high > low { high } else { r };

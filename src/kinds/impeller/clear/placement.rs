@@ -15,14 +15,14 @@
 //! # Units
 //! Millimetres and radians.
 
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 
 use crate::geometry::torus::Torus;
-use crate::kinds::impeller::clear::flank::{Passing, passing};
+use crate::kinds::impeller::clear::flank::{Passing, passing_near};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
 use crate::machine::rotary::{TiltingTable, Turned};
-use crate::number::trig::{atan2, hypot};
+use crate::number::trig::hypot;
 
 /// Inner places at which a block is looked at.
 const PLACES: u8 = 8;
@@ -57,7 +57,7 @@ fn tool(machine: TiltingTable, stand: &Stand) -> [Vector3<f64>; 2] {
 
 /// The tool at the ends of so many even steps of a block, from its beginning on.
 fn evenly(machine: TiltingTable, ends: [&Stand; 2], steps: u8) -> impl Iterator<Item = [Vector3<f64>; 2]> {
-    let [from, to] = ends.map(|stand| *stand);
+    let [&from, &to] = ends;
     let step = Turned::to((to.B - from.B) / f64::from(steps), (to.C - from.C) / f64::from(steps));
     let by = (to.at - from.at) / f64::from(steps);
     let turned = std::iter::successors(Some(Turned::to(from.B, from.C)), move |turned| Some(turned.on_by(&step)));
@@ -73,7 +73,8 @@ impl Tolerance {
     /// How deep in the tube the end of a tool reaches at most.
     fn reach(&self, [tip, along]: &[Vector3<f64>; 2]) -> f64 {
         let near = tip + along * self.torus.r;
-        let Passing { m, at, .. } = passing(tip, along, self.torus.R, atan2(near.y, near.x));
+        let out = near.xy().try_normalize(0.0).unwrap_or_else(Vector2::x);
+        let Passing { m, at, .. } = passing_near(tip, along, self.torus.R, (out.y, out.x));
         hypot(at - self.tool.r_c, self.tool.flat_radius() + m) + self.tool.r_c
     }
 
@@ -125,7 +126,6 @@ impl Tolerance {
     /// The greatest part by which the speed of the tip at the ends of a block differs from its mean.
     #[must_use]
     pub fn feed_error(&self, ends: [&Stand; 2]) -> f64 {
-        let tip = |part: f64| tool(self.machine, &ends[0].towards(ends[1], part))[0];
         let mut places = evenly(self.machine, ends, PLACES).map(|[tip, _]| tip);
         let Some(mut last) = places.next() else { return 0.0 };
         let mut mean = 0.0;
@@ -136,12 +136,11 @@ impl Tolerance {
         if mean < 1e-9 {
             return 0.0;
         }
-        let step = 1e-4;
-        [0.0, 1.0]
-            .map(|at: f64| (tip(at + step) - tip(at - step)).norm() / (2.0 * step))
-            .into_iter()
-            .map(|speed| (speed / mean - 1.0).abs())
-            .fold(0.0, f64::max)
+        let [from, to] = ends;
+        let (by, turn) = (to.at - from.at, [to.B - from.B, to.C - from.C]);
+        let pivot = Vector3::new(0.0, 0.0, self.machine.L);
+        let error = |end: &Stand| (TiltingTable::tip_speed(&(end.at + pivot), &by, end.B, turn) / mean - 1.0).abs();
+        error(from).max(error(to)).max(0.0)
     }
 
     fn holds(&self, way: &impl Fn(f64) -> Stand, x: [f64; 2], ends: [&Stand; 2]) -> bool {

@@ -21,7 +21,11 @@ impl<const N: usize> Panel<N> {
         let [begin, end] = self.ends;
         let t = if end > begin { (x - begin) / (end - begin) } else { 0.0 };
         let weights = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
-        std::array::from_fn(|k| (0..3).map(|node: usize| weights[node] * self.at[node][k]).sum())
+        let mut value = [0.0; N];
+        for (k, value) in value.iter_mut().enumerate() {
+            *value = (0..3).map(|node: usize| weights[node] * self.at[node][k]).sum();
+        }
+        value
     }
 }
 
@@ -48,8 +52,9 @@ impl<const N: usize> Table<N> {
 
     fn fill(&mut self, panel: Panel<N>, halved: u8, tolerance: &[f64; N], value: &impl Fn(f64) -> [f64; N]) {
         let [begin, end] = panel.ends;
-        let quarters = [0.25, 0.75].map(|part| begin + (end - begin) * part);
-        let found = quarters.map(value);
+        let quarter = |part: f64| begin + (end - begin) * part;
+        let quarters = [quarter(0.25), quarter(0.75)];
+        let found = [value(quarters[0]), value(quarters[1])];
         let close = quarters.iter().zip(&found).all(|(&x, found)| {
             let near = panel.at(x);
             (0..N).all(|k| (near[k] - found[k]).abs() <= tolerance[k])
