@@ -197,12 +197,6 @@ rules! {
         why "Con las herramientas del ejemplo tal como están, ese programa daría la alarma 154 en cada corte.",
             "With the example's tools as they are, this program would raise alarm 154 at every cut.";
         example line!("simulate" "part.nc"; "part.nc" = "G50 S2500|T0101|G97 S900 M4|M8|G0 X54. Z2.|G1 X48. F0.2|Z-20.|X54.|G0 X100. Z50.|M30");
-    "U0135" UnitNotSaid Note { unit: Text, metric: String, inch: String }
-        es "el programa se mueve sin haber dicho su unidad ({metric} o {inch}): rodete lo lee en {unit}, el control en la que tenga en vigor"
-        en "the program moves before it says its unit ({metric} or {inch}): rodete reads it in {unit}, the control in the one that is in force"
-        remedy "", "";
-        why "Con la otra unidad la pieza saldría 25.4 veces mayor o menor.", "In the other unit the part would be 25.4 times larger or smaller.";
-        example line!("verify" "part.ngc"; "part.ngc" = "G0 X1|M30");
     "U0136" MillingProgram Stop {}
         es "es un programa de fresado: simulate lee programas de torno"
         en "this is a milling program: simulate reads turning programs"

@@ -9,21 +9,19 @@ use super::args::Verify;
 use super::locale::spoken;
 use super::made_from;
 use super::program::{Consulted, Shared, told_from};
-use super::rules::{NothingMoves, UnitNotSaid};
+use super::rules::NothingMoves;
 use super::terminal::Terminal;
 use super::turning::is_workbook;
 use super::verdict::{Ending, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
-use crate::gcode::code::G;
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::tools_headed;
 use crate::gcode::interpreter::{Bytes, Interpreter, Refused, RotaryMode, findings};
 use crate::gcode::motion::{FeedMode, Motion, MotionKind};
 use crate::limits::LISTED_REFUSALS;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::length_unit::LengthUnit;
 use crate::number::shown;
 use crate::proof::account::{Account, Extents, drift};
 use crate::store::{Sum, Summed};
@@ -187,11 +185,7 @@ fn follow(
     if read.account.program.is_none() && total == 0 {
         remarks.push(NothingMoves {}.at(Place::File));
     }
-    let [unsaid, inch] = interpreter.units_used();
-    read.inch = inch;
-    if unsaid && total == 0 {
-        remarks.push(unit_not_said(dialect, shared.unit));
-    }
+    read.inch = interpreter.in_inches();
     read.verdict.findings = findings(faults, total, remarks);
     drop(interpreter);
     read.verdict.sha256 = sum.take();
@@ -237,16 +231,6 @@ fn read_through(
     }
     terminal.out(&canon);
     (faults, total)
-}
-
-/// The note on a program that leaves its unit to the control, which is read in one.
-fn unit_not_said(control: &Control, unit: LengthUnit) -> Finding {
-    let code = |unit: G| control.codes.names(unit).into_iter().next().unwrap_or_default();
-    let told = match unit {
-        LengthUnit::Millimetre => t("mm", "mm"),
-        LengthUnit::Inch => t("pulgadas", "inches"),
-    };
-    UnitNotSaid { unit: told, metric: code(G::Millimetre), inch: code(G::Inch) }.at(Place::File)
 }
 
 /// X as the lathe's program has it, a diameter, in what is reported in sum; canonical motions have radii.

@@ -8,7 +8,7 @@ use crate::gcode::control::{
     FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
     MissingFeed, NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Post, Radii, RadiusRule, Reference,
     Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall,
-    ToolChange, Turns, Writing,
+    ToolChange, Turns, UnitChange, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -112,7 +112,13 @@ const FAGOR_8055_BASE: Control = Control {
     lexis: LEXIS,
     codes: &CODES_8055,
     machine_code,
-    start: Start { motion: G::Cancel, feed: FeedMode::PerMinute, plane: Plane::XY, retract: Retract::Initial },
+    start: Start {
+        motion: G::Cancel,
+        feed: FeedMode::PerMinute,
+        plane: Plane::XY,
+        retract: Retract::Initial,
+        units: UnitChange::Anywhere,
+    },
     order: Order::Rs274,
     axes: AxisWords { x: AcrossWord::Radius, increments: Increments::ByMode },
     arcs: ArcWords {

@@ -14,7 +14,7 @@ use crate::gcode::control::{
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark, MissingFeed,
     NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
-    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
+    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, UnitChange,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -69,7 +69,13 @@ pub static FANUC_LATHE_A: Control = Control {
     },
     codes: &CODES,
     machine_code,
-    start: Start { motion: G::Rapid, feed: FeedMode::PerRevolution, plane: Plane::ZX, retract: Retract::R },
+    start: Start {
+        motion: G::Rapid,
+        feed: FeedMode::PerRevolution,
+        plane: Plane::ZX,
+        retract: Retract::R,
+        units: UnitChange::AtBeginning,
+    },
     order: Order::Fanuc,
     axes: AxisWords { x: AcrossWord::Diameter, increments: Increments::ByLetters },
     arcs: ArcWords {

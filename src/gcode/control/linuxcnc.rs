@@ -7,7 +7,8 @@ use crate::gcode::control::{
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
     MissingFeed, NegativeRadius, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
-    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
+    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns,
+    UnitChange, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -53,7 +54,13 @@ pub static LINUXCNC: Control = Control {
     },
     codes: &CODES,
     machine_code,
-    start: Start { motion: G::Cancel, feed: FeedMode::PerMinute, plane: Plane::XY, retract: Retract::R },
+    start: Start {
+        motion: G::Cancel,
+        feed: FeedMode::PerMinute,
+        plane: Plane::XY,
+        retract: Retract::R,
+        units: UnitChange::Anywhere,
+    },
     order: Order::Rs274,
     axes: AxisWords { x: AcrossWord::Radius, increments: Increments::ByMode },
     arcs: ArcWords {

@@ -67,6 +67,17 @@ pub struct Start {
     pub plane: Plane,
     /// Where canned cycles return to.
     pub retract: Retract,
+    /// Where a program may change its unit of length.
+    pub units: UnitChange,
+}
+
+/// Where a program may change its unit of length.
+#[derive(Clone, Copy, Debug)]
+pub enum UnitChange {
+    /// In any block.
+    Anywhere,
+    /// Before its first motion: the control's manual warns of it behind that.
+    AtBeginning,
 }
 
 /// A control: how its programs are read and, where rodete writes for it, how they are written.

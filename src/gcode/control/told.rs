@@ -8,7 +8,7 @@ use super::{
     FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
     MissingFeed, NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference,
     Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
-    Writing,
+    UnitChange, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -98,7 +98,7 @@ impl Features {
     }
 
     fn start(&mut self, start: &Start, drilling: Drilling) {
-        let Start { motion, feed, plane, retract } = start;
+        let Start { motion, feed, plane, retract, units } = start;
         let retract = match drilling {
             Drilling::None => t("ningún ciclo", "no cycle"),
             Drilling::Rs274 | Drilling::Lathe => retract.told(),
@@ -107,6 +107,7 @@ impl Features {
         self.row(t("al empezar: avance", "at the start: feed"), feed.told());
         self.row(t("al empezar: plano", "at the start: plane"), Text::same(plane.name()));
         self.row(t("al empezar: retirada de los ciclos", "at the start: retract of cycles"), retract);
+        self.row(t("cambio de unidad", "change of unit"), units.told());
     }
 
     fn geometry(&mut self, axes: &AxisWords, arcs: &ArcWords) {
@@ -347,6 +348,10 @@ told! {
     Mark {
         Self::Skipped => "se omite, con una nota", "skipped, with a note";
         Self::Rejected => "se rechaza", "rejected";
+    }
+    UnitChange {
+        Self::Anywhere => "en cualquier bloque", "in any block";
+        Self::AtBeginning => "antes del primer movimiento; después, aviso", "before the first motion; a caution behind it";
     }
     LoneReturn {
         Self::EndsLine => "termina la línea", "ends the line";

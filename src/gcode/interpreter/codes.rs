@@ -6,11 +6,10 @@ use crate::gcode::control::{DwellWord, FeedChange, SpeedLimit};
 use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::doubt;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::{FeedMode, MotionKind};
-use crate::gcode::rules::modes::{
-    DwellNegative, DwellTwice, DwellWithoutTime, NoSpeedLimit, SurfaceSpeedMissing, UnitsChange,
-};
+use crate::gcode::rules::modes::{DwellNegative, DwellTwice, DwellWithoutTime, NoSpeedLimit, SurfaceSpeedMissing};
 use crate::gcode::rules::words::{DwellNotWhole, OrientWord};
 use crate::gcode::turning::pace::Pace;
 use crate::limits::LONGEST_DWELL;
@@ -29,7 +28,7 @@ impl Reader<'_, '_> {
                     SpeedLimit::Word => self.state.modal.greatest_speed = self.block.get(letter::D),
                     SpeedLimit::Code => {}
                 }
-                if self.state.modal.greatest_speed.is_none() {
+                if self.state.modal.greatest_speed.is_none() && !self.in_doubt(doubt::SPEED) {
                     let spot = self.block.spot;
                     self.memory.remarks.row(&NoSpeedLimit {}, spot, Some(self.block.g_column(Group::Speed)));
                 }
@@ -200,11 +199,8 @@ impl Reader<'_, '_> {
     }
 
     pub(super) fn set_unit(&mut self, unit: LengthUnit) {
-        if unit != self.state.modal.unit && self.memory.unit_said {
-            let spot = self.block.spot;
-            self.memory.remarks.row(&UnitsChange {}, spot, Some(self.block.g_column(Group::Units)));
-        }
-        self.memory.unit_said = true;
+        let column = self.block.g_column(Group::Units);
+        self.memory.units.tell(self.block.spot, column);
         // The numbers of a cycle in force stay as they are written, and so does the height that it began at: they count in the new
         // unit from here on (LinuxCNC's interp_convert.cc, convert_length_units, scales none of them).
         let scale = unit.to_mm(1.0) / self.state.modal.unit.to_mm(1.0);

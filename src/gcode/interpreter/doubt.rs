@@ -37,6 +37,8 @@ pub(super) const DISTANCE: State = 1 << 16;
 const PARAMETERS: State = 1 << 17;
 /// What the position hangs on beside its axes.
 pub(super) const MODES: State = PLANE | UNIT | DISTANCE;
+/// The first block of a turning cycle of two.
+pub(super) const FIRST_BLOCK: State = 1 << 18;
 /// The axes X and Z of a lathe.
 pub(super) const LATHE: State = axis(Axis::X) | axis(Axis::Z);
 /// All axes.
@@ -89,7 +91,8 @@ fn of_code(number: f64, codes: &Codes) -> State {
         93..=95 => FEED,
         96 | 97 => SPEED,
         40..=42 => MOTION,
-        0..=3 | 5 | 7..=9 | 32..=39 | 70..=89 => MOTION,
+        71..=76 => MOTION | FIRST_BLOCK,
+        0..=3 | 5 | 7..=9 | 32..=39 | 70 | 77..=89 => MOTION,
         10 | 28 | 30 | 43 | 49 | 50 | 52..=59 | 92 => ALL,
         _ => 0,
     }
@@ -145,11 +148,12 @@ impl Reader<'_, '_> {
     /// True where a refusal follows from what is in doubt: it is counted and not reported. What its block would have put into
     /// force is in doubt in any case.
     pub(super) fn follows(&mut self, fault: &Refused, line: &[u8]) -> bool {
-        // What a control does not make of a cycle changes the part: that is reported.
-        let follows = self.memory.doubts.state & fault.hangs != 0 && !fault.fatal && !fault.uncut;
+        let because = self.memory.doubts.state & fault.hangs;
+        // What a control does not make of a cycle changes the part: that is reported, but where its first block was.
+        let follows = because != 0 && !fault.fatal && (!fault.uncut || because & FIRST_BLOCK != 0);
         if follows {
             self.memory.doubts.left_out += 1;
-            self.memory.doubts.because |= self.memory.doubts.state & fault.hangs;
+            self.memory.doubts.because |= because;
         }
         self.doubt_line(line, if fault.line == 0 { self.block.spot.line } else { fault.line });
         follows
@@ -173,6 +177,7 @@ impl Reader<'_, '_> {
         if matches!(block.m(7), Some((M::Spindle(_) | M::SpindleOff, _))) {
             known |= SPINDLE;
         }
+        known |= if matches!(block.g(Group::NonModal), Some(G::Turning(_))) { FIRST_BLOCK } else { 0 };
         let state = self.memory.doubts.state & !known;
         let moved = matches!(block.g(Group::NonModal), None | Some(G::MachineCoordinates));
         if moved && !self.state.modal.incremental && state & (UNIT | DISTANCE) == 0 {
@@ -215,6 +220,7 @@ impl Doubts {
             (UNIT, "la unidad", "the unit"),
             (DISTANCE, "cotas absolutas o incrementales", "absolute or incremental"),
             (PARAMETERS, "un parámetro", "a parameter"),
+            (FIRST_BLOCK, "el primer bloque de un ciclo", "the first block of a cycle"),
         ] {
             if because & state != 0 {
                 names.push((es.to_owned(), en.to_owned()));

@@ -18,9 +18,8 @@ use crate::gcode::rules::modes::{
     FeedPerTurnWithoutSpeed, InverseTimeWithoutF, InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutMotion,
     NoFeed, SetPositionWithoutAxes, SpindleStill, SpindleStops, ThreadStartAngle, WordWithoutUse,
 };
-use crate::gcode::rules::words::DwellBesideArc;
+use crate::gcode::rules::words::{CycleInOneBlock, DwellBesideArc, TaperByOtherLetter};
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::length_unit::LengthUnit;
 
 /// The axis words.
 const AXIS_WORDS: u32 = Letters::of("ABCUVWXYZ").mask();
@@ -334,7 +333,17 @@ impl Reader<'_, '_> {
         let index = idle.trailing_zeros() as usize;
         let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
         let motion = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion);
+        if let Some(G::Turning(cycle)) = self.block.g(Group::NonModal)
+            && matches!(name, 'I' | 'K')
+            && !self.fagor_cycle()
+        {
+            return Refused::of(&CycleInOneBlock { letter: name, number: cycle.number() }, &[self.block.column(index)]);
+        }
         let meant = match (motion, name) {
+            (G::Pass(pass), 'I' | 'K') => {
+                let row = TaperByOtherLetter { letter: name, number: pass.number() };
+                Some(Refused::of(&row, &[self.block.column(index)]))
+            }
             (G::Linear, 'I' | 'K' | 'R') if self.memory.control.corners.by_words() => {
                 Some(without_line(&name.to_string(), self.block.column(index)))
             }
@@ -501,8 +510,7 @@ impl Reader<'_, '_> {
     pub(super) fn emit(&mut self, kind: MotionKind, to: Pose, seconds: Option<f64>) {
         self.see_turn(kind, &to);
         if Axis::ALL.into_iter().any(|axis| !axis.rotary() && to.get(axis) != self.state.at.get(axis)) {
-            self.memory.units_used[0] |= !self.memory.unit_said;
-            self.memory.units_used[1] |= self.state.modal.unit == LengthUnit::Inch;
+            self.memory.see_unit(self.state.modal.unit, self.block.spot);
         }
         self.see_cut(kind, &to);
         let motion = Motion {

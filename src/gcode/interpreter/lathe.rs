@@ -108,6 +108,7 @@ impl Reader<'_, '_> {
     /// G50 with axis words: this position gets the coordinates X and Z, or its own and U and W more.
     pub(super) fn set_lathe_position(&mut self) {
         let to = self.end_point();
+        self.memory.position_set |= [letter::X, letter::Z].into_iter().any(|word| self.block.has(word));
         let mut g92 = self.state.frame.g92;
         for axis in [Axis::X, Axis::Z] {
             g92.set(axis, self.state.at.get(axis) + g92.get(axis) - to.get(axis));

@@ -73,6 +73,7 @@ mod tool;
 pub mod tool_table;
 mod turning;
 mod turret;
+mod units;
 
 use std::collections::VecDeque;
 
@@ -104,6 +105,7 @@ use crate::gcode::code::TurningCycle;
 pub use crate::gcode::control::RotaryMode;
 use crate::gcode::control::{Control, RadiusRule};
 use crate::gcode::in_force::InForce;
+use crate::gcode::interpreter::units::UnitsSeen;
 use crate::gcode::motion::Motion;
 use crate::gcode::rules::flow::{
     BlockNumberInvalid, ByteOrderMark, ByteOrderMarkRejected, EndlessProgram, EndsInSubprogram, NoEnd, NoEndOrPercent,
@@ -156,10 +158,9 @@ struct Memory<'a> {
     aborted: bool,
     /// A cycle of a lathe was refused.
     uncut: bool,
-    /// The program has said its unit.
-    unit_said: bool,
-    /// A motion has been made before it did, and one in inches.
-    units_used: [bool; 2],
+    units: UnitsSeen,
+    /// A block of a lathe has given the place where the turret stands coordinates.
+    position_set: bool,
     spindle: SpindleSeen,
     repeated: u64,
     /// An absolute motion has been made, and an incremental one.
@@ -259,8 +260,8 @@ impl<'a> Interpreter<'a> {
             first_blocks: Vec::new(),
             aborted: false,
             uncut: false,
-            unit_said: false,
-            units_used: [false; 2],
+            units: UnitsSeen::default(),
+            position_set: false,
             spindle: SpindleSeen::default(),
             repeated: 0,
             distances: [false; 2],
@@ -272,10 +273,16 @@ impl<'a> Interpreter<'a> {
         Self { memory, line: Vec::new(), block, state: State { modal, frame, at }, in_force }
     }
 
-    /// Whether a motion has been made before the program said its unit, and whether one has been made in inches.
+    /// Whether a motion has been made in inches.
     #[must_use]
-    pub const fn units_used(&self) -> [bool; 2] {
-        self.memory.units_used
+    pub const fn in_inches(&self) -> bool {
+        self.memory.units.inches
+    }
+
+    /// Whether a block of a lathe has given coordinates to the place where the turret stands (G50 X Z).
+    #[must_use]
+    pub const fn sets_position(&self) -> bool {
+        self.memory.position_set
     }
 
     /// What is worth saying about the program as far as it has been read.

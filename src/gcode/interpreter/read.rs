@@ -136,7 +136,7 @@ impl Reader<'_, '_> {
     }
 
     /// True behind the code of a turning cycle of Fagor's: M, S, L and others are its parameters.
-    fn fagor_cycle(&self) -> bool {
+    pub(super) fn fagor_cycle(&self) -> bool {
         matches!(self.block.g(Group::NonModal), Some(G::Turning(TurningCycle::Fagor(_))))
     }
 

@@ -7,10 +7,11 @@
 //!
 //! What the first block does not give is a parameter of the control, which is not known here: it is refused.
 
+use crate::finding::Size;
 use crate::gcode::code::{G, Group, TurningCycle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::doubt::number;
+use crate::gcode::interpreter::doubt::{FIRST_BLOCK, number};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::refused::{Refused, Result};
@@ -22,7 +23,7 @@ use crate::gcode::turning::pattern_repeating::{Repeat, repeat};
 use crate::gcode::turning::rough::{self, Rough};
 use crate::gcode::turning::rules::{
     AllowanceIntoWall, FirstBlockMissing, FirstBlockUnused, FirstBlockWordMissing, RepeatPassesNotWhole,
-    ThreadFirstBlockDigits, ThreadWordMissing,
+    ThreadFirstBlockDigits, ThreadInOnePass, ThreadWordMissing,
 };
 use crate::gcode::turning::thread_cycle::{Threading, thread};
 use crate::gcode::turning::trouble::Trouble;
@@ -188,6 +189,11 @@ impl Reader<'_, '_> {
             lead: self.lead()?,
         };
         let moves = self.told(thread(self.here(), &threading))?;
+        let Threading { first, height, .. } = threading;
+        if first >= height - threading.allowance {
+            let row = ThreadInOnePass { first: Size::mm(first), height: Size::mm(height) };
+            self.memory.remarks.row(&row, self.block.spot, Some(self.block.column(letter::Q)));
+        }
         self.make_moves(moves, Feed { mode: self.state.modal.feed_mode, value: self.state.modal.feed });
         Ok(())
     }
@@ -250,7 +256,7 @@ impl Reader<'_, '_> {
             let name = char::from(b'A' + u8::try_from(letter).unwrap_or(0));
             let at = [self.block.g_column(Group::NonModal)];
             if kept.is_none() {
-                Refused::of(&FirstBlockMissing { cycle: number }, &at)
+                Refused::of(&FirstBlockMissing { cycle: number }, &at).hanging_on(FIRST_BLOCK)
             } else {
                 Refused::of(&FirstBlockWordMissing { letter: name, cycle: number }, &at)
             }

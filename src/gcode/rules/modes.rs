@@ -43,13 +43,13 @@ rules! {
         why "No se puede esperar menos que nada.",
             "One cannot wait for less than nothing.";
         example Example::program("linuxcnc", "G21 G90 F100|G4 P-1|M2", "2:4");
-    "G0506" UnitsChange Note {}
+    "G0506" UnitsChange Caution {}
         es "las unidades cambian en medio del programa"
         en "the units change in the middle of the program"
-        remedy "", "";
-        why "El mismo número es otra longitud antes y después del cambio.",
-            "The same number means another length before and after the change.";
-        example Example::program("linuxcnc", "G21 G90 F100|G0 X1|G20|G0 X1|M2", "3:1");
+        remedy "escriba el programa entero en una unidad, dicha en su primer bloque", "write the whole program in one unit, given in its first block";
+        why "El mismo número es otra longitud antes y después del cambio. Fanuc avisa de que no se cambie (B-63944EN/02, pág. 192): también el avance, los correctores y los orígenes cuentan en la otra unidad. Los demás controles lo admiten: allí es una nota.",
+            "The same number means another length before and after the change. Fanuc warns not to change it (B-63944EN/02, p. 192): feed, tool offsets and work offsets count in the other unit, too. The other controls allow it: there it is a note.";
+        example Example::program("fanuc-lathe-a", "G21 G98|G0 X1.|G20|G0 X2.|M30", "3:1");
     "G0507" MachineMoveIncremental Stop {}
         es "G53 con cotas incrementales"
         en "G53 with incremental coordinates"
@@ -227,7 +227,7 @@ rules! {
     "G0532" GreatFeedPerTurn Caution { feed: Size }
         es "avance de {feed}: ¿es por minuto?"
         en "feed of {feed}: is it meant per minute?"
-        remedy "programe el avance por minuto (G94; en un torno Fanuc, G98), o un F en mm por vuelta", "program the feed per minute (G94; on a Fanuc lathe G98), or an F in mm per revolution";
+        remedy "programe el avance por minuto (G94; en un torno Fanuc, G98), o un F por vuelta", "program the feed per minute (G94; on a Fanuc lathe G98), or an F per revolution";
         why "Ninguna herramienta aguanta tal avance en cada vuelta.",
             "No tool stands such a feed in each revolution.";
         example Example::program("linuxcnc", "G21 G90 G95 S900 M3|G1 X10 F100|M2", "2");
@@ -238,4 +238,11 @@ rules! {
         why "Un tiempo escrito en milisegundos se lee aquí mil veces mayor, con el husillo en marcha.",
             "A time written in milliseconds is read a thousand times longer here, with the spindle running.";
         example Example::program("linuxcnc", "G21 G90 F100|G4 P500|M2", "2");
+    "G0534" UnitNotSaid Note { unit: Text, metric: String, inch: String }
+        es "el programa se mueve sin haber dicho su unidad ({metric} o {inch}): rodete lo lee en {unit}, el control en la que tenga en vigor"
+        en "the program moves before it says its unit ({metric} or {inch}): rodete reads it in {unit}, the control in the one that is in force"
+        remedy "dé la unidad en el primer bloque", "give the unit in the first block";
+        why "Con la otra unidad la pieza saldría 25.4 veces mayor o menor. El control guarda la unidad del programa anterior, un Fanuc también sin tensión.",
+            "In the other unit the part would be 25.4 times larger or smaller. The control keeps the unit of the program before, a Fanuc also with the power off.";
+        example Example::program("linuxcnc", "G0 X1|M2", "1");
 }

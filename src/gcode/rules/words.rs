@@ -220,4 +220,11 @@ rules! {
         why "El control se para en un código que no conoce, y rodete no sabe qué hace en otro.",
             "The control stops at a code that it does not know, and rodete does not know what it does on another.";
         example Example::program("linuxcnc", "G21 G90 F100|G68 X0 Y0 R30|M2", "2:1");
+    "G0131" TaperByOtherLetter Stop { letter: char, number: u8 }
+        es "G{number} con {letter}: así escriben la conicidad otros controles; este la lee en R"
+        en "G{number} with {letter}: other controls write the taper so; this one reads it from R"
+        remedy "escriba R: el radio al principio del corte menos el del final; en G94, la Z del principio menos la del final",
+            "write R: the radius where the cut begins less the one where it ends; in G94, the Z where it begins less the one where it ends";
+        why "Sin R el ciclo corta un cilindro, o una cara plana.", "Without R the cycle cuts a cylinder, or a plane face.";
+        example Example::program("fanuc-lathe-a", "G21 G99|G0 X54. Z2.|G92 X50. Z-20. I-1. F2.|M30", "3:16");
 }

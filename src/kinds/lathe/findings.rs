@@ -7,8 +7,8 @@ use crate::finding::{Bare, Finding, Grade, Place, Raise, Said, Size};
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::kinds::lathe::Raised;
 use crate::kinds::lathe::rules::{
-    MachineZeroAssumed, MoreAlarms, NotJudgedFromHere, ProgramNotJudged, ReferenceAssumed, ThreadTooMuchWork,
-    TooManyMotions, TooMuchWork,
+    MachineZeroAssumed, MoreAlarms, NotJudgedFromHere, PositionAssumed, ProgramNotJudged, ReferenceAssumed,
+    ThreadTooMuchWork, TooManyMotions, TooMuchWork,
 };
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::text::SheetProgram;
@@ -88,8 +88,9 @@ pub(super) fn too_much_work(file: Option<&str>, motion: &Motion, made: usize) ->
     ThreadTooMuchWork { made, lead, turns: Size::number(turns, 0) }.at(place)
 }
 
-/// What is assumed of the machine where the form does not say: the reference point of a program that goes there.
-pub(super) fn assumed(given: &Given, program: &str) -> Vec<Finding> {
+/// What is assumed of the machine where the form does not say: the reference point of a program that goes there, or that gives
+/// coordinates to where the turret stands.
+pub(super) fn assumed(given: &Given, program: &str, sets_position: bool) -> Vec<Finding> {
     let program = program.to_uppercase();
     let has = |code: &str| {
         program
@@ -100,9 +101,15 @@ pub(super) fn assumed(given: &Given, program: &str) -> Vec<Finding> {
     if !given.referred && has("G53") {
         found.push(MachineZeroAssumed {}.at(Place::File));
     }
-    if !given.referred && (has("G28") || has("G30")) {
+    let reference = || {
         let [X, Z] = given.reference();
-        let [X, Z] = [2.0 * X, Z].map(|at| Bare::mm(at, 3));
+        [2.0 * X, Z].map(|at| Bare::mm(at, 3))
+    };
+    if !given.referred && sets_position {
+        let [X, Z] = reference();
+        found.push(PositionAssumed { X, Z }.at(Place::File));
+    } else if !given.referred && (has("G28") || has("G30")) {
+        let [X, Z] = reference();
         found.push(ReferenceAssumed { X, Z }.at(Place::File));
     }
     found

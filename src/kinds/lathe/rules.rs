@@ -308,4 +308,20 @@ rules! {
         why "El metal que falta deja la pieza inservible: no se puede volver a poner.",
             "Missing metal scraps the part: it cannot be put back.";
         example book!("lathe", "PROGRAM!A43" = "(no thread)", "PROGRAM!A44" = "(no thread)", "PROFILE!A6" = "'1", "PROFILE!B6" = "22", "PROFILE!C6" = "-3", "PROFILE!A7" = "'1", "PROFILE!B7" = "22", "PROFILE!C7" = "-24");
+    "L0235" PositionAssumed Caution { X: Bare, Z: Bare }
+        es "el programa da coordenadas al sitio en que está la torreta (G50, G92), y el libro no lo da: rodete la supone en X{X} Z{Z} desde M"
+        en "the program gives coordinates to the place where the turret stands (G50, G92), and the workbook does not give it: rodete assumes X{X} Z{Z} from M"
+        remedy "rellene R_X y R_Z en el libro (hoja DATOS) con el sitio en que empieza el programa",
+            "fill in R_X and R_Z in the workbook (sheet DATA) with the place where the program starts";
+        why "De ese sitio depende dónde queda la pieza: si no es el de verdad, todos los movimientos y sus alarmas están corridos.",
+            "Where the work lies depends on that place: if it is not the true one, all motions and their alarms are shifted.";
+        example blocks!("G50 X54. Z2.");
+    "L0236" InInches Note {}
+        es "el programa tiene cotas en pulgadas: rodete da todas las longitudes en mm"
+        en "the program has lengths in inches: rodete gives all lengths in mm"
+        remedy "", "";
+        why "Los recorridos, correctores y decalajes de las hojas y del informe están en mm; en la pantalla del control, en pulgadas.",
+            "Travels, tool offsets and work offsets of sheets and report are in mm; on the control's screen, in inches.";
+        example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120",
+            program: "G20 G50 S2500|T0101|G97 S900 M3|M8|G0 X2.2 Z.1|G1 X1.9 F.008|Z-.8|X2.2|G0 X4. Z2.|M30", machine: &[] };
 }

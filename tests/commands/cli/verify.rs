@@ -155,7 +155,7 @@ fn a_program_that_leaves_its_unit_to_the_control_is_told_and_one_in_inches_too()
         let assert =
             rodete(&folder).args(["verify", "program.nc", "--dialect", dialect]).args(options).assert().code(0);
         let output = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
-        assert_eq!(output.contains("note U0135"), told.is_some(), "{program}: {output}");
+        assert_eq!(output.contains("note G0534"), told.is_some(), "{program}: {output}");
         assert!(told.is_none_or(|told| output.contains(told)), "{program}: {output}");
         let inches = program.contains("G70") || program.contains("G20") || !options.is_empty();
         assert_eq!(output.contains("has lengths in inches; all lengths here are in mm"), inches, "{program}: {output}");

@@ -108,8 +108,44 @@ fn what_the_control_does_not_know_is_refused_and_never_skipped() {
         case("D46 while", "WHILE [1 EQ 1] DO 1|END 1", 3, "stop 7:1 macros (#, IF, WHILE, GOTO) are not supported"),
         case("D35 G92", "G92 X40.", 3, "stop 6:1 Z missing in G92, which here is a turning cycle"),
         case("a milling program", "G0 X10. Y5.", 3, "stop 6:9 letter Y is not supported in the dialect fanuc-lathe-a"),
-        case("D34 units", "G20|G21", 0, "note 7:1 the units change in the middle of the program"),
+        case("D34 units", "G20|G0 X2.1", 0, "caution 6:1 the units change in the middle of the program"),
+        case(
+            "grooving in one block",
+            "G75 X40. I0.5 F0.1",
+            3,
+            "stop 6:10 G75 with I: the cycle is written in one block",
+        ),
+        case(
+            "drilling in one block",
+            "G74 Z-9. K2. F0.1",
+            3,
+            "stop 6:10 G74 with K: the cycle is written in one block",
+        ),
+        case("taper with I", "G92 X50. Z-20. I-1. F2.", 3, "stop 6:14 G92 with I: other controls write the taper so"),
+        case("taper with K", "G94 X40. Z-2. K-1. F.1", 3, "stop 6:13 G94 with K: other controls write the taper so"),
+        case(
+            "thread at once",
+            "G97 S500|G76 P020060 Q50 R.05|G76 X47. Z-9. P1000 Q3000 F1.5",
+            0,
+            "caution 8:23 G76 cuts the thread in one pass: the first one goes in by 3 mm, and the height is 1 mm",
+        ),
+        case("zero where it stands", "G50 X40. Z2.", 0, "caution  the program gives coordinates to the place"),
     ]);
+}
+
+#[test]
+fn a_program_in_inches_or_without_a_unit_is_told_wherever_a_lathe_reads_it() {
+    let head = HEAD.join("\n");
+    let tail = TAIL.join("\n");
+    for (unit, told) in [("G21", None), ("G20", Some("L0236")), ("", Some("G0534"))] {
+        let text = format!("{unit}\n{head}\nG1 X49. F.1\n{tail}\n");
+        let (document, _) = simulate(&text, &[], &["--decimal-point", "calculator"]);
+        let codes: Vec<&str> =
+            document["findings"].as_array().unwrap().iter().filter_map(|one| one["code"].as_str()).collect();
+        for code in ["L0236", "G0534"] {
+            assert_eq!(codes.contains(&code), told == Some(code), "{unit} {codes:?}");
+        }
+    }
 }
 
 #[test]

@@ -52,6 +52,33 @@ fn g90_and_g91_alone_are_told_on_a_lathe_of_system_a() {
 }
 
 #[test]
+fn a_second_block_behind_a_rejected_first_one_and_a_rejected_speed_limit_are_not_told_again() {
+    let thread =
+        "G50 S2000 E1\nG96 S200 M3\nG0 X24. Z4.\nG76 P020060 Q50 R.05 E1\nG76 X17. Z-20. P1000 Q300 F1.75\nM30\n";
+    let read = read(&FANUC_LATHE_A, thread);
+    assert_eq!(read.refused.iter().map(|(line, _)| *line).collect::<Vec<_>>(), [1, 4], "{read:?}");
+    assert!(!read.cautions.iter().any(|one| one.contains("without a speed limit")), "{read:?}");
+    let alone = self::read(&FANUC_LATHE_A, &thread.replace(" E1", "").replace("G76 P020060 Q50 R.05\n", ""));
+    assert_eq!(alone.refused[0].1, "the first block of G76 is missing");
+}
+
+#[test]
+fn another_unit_is_told_where_something_moves_in_it_and_gravely_where_the_manual_forbids_it() {
+    let graded = |dialect: &'static Control, program: &str| {
+        let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(dialect));
+        interpreter.by_ref().for_each(drop);
+        interpreter.remarks().into_iter().find(|one| one.code() == "G0506").map(|one| one.grade)
+    };
+    let across = "G21 G0 X1. Z1.\nG20\nX2.\nM30\n";
+    assert_eq!(graded(&FANUC_LATHE_A, across), Some(Grade::Caution));
+    assert_eq!(graded(&LINUXCNC, across), Some(Grade::Note));
+    // At the end, and there and back, nothing moves in another unit.
+    assert_eq!(graded(&FANUC_LATHE_A, "G21 G0 X1. Z1.\nG20\nM30\n"), None);
+    assert_eq!(graded(&FANUC_LATHE_A, "G21 G0 X1. Z1.\nG20\nG21\nX2.\nM30\n"), None);
+    assert_eq!(graded(&FANUC_LATHE_A, "G21\nG20\nG0 X1. Z1.\nM30\n"), None);
+}
+
+#[test]
 fn text_before_the_first_percent_is_not_read_on_a_lathe_of_system_a() {
     let program = "shaft, second side\n\n%\nO0001\nG0 X20. Z5.\nM30\n%\n";
     assert_eq!(told(program, "text before the first '%' is not read").ends, [[10.0, 5.0]]);

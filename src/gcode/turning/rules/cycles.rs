@@ -267,4 +267,12 @@ rules! {
         why "El acabado no puede reponer lo que el desbaste ha quitado.",
             "Finishing cannot put back what roughing has removed.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X62. Z2.|G73 U5. W2. R2|G73 P10 Q20 U-.4 W-.1|N10 G0 X40. Z0|G1 Z-10.|N20 X62.|M30", "4:1");
+    "G0658" ThreadInOnePass Caution { first: Size, height: Size }
+        es "G76 corta la rosca en una pasada: la primera entra {first}, y la altura es de {height}"
+        en "G76 cuts the thread in one pass: the first one goes in by {first}, and the height is {height}"
+        remedy "compruebe P (altura) y Q (primera pasada): sin punto, cuentan incrementos mínimos",
+            "check P (height) and Q (first cut): without a point they count least increments";
+        why "Un cero de más o de menos en P o Q, y la herramienta entra de una vez en toda la rosca y se rompe.",
+            "A zero too many or too few in P or Q, and the tool goes into the whole thread at once and breaks.";
+        example Example::program("fanuc-lathe-a", "G21 T0101 S500 M3|G0 X24. Z4.|G76 P020060 Q50 R.05|G76 X17.84 Z-20. P1080 Q4000 F1.75|M30", "4:24");
 }

@@ -25,9 +25,9 @@ pub use self::cycles::{
     ContourBeyondStart, ContourDoesNotAdvance, ContourEntersAside, ContourNotFound, CycleNotFinite, FirstBlockMissing,
     FirstBlockUnused, FirstBlockWordMissing, GrooveReliefNegative, GrooveStepNegative, GrooveStepZero,
     GrooveWithoutDepth, NoDepthOfCut, RepeatIntoMetal, RepeatPassesNotWhole, RepeatWithoutPasses, RetractionNegative,
-    ThreadAllowance, ThreadAngle, ThreadDigits, ThreadFirstBlockDigits, ThreadLeadNotPositive, ThreadLeastCut,
-    ThreadStartsInside, ThreadTooShort, ThreadWithoutHeight, ThreadWordMissing, TooManyGrooveSteps, TooManyRepeats,
-    TooManyRoughingPasses, TooManyThreadPasses,
+    ThreadAllowance, ThreadAngle, ThreadDigits, ThreadFirstBlockDigits, ThreadInOnePass, ThreadLeadNotPositive,
+    ThreadLeastCut, ThreadStartsInside, ThreadTooShort, ThreadWithoutHeight, ThreadWordMissing, TooManyGrooveSteps,
+    TooManyRepeats, TooManyRoughingPasses, TooManyThreadPasses,
 };
 pub use self::fagor::{
     FagorArcHalf, FagorArcRadii, FagorArcTurnsBack, FagorDrillFactor, FagorDrillNegative, FagorGrooveNegative,

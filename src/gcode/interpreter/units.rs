@@ -1,0 +1,58 @@
+//! What is seen of a program's unit of length.
+
+use crate::finding::Grade;
+use crate::gcode::code::G;
+use crate::gcode::control::UnitChange;
+use crate::gcode::interpreter::Memory;
+use crate::gcode::interpreter::library::Spot;
+use crate::gcode::rules::modes::{UnitNotSaid, UnitsChange};
+use crate::machine::length_unit::LengthUnit;
+use crate::text::t;
+
+/// How a program tells its unit, and what it moves in.
+#[derive(Debug, Default)]
+pub(super) struct UnitsSeen {
+    /// Where it told it last: the block and its column.
+    told_at: Option<(Spot, usize)>,
+    /// What the last motion was made in.
+    moved_in: Option<LengthUnit>,
+    /// A motion has been made in inches.
+    pub(super) inches: bool,
+}
+
+impl UnitsSeen {
+    /// The program tells its unit.
+    pub(super) const fn tell(&mut self, spot: Spot, column: usize) {
+        self.told_at = Some((spot, column));
+    }
+}
+
+impl Memory<'_> {
+    /// A linear axis moves in a unit.
+    pub(super) fn see_unit(&mut self, unit: LengthUnit, spot: Spot) {
+        let control = self.control;
+        let before = self.units.moved_in.replace(unit);
+        if before == Some(unit) {
+            return;
+        }
+        if before.is_none() && self.units.told_at.is_none() {
+            let code = |unit: G| control.codes.names(unit).into_iter().next().unwrap_or_default();
+            let told = match unit {
+                LengthUnit::Millimetre => t("mm", "mm"),
+                LengthUnit::Inch => t("pulgadas", "inches"),
+            };
+            let row = UnitNotSaid { unit: told, metric: code(G::Millimetre), inch: code(G::Inch) };
+            self.remarks.row(&row, spot, None);
+        }
+        if before.is_some()
+            && let Some((spot, column)) = self.units.told_at
+        {
+            let grade = match control.start.units {
+                UnitChange::Anywhere => Grade::Note,
+                UnitChange::AtBeginning => Grade::Caution,
+            };
+            self.remarks.row_as(grade, &UnitsChange {}, spot, Some(column));
+        }
+        self.units.inches |= unit == LengthUnit::Inch;
+    }
+}
