@@ -17,6 +17,7 @@ use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clearance::{Stand, Until, WORK, Walls};
 use crate::kinds::impeller::part::{Face, Part};
 use crate::limits::CLEAR_BLOCKS;
+use crate::number::root::halved;
 
 /// What the judge of the programs allows beside the tolerance, mm, and by what angle the other channels may be turned otherwise.
 const OVER: f64 = 0.001;
@@ -135,11 +136,7 @@ impl<'a> Blades<'a> {
             if self.hold(&way[..middle]) { entered = middle } else { clear = middle }
         }
         let ([.., last], Some(next)) = (&way[..clear], way.get(clear)) else { return from };
-        let (mut good, mut bad) = (0.0, 1.0);
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(good, bad);
-            if self.hold(&[*last, last.towards(next, middle)]) { bad = middle } else { good = middle }
-        }
+        let good = halved([0.0, 1.0], HALVINGS, |part| !self.hold(&[*last, last.towards(next, part)]));
         let begin = self.station(&last.towards(next, good)) + MORE;
         // One that is in a blade at the rim is not mended by that.
         if begin < 1.0 { begin.max(from) } else { from }

@@ -18,6 +18,7 @@ use crate::kinds::impeller::parameters::{self as form, NUMBERS};
 use crate::kinds::impeller::part::{HUB, RIM};
 use crate::kinds::impeller::solids::Stock;
 use crate::limits::CLEAR_BLOCKS;
+use crate::number::root::last_whole;
 use crate::number::shown;
 use crate::parameter::at;
 use crate::text::{Language, Text, all_of, t};
@@ -186,14 +187,10 @@ fn by_plans(job: &Job, asked: &Asked, first: Option<f64>, too_large: Option<f64>
     if !keeps(&tried) {
         return None;
     }
-    let mut good = (first * STEPS_A_MM).floor();
+    let from = (first * STEPS_A_MM).floor();
     // No finishing tool is wider than the roughing tool, which is tried itself.
-    let mut bad = too_large.map_or((asked.cut.rough.d * STEPS_A_MM).floor() + 1.0, |d| (d * STEPS_A_MM).ceil());
-    let from = good;
-    while bad - good > 1.0 {
-        let middle = f64::midpoint(good, bad).floor();
-        if keeps(&plan(middle / STEPS_A_MM)) { good = middle } else { bad = middle }
-    }
+    let bad = too_large.map_or((asked.cut.rough.d * STEPS_A_MM).floor() + 1.0, |d| (d * STEPS_A_MM).ceil());
+    let good = last_whole([from, bad], |step| keeps(&plan(step / STEPS_A_MM)));
     Some(if good > from { good / STEPS_A_MM } else { first })
 }
 
