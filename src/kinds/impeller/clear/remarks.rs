@@ -2,7 +2,7 @@
 
 use crate::finding::{Finding, Key, Place, Raise, Said, Size};
 use crate::kind::Shown;
-use crate::kinds::impeller::clear::asked::{Asked, rounding};
+use crate::kinds::impeller::clear::asked::Asked;
 use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
 use crate::kinds::impeller::clear::holder::Blank;
@@ -74,7 +74,7 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
         let (number, most) = (design.program, NUMBERS);
         findings.push(missed(NoNumberLeft { number, most }.at(at([form::NUMBER.key()])), number, most - 1));
     }
-    let least = rounding(design.machine.L, design.torus.R) + LEFT;
+    let least = design.machine.rounding(design.torus.R) + LEFT;
     if asked.tolerance < least {
         let least = Size::mm((least * 1000.0).ceil() / 1000.0);
         let tol = Size { decimals: 4, ..Size::mm(asked.tolerance) };

@@ -31,7 +31,7 @@ use crate::kinds::impeller::proof::rules::{
 };
 use crate::kinds::impeller::sweep::Sweep;
 use crate::machine::axis::{Axis, Pose, Position};
-use crate::number::grid::Milli;
+use crate::number::grid::{HALF, Milli};
 use crate::proof::check::{At, Check, Question, bounded, mm, up};
 use crate::proof::step::{Judge, Stage, Step};
 use crate::text::{Text, t};
@@ -94,7 +94,7 @@ impl<'a> ClearCutting<'a> {
 
     /// By how much a rounded turn of C moves the rim.
     fn turned(&self) -> f64 {
-        0.0005_f64.to_radians() * self.design.torus.R
+        HALF.to_radians() * self.design.torus.R
     }
 
     /// True where the limit lies between both bounds: then they are brought closer.
