@@ -92,11 +92,10 @@ impl<const K: usize> Enclosed<K> {
 
 /// What is said of a length beyond its tolerance, or not known to be within.
 fn beyond(reached: f64, at_most: f64, tolerance: f64, what: Text, remedy: Remedy, place: Place) -> Finding {
-    let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
-    let (off, limit) = (size(reached), size(tolerance));
+    let (off, limit) = (Size::length(reached, 4), Size::length(tolerance, 4));
     match remedy {
         _ if reached.is_nan() || reached <= tolerance => {
-            NotEnclosed { what, off, most: size(at_most), limit }.at(place)
+            NotEnclosed { what, off, most: Size::length(at_most, 4), limit }.at(place)
         }
         Remedy::GreaterN { enough, grade } => {
             let N = enough

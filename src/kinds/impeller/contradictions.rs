@@ -141,7 +141,7 @@ impl Design {
         if let (Some(F), Some(F_max)) = (self.F, self.F_max)
             && F > F_max
         {
-            let feed = |value| Size { value, unit: "mm/min", decimals: 3 };
+            let feed = |value| Size::feed(value, 3);
             let told = FeedBeyondMachine { F: feed(F), F_max: feed(F_max) };
             findings.push(told.at(at([form::F.key(), form::F_MAX.key()])).with(shown(F, 3), shown(F_max, 3)));
         }

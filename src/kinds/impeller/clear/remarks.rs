@@ -77,12 +77,11 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
     let least = design.machine.rounding(design.torus.R) + LEFT;
     if asked.tolerance < least {
         let least = Size::mm((least * 1000.0).ceil() / 1000.0);
-        let tol = Size { decimals: 4, ..Size::mm(asked.tolerance) };
+        let tol = Size::length(asked.tolerance, 4);
         findings.push(missed(ToleranceBelowResolution { tol, least }.at(at([form::TOL.key()])), tol, least));
     }
     if asked.tolerance > design.e / THINNED {
-        let (tol, most) =
-            (Size { decimals: 4, ..Size::mm(asked.tolerance) }, Size { decimals: 4, ..Size::mm(design.e / THINNED) });
+        let (tol, most) = (Size::length(asked.tolerance, 4), Size::length(design.e / THINNED, 4));
         findings.push(missed(ToleranceThinsBlade { tol, most }.at(at([form::TOL.key(), form::E.key()])), tol, most));
     }
     if asked.cut.s >= design.a_p {
@@ -123,7 +122,7 @@ pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
     };
     let d = Size::mm(why.d);
     let told = ToolDoesNotFit { tool: tool_name(why.tool), d, largest, alone };
-    let passes = why.largest.map(|d| Size { decimals: 2, ..Size::mm(d) });
+    let passes = why.largest.map(|d| Size::length(d, 2));
     let limit = passes.map(|passes| passes.said(Language::En).into_owned());
     told.at(at([key, form::N.key(), form::E.key()])).with(d.said(Language::En), limit.unwrap_or_default())
 }
@@ -203,7 +202,7 @@ fn stick_outs() -> [(Which, Key); 2] {
 pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
     if let Some(NoSplitter { largest }) = plan.told.no_splitter {
-        let largest = Largest(largest.map(|d| Size { decimals: 2, ..Size::mm(d) }));
+        let largest = Largest(largest.map(|d| Size::length(d, 2)));
         let d = Size::mm(asked.cut.finish.d);
         let told = NoRoomForClearSplitter { d, s: Size::mm(asked.cut.s), largest };
         let place = at([
@@ -256,7 +255,7 @@ fn tenths(stick_out: f64) -> f64 {
 }
 
 fn enough(stick_out: f64) -> Size {
-    Size { decimals: 1, ..Size::mm(tenths(stick_out)) }
+    Size::length(tenths(stick_out), 1)
 }
 
 /// The stick-outs that are enough for any holder, of the tools whose holder the form does not give; for the set-up sheet.
@@ -274,7 +273,7 @@ pub(in crate::kinds::impeller) fn enough_stick_outs(asked: &Asked, plan: &Plan) 
 
 /// A length that is not more, in mm: rounded up to a hundredth.
 fn at_most(value: f64) -> Size {
-    Size { decimals: 2, ..Size::mm((value * 100.0).ceil() / 100.0) }
+    Size::length((value * 100.0).ceil() / 100.0, 2)
 }
 
 /// The same, rounded up to a thousandth.

@@ -298,7 +298,6 @@ impl Judge for ClearCutting<'_> {
         let least_left = self.least_left();
         let sign = if least_left < 0.0 { "−" } else { "" };
         let shown = Text::same(format!("≥ {sign}{}", mm(least_left.abs())));
-        let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
         let nearest = |found: [Option<(Bounds, At)>; 3]| {
             found.into_iter().flatten().reduce(|one, two| {
                 let mut least = Some(one);
@@ -336,16 +335,22 @@ impl Judge for ClearCutting<'_> {
             checks.push(asked.holds(bounds.lower >= least_left, |place: Place| {
                 let (line, program) = (at.line, program.title.clone());
                 if bounds.lower >= -limit {
-                    let (left, asked) = (size(-up(-bounds.lower.max(0.0))), Size::mm(self.asked.cut.s));
+                    let (left, asked) = (Size::length(-up(-bounds.lower.max(0.0)), 4), Size::mm(self.asked.cut.s));
                     return RoughingLeavesLess { left, asked, line, program }.at(place);
                 }
                 // The search for a face that the axis reaches ends at a hundredth of the radius.
                 if bounds.upper < self.turned() - (1.0 - AT_AXIS) * mill.d / 2.0 {
                     AxisInBlade { line, program }.at(place)
                 } else if bounds.upper < -limit {
-                    ClearCutsBlade { depth: size(-bounds.upper), limit: size(limit), line, program }.at(place)
+                    ClearCutsBlade {
+                        depth: Size::length(-bounds.upper, 4),
+                        limit: Size::length(limit, 4),
+                        line,
+                        program,
+                    }
+                    .at(place)
                 } else {
-                    ClearMayCut { limit: size(limit), line, program }.at(place)
+                    ClearMayCut { limit: Size::length(limit, 4), line, program }.at(place)
                 }
             }));
         }
@@ -359,12 +364,18 @@ impl Judge for ClearCutting<'_> {
             checks.push(asked.holds(bounds.lower >= least_left, |place| {
                 let (line, program) = (at.line, program.title.clone());
                 if bounds.lower >= -limit {
-                    let (left, asked) = (size(-up(-bounds.lower.max(0.0))), Size::mm(self.asked.cut.s));
+                    let (left, asked) = (Size::length(-up(-bounds.lower.max(0.0)), 4), Size::mm(self.asked.cut.s));
                     RoughingLeavesLess { left, asked, line, program }.at(place)
                 } else if bounds.upper < -limit {
-                    ClearCutsSplitter { depth: size(-bounds.upper), limit: size(limit), line, program }.at(place)
+                    ClearCutsSplitter {
+                        depth: Size::length(-bounds.upper, 4),
+                        limit: Size::length(limit, 4),
+                        line,
+                        program,
+                    }
+                    .at(place)
                 } else {
-                    ClearMayCut { limit: size(limit), line, program }.at(place)
+                    ClearMayCut { limit: Size::length(limit, 4), line, program }.at(place)
                 }
             }));
         }
@@ -381,7 +392,7 @@ impl Judge for ClearCutting<'_> {
                 .measuring(found.most);
             checks.push(asked.holds(found.most <= limit, |place| {
                 let program = program.title.clone();
-                FloorUnder { depth: size(up(found.most)), limit: size(limit), program }.at(place)
+                FloorUnder { depth: Size::length(up(found.most), 4), limit: Size::length(limit, 4), program }.at(place)
             }));
         }
         checks

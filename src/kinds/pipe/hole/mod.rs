@@ -254,8 +254,7 @@ fn height_refused(design: &Design, place: &TooHigh) -> Finding {
     let eccentric = (design.e != 0.0).then_some(E.key());
     match place.sigma_o {
         Some(sigma) => {
-            let (height, most) =
-                (Size::mm(height_taken(design, place)), Size { decimals: 6, ..Size::mm(design.D_max) });
+            let (height, most) = (Size::mm(height_taken(design, place)), Size::length(design.D_max, 6));
             let torch = [
                 t("una antorcha más fina", "a slimmer torch"),
                 t("un g0 menor", "a smaller g0"),

@@ -119,7 +119,7 @@ pub fn beyond_f_word(design: &Design, cut: &Cut) -> Option<Finding> {
     let before = std::iter::once(cut.pierce).chain(cut.legs.iter().map(|leg| leg.to));
     let words = before.zip(&cut.legs).map(|(at, leg)| law.word(way(design, at, leg) * 60.0 / F, resultant(at, leg)));
     let word = words.fold(0.0_f64, f64::max);
-    let (greatest, speed) = (law.greatest(), |value| Size { value, unit: "mm/min", decimals: 3 });
+    let (greatest, speed) = (law.greatest(), |value| Size::feed(value, 3));
     // What a word is beyond the greatest by, F is beyond the greatest F by.
     let most = speed((F * greatest / word).floor());
     let told = FasterThanFWord { F: speed(F), word: Size::number(word, 3), greatest: Size::number(greatest, 3), most };

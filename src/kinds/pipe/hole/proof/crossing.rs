@@ -98,7 +98,7 @@ impl Crossing {
         let limit = Text::same(length.said(Language::En).into_owned());
         let asked = Question::new("crossing", name, program).showing(value, limit);
         let asked = self.found.put(asked.of_parameters([GAMMA.key(), E.key()]), 0).measuring(most);
-        let alpha = Size { value: alpha.to_degrees(), unit: "°", decimals: 0 };
+        let alpha = Size::degrees(alpha.to_degrees(), 0);
         asked.holds(most < 1.0, |place| BeamsCross { alpha, height, length }.at(place))
     }
 }

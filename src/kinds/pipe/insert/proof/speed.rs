@@ -85,8 +85,7 @@ impl CutSpeed<'_> {
                 .at(Some(at))
                 .holds(false, |place| CutWithoutFeed { line: at.line, program: program.title.clone() }.at(place)),
             (Some((speed, at)), _) => asked.at(Some(at)).holds(false, |place| {
-                let (speed, F) =
-                    (Size { value: speed, unit: "mm/min", decimals: 1 }, Size { value: F, unit: "", decimals: 3 });
+                let (speed, F) = (Size::feed(speed, 1), Size::number(F, 3));
                 CutOffSpeed { speed, line: at.line, F }.at(place)
             }),
         }
