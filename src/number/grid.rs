@@ -11,6 +11,9 @@ pub const LIMIT: i32 = 99_999_999;
 /// Half a step: by how much rounding to the grid moves a value at most, mm or degrees.
 pub const HALF: f64 = 0.0005;
 
+/// A whole turn, thousandths of a degree.
+pub const TURN: i32 = 360_000;
+
 /// A position or increment in thousandths of a millimetre or of a degree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Milli(i32);

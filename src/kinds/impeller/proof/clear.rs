@@ -31,7 +31,7 @@ use crate::kinds::impeller::proof::rules::{
 };
 use crate::kinds::impeller::sweep::Sweep;
 use crate::machine::axis::{Axis, Pose, Position};
-use crate::number::grid::{HALF, Milli};
+use crate::number::grid::{HALF, Milli, TURN};
 use crate::proof::check::{At, Check, Question, bounded, mm, up};
 use crate::proof::step::{Judge, Stage, Step};
 use crate::text::{Text, t};
@@ -42,8 +42,6 @@ pub const OVER: f64 = 0.001;
 const LESS: usize = WORK / 40;
 /// Nearer to a face than this part of the radius the axis is taken to reach it.
 const AT_AXIS: f64 = 0.02;
-/// A whole turn, thousandths of a degree.
-const WHOLE: i32 = 360_000;
 /// How close the bounds are brought to each other, mm.
 const CLOSE: f64 = 0.0005;
 
@@ -262,7 +260,7 @@ impl Judge for ClearCutting<'_> {
             self.made += 1;
         }
         // Whole turns of C are no other channel.
-        let channel = Milli::new(path.turn.thousandths().rem_euclid(WHOLE));
+        let channel = Milli::new(path.turn.thousandths().rem_euclid(TURN));
         if *self.channel.get_or_insert(channel) != channel {
             return;
         }
