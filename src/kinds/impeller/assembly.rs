@@ -78,7 +78,7 @@ pub fn feeds(
     let (Style::Full, Some(F)) = (design.style, F) else {
         return Ok(Feed::None);
     };
-    let law = design.control.feed.law;
+    let law = design.post.control.feed.law;
     let (mut words, mut times) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
     let mut at = from;
     for to in points {
@@ -339,7 +339,7 @@ impl<'a> Assembly<'a> {
         Program {
             key: operation.key(),
             title,
-            control: design.control,
+            control: design.post.control,
             law: self.writer.law(),
             format: if design.style == Style::Full { NumberFormat::Fixed } else { NumberFormat::Trimmed },
             block_step: Some(design.block_step),

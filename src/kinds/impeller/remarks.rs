@@ -71,7 +71,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
             Some(_) => (form::TOL.key(), t("una tol mayor", "a larger tol")),
         };
         let told = FeedWordAtItsEnd { moves, longer }.at(at([form::F.key(), key]));
-        let greatest = shown(design.control.feed.law.greatest(), 3);
+        let greatest = shown(design.post.control.feed.law.greatest(), 3);
         findings.push(told.with(moves.to_string(), format!("0.0001 … {greatest}")));
     }
     findings.push(BlankForFagor {}.at(Place::Block { program: Operation::Blank.key(), line: 1 }));

@@ -388,6 +388,6 @@ fn remarks(design: &Design, held: bool) -> Vec<Finding> {
     });
     findings.push(TurnsAboutTip {}.at(at([DIALECT.key()])));
     // A jet is wider than what a corner is rounded by.
-    findings.extend(kinds::rules::corners_between_blocks(design.control).map(|one| one.graded(Grade::Note)));
+    findings.extend(kinds::rules::corners_between_blocks(design.post.control).map(|one| one.graded(Grade::Note)));
     findings
 }

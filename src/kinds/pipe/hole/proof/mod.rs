@@ -275,7 +275,7 @@ impl Judge for CutSpeed<'_> {
         let speed = way * 60.0 / seconds;
         self.speed = [self.speed[0].min(speed), self.speed[1].max(speed)];
         let word = if let MotionKind::Feed(feed) = motion.kind { feed.value } else { 0.0 };
-        if !timely(self.design.control.feed.law, motion, word, leg.seconds) {
+        if !timely(self.design.post.control.feed.law, motion, word, leg.seconds) {
             self.off.get_or_insert((speed, at));
         }
         self.rounded.take(seconds / leg.seconds - 1.0, at);
@@ -394,6 +394,6 @@ pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec
             seen: 0,
         }),
         Box::new(Torch(Some([&design.torch_on, &design.torch_off]))),
-        Box::new(Rollover::new(design.control.rotary.delivered)),
+        Box::new(Rollover::new(design.post.control.rotary.delivered)),
     ]
 }
