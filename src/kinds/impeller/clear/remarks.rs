@@ -11,7 +11,7 @@ use crate::kinds::impeller::clear::programs::title;
 use crate::kinds::impeller::clear::root::largest_that_leaves;
 use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
-use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, ToolTold};
+use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, Told, ToolTold};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters::{self as form, NUMBERS};
@@ -283,7 +283,17 @@ fn finely(value: f64) -> Size {
 
 /// What a person should know of a plan.
 pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan) -> Vec<Finding> {
-    let told = &plan.told;
+    let mut findings = of_tools(asked, plan);
+    findings.extend(not_read(asked));
+    findings.extend(at_the_root(job, asked, &plan.told));
+    findings.extend(cut_partly(&plan.told));
+    findings.extend(on_the_floor(asked, &plan.told));
+    findings.extend(left_out(&plan.told));
+    findings
+}
+
+/// Of the tools: their holders, how far they must stick out, and how their feed changes.
+fn of_tools(asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
     // One tool for both is told of once: its greater stick-out, its greater change.
     let two = asked.given.0.is_some();
@@ -309,24 +319,33 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
             findings.push(FeedChangesInBlock { tool: tool_name(which), change }.at(at([fields::FEED_CHANGE.key()])));
         }
     }
-    findings.extend(not_read(asked));
+    findings
+}
+
+/// How far it is from the hub to a place, in percent of the way to the rim.
+fn share(v: f64) -> Size {
+    Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), 0)
+}
+
+/// Of what is left in the corners and of the faces above them.
+fn at_the_root(job: &Job, asked: &Asked, told: &Told) -> Vec<Finding> {
+    let mut findings = Vec::new();
     // Of a rounded end the radius of its corner counts, too.
     let corners = [(asked.cut.rough, fields::CORNER.key()), (asked.cut.finish, fields::CORNER_F.key())];
-    let corner = corners[usize::from(two)];
+    let corner = corners[usize::from(asked.given.0.is_some())];
     let finishing = [fields::D_F.key()].into_iter().chain(Some(corner.1).filter(|_| corner.0.r_c > 0.0));
-    let share = |v: f64, digits| Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), digits);
     let root = &told.root;
     let over = finely(root.over);
     if root.height > 0.0 {
-        let (height, here, thick) = (at_most(root.height), share(root.v, 0), at_most(root.thick));
+        let (height, here, thick) = (at_most(root.height), share(root.v), at_most(root.thick));
         findings.push(RestAtTheRoot { over, height, here, thick }.at(Place::Parameters(finishing.clone().collect())));
     }
     if root.width > 0.0 {
-        let (width, there) = (at_most(root.width), share(root.width_v, 0));
+        let (width, there) = (at_most(root.width), share(root.width_v));
         findings.push(RestBesideTheRoot { over, width, there }.at(Place::Parameters(finishing.clone().collect())));
     }
     if let Some(v) = told.unfinished {
-        findings.push(FacesUnfinished { share: share(v, 0) }.at(at([
+        findings.push(FacesUnfinished { share: share(v) }.at(at([
             fields::CORNER.key(),
             fields::CORNER_F.key(),
             form::A_P.key(),
@@ -352,42 +371,60 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
                 .at(Place::Parameters([fields::ROOT.key()].into_iter().chain(finishing).collect())),
         );
     }
+    findings
+}
+
+/// Of a cut that does not begin at the hub.
+fn cut_partly(told: &Told) -> Vec<Finding> {
+    let percent = |part: f64| Size::number((part * 1000.0).ceil() / 10.0, 1);
+    let mut findings = Vec::new();
     if told.finish_from > 0.0 {
-        let from = Size::number((told.finish_from * 1000.0).ceil() / 10.0, 1);
-        let uncut = Size::number((told.uncut * 1000.0).ceil() / 10.0, 1);
+        let (from, uncut) = (percent(told.finish_from), percent(told.uncut));
         findings.push(CutPartly { from, uncut }.at(at([fields::PARTLY.key(), fields::D_F.key(), form::D_T.key()])));
     }
     if told.rough_from > told.finish_from {
-        let from = Size::number((told.rough_from * 1000.0).ceil() / 10.0, 1);
+        let from = percent(told.rough_from);
         findings.push(FinishingToolRoughs { from }.at(at([fields::PARTLY.key(), form::D_T.key()])));
     }
-    let (most, beside, here) = (finely(told.floor.most), at_most(told.floor.beside), share(told.floor.v, 0));
+    findings
+}
+
+/// Of what is left on the floor.
+fn on_the_floor(asked: &Asked, told: &Told) -> Option<Finding> {
+    let (most, beside, share) = (finely(told.floor.most), at_most(told.floor.beside), share(told.floor.v));
     let floor = at([fields::SCALLOP.key(), fields::D_F.key()]);
     if told.floor.most > asked.cut.scallop + asked.tolerance {
-        findings.push(FloorAboveRidges { most, wanted: Size::mm(asked.cut.scallop), beside, share: here }.at(floor));
-    } else if told.floor.most > 0.0 {
-        findings.push(RidgesOfTheFloor { most, beside, share: here }.at(floor));
-    }
-    let smaller = if told.finish_from > 0.0 {
-        t("use una herramienta menor, que quepa también en el cubo", "use a smaller tool, which fits at the hub, too")
+        Some(FloorAboveRidges { most, wanted: Size::mm(asked.cut.scallop), beside, share }.at(floor))
     } else {
-        t(
-            "otro diámetro de la herramienta, u otra c_s, da otras pasadas, que pueden llegar",
-            "another diameter of the tool, or another c_s, gives other passes, which may reach them",
-        )
-    };
-    for by in [By::Blade, By::Ends] {
-        let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by).collect();
-        let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])));
-        if let Some(longest) = longest {
-            let [from, to] = longest.v.map(|v| share(v, 0));
-            let (count, what) = (left.len(), longest.cutting.name());
-            let place = at([form::D_T.key(), fields::D_F.key(), form::SPLITTERS.key()]);
-            findings.push(match by {
-                By::Ends => StretchesNotReached { count, what, from, to, smaller: smaller.clone() }.at(place),
-                By::Blade | By::Splitter => PassesLeftOut { count, what, from, to }.at(place),
-            });
-        }
+        (told.floor.most > 0.0).then(|| RidgesOfTheFloor { most, beside, share }.at(floor))
     }
-    findings
+}
+
+/// Of the stretches of passes that are not run.
+fn left_out(told: &Told) -> Vec<Finding> {
+    let place = || at([form::D_T.key(), fields::D_F.key(), form::SPLITTERS.key()]);
+    let passes =
+        longest(told, By::Blade).map(|(count, what, [from, to])| PassesLeftOut { count, what, from, to }.at(place()));
+    let ends = longest(told, By::Ends).map(|(count, what, [from, to])| {
+        let smaller = if told.finish_from > 0.0 {
+            t(
+                "use una herramienta menor, que quepa también en el cubo",
+                "use a smaller tool, which fits at the hub, too",
+            )
+        } else {
+            t(
+                "otro diámetro de la herramienta, u otra c_s, da otras pasadas, que pueden llegar",
+                "another diameter of the tool, or another c_s, gives other passes, which may reach them",
+            )
+        };
+        StretchesNotReached { count, what, from, to, smaller }.at(place())
+    });
+    passes.into_iter().chain(ends).collect()
+}
+
+/// How many stretches are not run for one cause, what the longest of them would cut, and from where to where it lies.
+fn longest(told: &Told, by: By) -> Option<(usize, Text, [Size; 2])> {
+    let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by).collect();
+    let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])))?;
+    Some((left.len(), longest.cutting.name(), longest.v.map(share)))
 }
