@@ -78,6 +78,12 @@ impl Size {
         Self { value, unit: "%", decimals }
     }
 
+    /// A feed in mm/min, said with at most so many decimals.
+    #[must_use]
+    pub const fn feed(value: f64, decimals: usize) -> Self {
+        Self { value, unit: "mm/min", decimals }
+    }
+
     /// A speed of a spindle in revolutions a minute, said to the whole one.
     #[must_use]
     pub const fn rpm(value: f64) -> Self {
@@ -117,7 +123,7 @@ impl Bare {
     /// A length in mm, said with at most so many decimals.
     #[must_use]
     pub const fn mm(value: f64, decimals: usize) -> Self {
-        Self(Size { value, unit: "mm", decimals })
+        Self(Size::length(value, decimals))
     }
 }
 

@@ -205,3 +205,21 @@ impl Program {
         blocks
     }
 }
+
+#[cfg(test)]
+impl Program {
+    /// A program for LinuxCNC without a title and without a block.
+    pub(crate) fn sample(key: &'static str) -> Self {
+        use crate::gcode::control::LINUXCNC;
+        Self {
+            key,
+            title: Text::same(""),
+            control: &LINUXCNC,
+            law: LINUXCNC.feed.law,
+            format: NumberFormat::Fixed,
+            block_step: None,
+            start: Position::default(),
+            parts: Vec::new(),
+        }
+    }
+}

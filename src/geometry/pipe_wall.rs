@@ -21,6 +21,7 @@ use std::f64::consts::TAU;
 use crate::geometry::pipe_pair::{PipePair, Side, once_round};
 use crate::number::interval::Interval;
 use crate::number::jet::Jet;
+use crate::number::root::halved;
 use crate::number::trig::{hypot, sin_cos};
 
 /// The wall of a branch over a header.
@@ -40,6 +41,9 @@ pub struct PipeWall {
 const MOST: usize = 16;
 /// Two turns nearer to each other than this are a corner, radians.
 const SHARP: f64 = 1e-9;
+
+/// Halvings between two looks towards such an angle: until a number has no more digits.
+const HALVINGS: u8 = 60;
 
 /// One line of the cut face: how far it is from the header's surface, mm, negative inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,13 +99,9 @@ impl PipeWall {
         let mut found: Vec<f64> = (0..LOOKS)
             .map(|look| [at(look), at(look + 1)])
             .filter(|ends| (self.rises(rho, ends[0]) > 0.0) != (self.rises(rho, ends[1]) > 0.0))
-            .map(|[mut low, mut high]| {
+            .map(|[low, high]| {
                 let from = self.rises(rho, low) > 0.0;
-                for _ in 0..60 {
-                    let middle = f64::midpoint(low, high);
-                    if (self.rises(rho, middle) > 0.0) == from { low = middle } else { high = middle }
-                }
-                let turn = once_round(high);
+                let turn = once_round(halved([high, low], HALVINGS, |phi| (self.rises(rho, phi) > 0.0) != from));
                 if turn < SHARP || TAU - turn < SHARP { 0.0 } else { turn }
             })
             .collect();

@@ -1,5 +1,7 @@
 //! The unit in which a machine counts lengths.
 
+use crate::finding::Size;
+
 /// The unit of a machine's lengths. Inside rodete lengths are in millimetres; a machine's files are in its own unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum LengthUnit {
@@ -39,5 +41,11 @@ impl LengthUnit {
     #[must_use]
     pub const fn from_mm(self, length: f64) -> f64 {
         length / self.millimetres()
+    }
+
+    /// A length in millimetres as it is told in this unit, to its ten-thousandth.
+    #[must_use]
+    pub const fn size(self, length: f64) -> Size {
+        Size { value: self.from_mm(length), unit: self.symbol(), decimals: 4 }
     }
 }

@@ -10,6 +10,7 @@
 
 use nalgebra::Vector3;
 
+use crate::number::grid::HALF;
 use crate::number::trig::sin_cos;
 
 /// A rotary table that tilts under a tool that stands along Z.
@@ -132,5 +133,13 @@ impl TiltingTable {
     #[must_use]
     pub fn swing(self, R: f64) -> f64 {
         (self.L * self.L + R * R).sqrt() - self.L
+    }
+
+    /// How far rounding to the output grid may move a point of the tool over a part within the radius R: half a step in each of
+    /// X, Y and Z, and of B and C at the distance of any point of the part from the pivot, L + R at most, and from the axis, R at
+    /// most.
+    #[must_use]
+    pub fn rounding(self, R: f64) -> f64 {
+        HALF * 3.0_f64.sqrt() + HALF.to_radians() * (self.L + 2.0 * R)
     }
 }

@@ -8,6 +8,12 @@ use std::ops::{Add, Neg, Sub};
 /// Greatest value that a program may carry, in thousandths: 99 999.999 (the ±5.4 format of Fagor controls).
 pub const LIMIT: i32 = 99_999_999;
 
+/// Half a step: by how much rounding to the grid moves a value at most, mm or degrees.
+pub const HALF: f64 = 0.0005;
+
+/// A whole turn, thousandths of a degree.
+pub const TURN: i32 = 360_000;
+
 /// A position or increment in thousandths of a millimetre or of a degree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Milli(i32);

@@ -38,6 +38,28 @@ pub fn golden([low, high]: [f64; 2], steps: u32, value: impl Fn(f64) -> f64) -> 
     if at_left < at_right { (at_left, left) } else { (at_right, right) }
 }
 
+/// The last open place on the way from one to a shut one, by halvings: so many, and so close.
+#[inline]
+#[must_use]
+pub fn halved([mut open, mut shut]: [f64; 2], halvings: u8, mut is_open: impl FnMut(f64) -> bool) -> f64 {
+    for _ in 0..halvings {
+        let middle = f64::midpoint(open, shut);
+        if is_open(middle) { open = middle } else { shut = middle }
+    }
+    open
+}
+
+/// The last open whole number on the way up from one to a shut one.
+#[inline]
+#[must_use]
+pub fn last_whole([mut open, mut shut]: [f64; 2], mut is_open: impl FnMut(f64) -> bool) -> f64 {
+    while shut - open > 1.0 {
+        let middle = f64::midpoint(open, shut).floor();
+        if is_open(middle) { open = middle } else { shut = middle }
+    }
+    open
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -63,5 +85,24 @@ mod tests {
         assert!((value - 2.0).abs() < 1e-4 && (at - 1.25).abs() < 0.02);
         let (value, at) = golden([0.0, 1.0], 14, |x| x);
         assert!(value < 1e-3 && at < 1e-3);
+    }
+
+    #[test]
+    fn a_halving_ends_at_the_last_open_place_up_as_well_as_down() {
+        let up = halved([0.0, 8.0], 20, |x| x < 2.3);
+        assert!(up < 2.3 && up > 2.3 - 8.0 / f64::from(1 << 20), "{up}");
+        let down = halved([8.0, 0.0], 20, |x| x > 2.3);
+        assert!(down > 2.3 && down < 2.3 + 8.0 / f64::from(1 << 20), "{down}");
+        // What is open is left only for what is open itself.
+        assert_eq!(halved([0.0, 8.0], 20, |_| false), 0.0);
+        assert_eq!(halved([0.0, 8.0], 2, |_| true), 6.0);
+    }
+
+    #[test]
+    fn the_last_open_whole_number_lies_next_to_a_shut_one() {
+        for last in 0..9_u8 {
+            assert_eq!(last_whole([0.0, 9.0], |x| x <= f64::from(last)), f64::from(last));
+        }
+        assert_eq!(last_whole([4.0, 3.0], |_| true), 4.0);
     }
 }

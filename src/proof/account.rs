@@ -5,6 +5,7 @@ use crate::gcode::interpreter::Interpreter;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rapids::Rapids;
+use crate::number::grid::HALF;
 use crate::number::{shown, trig};
 use crate::proof::rules::{IncrementsClose, IncrementsShift, IncrementsTurn};
 use crate::proof::step::{Stage, Step};
@@ -209,7 +210,7 @@ pub fn drift(interpreter: &Interpreter<'_>, start: &Pose) -> Option<Finding> {
         return None;
     }
     let net = interpreter.position().1.differences(start);
-    let moved = |axis: &Axis| net[*axis as usize].abs() >= 0.0005;
+    let moved = |axis: &Axis| net[*axis as usize].abs() >= HALF;
     let list = Axis::ALL
         .into_iter()
         .filter(|axis| moved(axis) || matches!(axis, Axis::X | Axis::Y | Axis::Z))

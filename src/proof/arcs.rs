@@ -42,8 +42,7 @@ impl Judge for Arcs {
         } else {
             let asked = asked.showing(Text::same(mm(self.worst.value())), limit);
             asked.within(&self.worst, most, |found, place| {
-                let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
-                let (difference, most, line) = (size(found.value()), size(most), found.line());
+                let (difference, most, line) = (Size::length(found.value(), 4), Size::length(most, 4), found.line());
                 RadiiDiffer { line, difference, most, program: program.title.clone() }.at(place)
             })
         }]

@@ -341,23 +341,11 @@ mod tests {
     use super::{At, Extreme, Question};
     use crate::finding::sample::Cautioned;
     use crate::finding::{Finding, Grade, Place, Raise};
-    use crate::gcode::control::LINUXCNC;
     use crate::gcode::program::Program;
-    use crate::gcode::word::NumberFormat;
-    use crate::machine::axis::Position;
     use crate::text::Text;
 
     fn question() -> Question {
-        let program = Program {
-            key: "hole",
-            title: Text::same("Hole"),
-            control: &LINUXCNC,
-            law: LINUXCNC.feed.law,
-            format: NumberFormat::Fixed,
-            block_step: None,
-            start: Position::default(),
-            parts: Vec::new(),
-        };
+        let program = Program { title: Text::same("Hole"), ..Program::sample("hole") };
         Question::new("path", Text::same("Path"), &program)
     }
 

@@ -92,11 +92,10 @@ impl<const K: usize> Enclosed<K> {
 
 /// What is said of a length beyond its tolerance, or not known to be within.
 fn beyond(reached: f64, at_most: f64, tolerance: f64, what: Text, remedy: Remedy, place: Place) -> Finding {
-    let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
-    let (off, limit) = (size(reached), size(tolerance));
+    let (off, limit) = (Size::length(reached, 4), Size::length(tolerance, 4));
     match remedy {
         _ if reached.is_nan() || reached <= tolerance => {
-            NotEnclosed { what, off, most: size(at_most), limit }.at(place)
+            NotEnclosed { what, off, most: Size::length(at_most, 4), limit }.at(place)
         }
         Remedy::GreaterN { enough, grade } => {
             let N = enough
@@ -118,25 +117,13 @@ pub fn bound(at_most: f64, limit: f64) -> [Text; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gcode::control::LINUXCNC;
     use crate::gcode::program::Program;
-    use crate::gcode::word::NumberFormat;
-    use crate::machine::axis::Position;
 
     /// The answer on a length that is 1 mm where it is looked at, and between up to `over`.
     fn grade(over: f64, tolerance: f64, remedy: Remedy) -> Option<Grade> {
         let mut enclosed = Enclosed::new([0.0], [tolerance], 0);
         enclosed.take(At::line(1), &[0.0, 1.0], |_| [1.0], |_, _| [over], |one, _| *one);
-        let program = Program {
-            key: "hole",
-            title: Text::same(""),
-            control: &LINUXCNC,
-            law: LINUXCNC.feed.law,
-            format: NumberFormat::Fixed,
-            block_step: None,
-            start: Position::default(),
-            parts: Vec::new(),
-        };
+        let program = Program::sample("hole");
         let [value, limit] = bound(enclosed.at_most(0), tolerance);
         let asked = Question::new("path", Text::same(""), &program).showing(value, limit);
         enclosed.within(asked, 0, tolerance, Text::same(""), remedy).grade()

@@ -44,7 +44,7 @@ pub fn feed_word(program: &Program, worst: &Extreme) -> Check {
     };
     let asked = asked.showing(Text::same(part(worst.value())), limit);
     let slowed = |found: &Extreme, place| {
-        let (part, line) = (Size { value: found.value() * 100.0, unit: "%", decimals: 3 }, found.line());
+        let (part, line) = (Size::percent(found.value() * 100.0, 3), found.line());
         FeedWordSlows { line, part, program: program.title.clone() }.at(place)
     };
     if assumed && worst.value() <= SLOWER {
@@ -176,7 +176,7 @@ impl Judge for Feeds {
         let by_axis = match self.F_max {
             None => by_axis.of(&self.axis).informs(),
             Some(most) => by_axis.within(&self.axis, most * SLACK, |found, place| {
-                let (speed, limit) = (Size { value: found.value(), unit, decimals: 2 }, plain(most));
+                let (speed, limit) = (Size { value: found.value(), unit, decimals: 2 }, Size::number(most, 2));
                 let (axis, line, program) = (axis.letter(), found.line(), program.title.clone());
                 AxisTooFast { axis, speed, line, program, limit }.at(place)
             }),
@@ -186,7 +186,7 @@ impl Judge for Feeds {
         let tip = match self.F {
             None => tip.of(&self.tip).informs(),
             Some(most) => tip.within(&self.tip, most * SLACK, |found, place| {
-                let (speed, limit) = (Size { value: found.value(), unit: "mm/min", decimals: 2 }, plain(most));
+                let (speed, limit) = (Size::feed(found.value(), 2), Size::number(most, 2));
                 TipTooFast { speed, line: found.line(), program: program.title.clone(), limit }.at(place)
             }),
         };
@@ -203,9 +203,4 @@ impl Judge for Feeds {
         }
         checks
     }
-}
-
-/// A number whose unit stands before it in the sentence.
-const fn plain(value: f64) -> Size {
-    Size { value, unit: "", decimals: 2 }
 }

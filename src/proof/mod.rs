@@ -145,10 +145,8 @@ fn unanswered(program: &Program, key: &'static str) -> Check {
 mod tests {
     use super::{Plan, Rapids, of};
     use crate::finding::Grade;
-    use crate::gcode::control::LINUXCNC;
     use crate::gcode::program::{Part, Program};
-    use crate::gcode::word::{NumberFormat, Word};
-    use crate::machine::axis::Position;
+    use crate::gcode::word::Word;
     use crate::proof::check::{Check, Question};
     use crate::proof::step::{Judge, Step};
     use crate::text::Text;
@@ -167,14 +165,9 @@ mod tests {
     #[test]
     fn a_check_that_is_due_and_that_no_judge_answers_is_a_stop() {
         let program = Program {
-            key: "hole",
             title: Text::same("Hole"),
-            control: &LINUXCNC,
-            law: LINUXCNC.feed.law,
-            format: NumberFormat::Fixed,
-            block_step: None,
-            start: Position::default(),
             parts: vec![Part::Block(vec![Word::whole('M', 2)])],
+            ..Program::sample("hole")
         };
         let stops = |answered: &'static str| {
             let judged = of(

@@ -41,7 +41,7 @@ impl Judge for RotarySteps {
             Question::new("turning", name, program).showing(degrees(self.greatest.value(), 3), degrees(LIMIT, 0));
         // A step of half a turn itself, on the grid of programs, is none that is more.
         vec![asked.within(&self.greatest, LIMIT + NOISE, |found, place| {
-            let (step, line) = (Size { value: found.value(), unit: "°", decimals: 3 }, found.line());
+            let (step, line) = (Size::degrees(found.value(), 3), found.line());
             TurnJumps { step, line, program: program.title.clone() }.at(place)
         })]
     }

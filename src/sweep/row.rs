@@ -290,10 +290,7 @@ mod tests {
     use super::*;
     use crate::finding::Raise;
     use crate::finding::sample::Stopped;
-    use crate::gcode::control::LINUXCNC;
     use crate::gcode::program::Program;
-    use crate::gcode::word::NumberFormat;
-    use crate::machine::axis::Position;
     use crate::proof::check::{Question, bounded};
     use crate::text::Text;
 
@@ -320,16 +317,7 @@ mod tests {
 
     #[test]
     fn of_a_value_between_two_bounds_the_stricter_one_counts() {
-        let program = Program {
-            key: "finish",
-            title: Text::same("Finish"),
-            control: &LINUXCNC,
-            law: LINUXCNC.feed.law,
-            format: NumberFormat::Fixed,
-            block_step: None,
-            start: Position::default(),
-            parts: Vec::new(),
-        };
+        let program = Program { title: Text::same("Finish"), ..Program::sample("finish") };
         let check = Question::new("splitters", Text::same("Clearance"), &program)
             .showing(bounded(-0.15, -0.14), Text::same("≥ −0.005 mm"))
             .seen(1)

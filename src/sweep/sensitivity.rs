@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use crate::kind::Kind;
 use crate::number::decimal;
+use crate::number::root::last_whole;
 use crate::parameter::{FieldKind, Value, Values};
 use crate::sweep::indices::Index;
 use crate::sweep::objective::Objective;
@@ -217,12 +218,7 @@ fn farthest(most: f64, whole: bool, good: &dyn Fn(f64) -> bool) -> (f64, bool) {
             continue;
         }
         if !good(here) {
-            let (mut low, mut high) = (kept, here);
-            while high - low > 1.0 {
-                let middle = f64::midpoint(low, high).floor();
-                if good(middle) { low = middle } else { high = middle }
-            }
-            return (low / grains, false);
+            return (last_whole([kept, here], good) / grains, false);
         }
         kept = here;
     }

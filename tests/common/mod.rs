@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
 pub mod agreement;
+pub mod change;
 pub mod rs274;
 pub mod turned;
 pub mod workbook;

@@ -41,6 +41,16 @@ pub fn bare(m: &Move) -> (char, [f64; 2]) {
     (way, m.to)
 }
 
+/// Fails where moves are not those expected, by letter and end to a billionth of a millimetre.
+pub fn assert_moves(moves: &[Move], expected: &[(char, [f64; 2])]) {
+    let shown: Vec<(char, [f64; 2])> = moves.iter().map(bare).collect();
+    assert_eq!(shown.len(), expected.len(), "{shown:#?}");
+    for (at, (found, wanted)) in shown.iter().zip(expected).enumerate() {
+        let close = found.1.iter().zip(wanted.1).all(|(a, b)| (a - b).abs() < 1e-9);
+        assert!(found.0 == wanted.0 && close, "move {at}: {found:?}, not {wanted:?}");
+    }
+}
+
 /// Points along a move, its ends included, close enough that a chord leaves an arc by less than 1e-4 mm.
 pub fn points(from: [f64; 2], m: &Move) -> Vec<[f64; 2]> {
     let Way::Arc { centre, clockwise, .. } = m.way else { return vec![from, m.to] };

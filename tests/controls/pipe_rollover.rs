@@ -1,6 +1,7 @@
 //! Programs of branches and holes for a control whose rotary axes may be rollover.
 
 use crate::common;
+use crate::common::change::{Change, real};
 
 use rodete::finding::Grade;
 use rodete::gcode::control::RotaryMode;
@@ -20,12 +21,6 @@ use rodete::proof::rollover;
 use rodete::text::Language;
 
 const KINDS: [&str; 2] = ["hole", "insert"];
-
-type Change = (&'static str, Value);
-
-const fn real(key: &'static str, value: f64) -> Change {
-    (key, Value::Real(value))
-}
 
 /// Joints square, leaning and off the middle: the last begin at an angle of A that is not 0.
 fn joints() -> [Vec<Change>; 3] {

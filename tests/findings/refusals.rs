@@ -1,6 +1,7 @@
 //! Values that are valid alone but not together: what is refused, naming which parameters, with which words.
 
 use crate::common;
+use crate::common::change::real;
 
 use rodete::cli::rows;
 use rodete::finding::rules::ValueNotFinite;
@@ -29,10 +30,6 @@ fn expect(case: &str, changes: &[(&'static str, Value)], keys: &[&'static str], 
     assert_eq!(findings[0].grade, Grade::Stop);
     assert_eq!(common::parameters(&findings[0].place), keys);
     assert!(!findings[0].remedy.en.is_empty() && !findings[0].remedy.es.is_empty() && !findings[0].what.es.is_empty());
-}
-
-fn real(key: &'static str, value: f64) -> (&'static str, Value) {
-    (key, Value::Real(value))
 }
 
 #[test]

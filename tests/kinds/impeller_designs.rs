@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use rayon::prelude::*;
-use rodete::kinds::impeller::clear::asked::rounding;
 use rodete::kinds::impeller::clear::cut::{Cut, DoesNotFit, Spindle, Which};
 use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::clear::programs::position;
@@ -363,7 +362,7 @@ fn stopped(design: &Design, cut: &Cut, plan: &Plan) -> Option<&'static str> {
         }
         let positions: Vec<_> = pass.points.iter().map(|at| position(at).unwrap()).collect();
         let sweep = Sweep::through(0, job.machine, &positions, 0.0);
-        let limit = limit + rounding(job.machine.L, design.R);
+        let limit = limit + job.machine.rounding(design.R);
         if within(job.part.circle.torus, design.a_p, tool, &[sweep], limit).is_some_and(|found| found.most > limit) {
             return Some("goes below the floor");
         }
@@ -384,7 +383,7 @@ fn plan(design: &Design, cut: &Cut, plan: &Plan, grid: u32) -> Vec<String> {
     }
     let found = simulate(design, plan, cut, [10 * grid, 3 * grid], [8 * grid, 16 * grid]);
     let told = &plan.told;
-    let most = cut.tolerance + OVER + rounding(design.job().machine.L, design.R);
+    let most = cut.tolerance + OVER + design.job().machine.rounding(design.R);
     if found.undercut > most || found.too_deep > most || found.tops > 1e-9 {
         wrong.push(format!("cut into: {found:?}"));
     }

@@ -1,6 +1,8 @@
 //! Branches and holes drawn at random: none ends as a fault of rodete's own, and what a check says is nowhere exceeded is not, by
 //! points taken here without it. `RODETE_DESIGNS` says how many of each are drawn.
 
+use crate::common::change::{choice, real};
+
 use std::f64::consts::TAU;
 
 use nalgebra::{Vector2, Vector3};
@@ -426,14 +428,6 @@ proptest! {
         let grades = outcome.findings.iter().filter(|one| one.grade == Grade::Stop).count();
         prop_assert_eq!(grades, 0);
     }
-}
-
-const fn real(key: &'static str, value: f64) -> (&'static str, Value) {
-    (key, Value::Real(value))
-}
-
-const fn choice(key: &'static str, value: &'static str) -> (&'static str, Value) {
-    (key, Value::Choice(value))
 }
 
 /// A branch cut on LinuxCNC, with changes.

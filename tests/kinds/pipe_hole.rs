@@ -3,6 +3,7 @@
 
 use crate::common;
 use crate::common::agreement;
+use crate::common::change::{choice, real};
 
 use std::f64::consts::TAU;
 
@@ -47,14 +48,6 @@ fn run(changes: &[(&'static str, Value)]) -> Result<Outcome, rodete::finding::Re
 
 fn outcome(changes: &[(&'static str, Value)]) -> Outcome {
     run(changes).unwrap_or_else(|refusal| panic!("refused: {:?}", refusal.findings))
-}
-
-const fn real(key: &'static str, value: f64) -> (&'static str, Value) {
-    (key, Value::Real(value))
-}
-
-const fn choice(key: &'static str, value: &'static str) -> (&'static str, Value) {
-    (key, Value::Choice(value))
 }
 
 /// Holes of many shapes.

@@ -2,6 +2,7 @@
 
 use crate::common;
 use crate::common::agreement;
+use crate::common::change::{choice, real};
 
 use common::rs274;
 use proptest::prelude::*;
@@ -113,14 +114,6 @@ fn refused(changes: &[(&'static str, Value)]) -> Vec<Finding> {
         }
         Ok(outcome) => panic!("{changes:?}: {:?}", outcome.findings),
     }
-}
-
-const fn real(key: &'static str, value: f64) -> (&'static str, Value) {
-    (key, Value::Real(value))
-}
-
-const fn choice(key: &'static str, value: &'static str) -> (&'static str, Value) {
-    (key, Value::Choice(value))
 }
 
 /// Joints of many shapes: angle, eccentricity, contact, equal pipes, odd and even N.

@@ -2,6 +2,7 @@
 //! the header, against the wall taken point by point, here without the crate's own geometry.
 
 use crate::common;
+use crate::common::change::{choice, real};
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -25,14 +26,6 @@ use rodete::parameter::{Value, Values};
 use rodete::proof::rules::NotEnclosed;
 use rodete::table::Entry;
 use rodete::text::Language;
-
-const fn real(key: &'static str, value: f64) -> (&'static str, Value) {
-    (key, Value::Real(value))
-}
-
-const fn choice(key: &'static str, value: &'static str) -> (&'static str, Value) {
-    (key, Value::Choice(value))
-}
 
 /// The values of the usual case with changes; pipes by diameter and wall where those are given.
 fn values(changes: &[(&'static str, Value)]) -> Values {

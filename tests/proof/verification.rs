@@ -1,6 +1,7 @@
 //! The judges: the published figures, what must hold for every design, and programs with one fault each.
 
 use crate::common;
+use crate::common::change::real;
 
 mod blank;
 mod clear_cut;
@@ -40,10 +41,6 @@ use rodete::proof::text::Characters;
 use rodete::table::Entry;
 use rodete::text::Language;
 use tool::Tool;
-
-fn real(key: &'static str, value: f64) -> (&'static str, Value) {
-    (key, Value::Real(value))
-}
 
 fn published(n: u32) -> Design {
     Design::new(&common::fields("tfg-2021", &[("n", Value::Whole(n))])).unwrap()

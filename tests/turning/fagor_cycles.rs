@@ -6,14 +6,14 @@ use crate::common::turned as lathe;
 mod programs;
 mod threads;
 
-use lathe::{Metal, bare, points};
+use lathe::{Metal, assert_moves, bare, points};
 use proptest::prelude::*;
 use rodete::finding::Exit;
+use rodete::gcode::turning::Way;
 use rodete::gcode::turning::fagor::Along::{self, Cylinder, Face};
 use rodete::gcode::turning::fagor::drill::{Drill, drill};
 use rodete::gcode::turning::fagor::groove::{Groove, groove};
 use rodete::gcode::turning::fagor::section::{Section, section};
-use rodete::gcode::turning::{Move, Way};
 use rodete::number::trig::{atan2, hypot};
 
 /// The published torus: G85 X50 Z-15 Q20 R0 C1 I0 K15 from X55 Z0.
@@ -39,15 +39,6 @@ const STEP: Section = Section {
     roughing: None,
     finishing: None,
 };
-
-fn assert_moves(moves: &[Move], expected: &[(char, [f64; 2])]) {
-    let shown: Vec<(char, [f64; 2])> = moves.iter().map(bare).collect();
-    assert_eq!(shown.len(), expected.len(), "{shown:#?}");
-    for (at, (found, wanted)) in shown.iter().zip(expected).enumerate() {
-        let close = found.1.iter().zip(wanted.1).all(|(a, b)| (a - b).abs() < 1e-9);
-        assert!(found.0 == wanted.0 && close, "move {at}: {found:?}, not {wanted:?}");
-    }
-}
 
 /// Where the torus ends at the depth k: 25 − √(15² − k²).
 fn torus(k: f64) -> [f64; 2] {

@@ -9,7 +9,7 @@ mod judged;
 mod properties;
 mod threads;
 
-use lathe::{arc, bare, line, profile, rapid};
+use lathe::{arc, assert_moves, bare, line, profile, rapid};
 use rodete::finding::{AlarmFamily, Exit};
 use rodete::gcode::turning::finish::finish;
 use rodete::gcode::turning::pattern_repeating::{Repeat, repeat};
@@ -25,15 +25,6 @@ fn step_and_taper() -> rodete::gcode::turning::profile::Profile {
 }
 
 /// Asserts what moves are made, with their X and Z to 1e-9.
-fn assert_moves(moves: &[Move], expected: &[(char, [f64; 2])]) {
-    let shown: Vec<(char, [f64; 2])> = moves.iter().map(bare).collect();
-    assert_eq!(shown.len(), expected.len(), "{shown:#?}");
-    for (at, (found, wanted)) in shown.iter().zip(expected).enumerate() {
-        let close = found.1.iter().zip(wanted.1).all(|(a, b)| (a - b).abs() < 1e-9);
-        assert!(found.0 == wanted.0 && close, "move {at}: {found:?}, not {wanted:?}");
-    }
-}
-
 #[test]
 fn g71_type_i_runs_as_drawn() {
     // C = A + (U, W) = (30.5, 2.1). The contour moved by (0.5, 0.1) has its corners at (10.5, 2.1), (10.5, −19.9),

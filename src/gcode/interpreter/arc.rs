@@ -195,7 +195,7 @@ impl Reader<'_, '_> {
         let difference = (radii[0] - radii[1]).abs();
         match self.memory.control.arcs.radii {
             Radii::Parameter if difference > TOLD => {
-                self.memory.remarks.row(&RadiiDiffer { difference: size(difference, unit) }, self.block.spot, None);
+                self.memory.remarks.row(&RadiiDiffer { difference: unit.size(difference) }, self.block.spot, None);
             }
             Radii::Parameter | Radii::LinuxCnc => {}
         }
@@ -213,7 +213,7 @@ impl Reader<'_, '_> {
             return Err(Refused::of(&RadiusOfFullCircle {}, &[column]));
         }
         if half - radius > LEAST || radius == 0.0 {
-            let [radius, half] = [radius, half].map(|length| size(length, unit));
+            let [radius, half] = [radius, half].map(|length| unit.size(length));
             // Not every control takes a half circle: the next that a program can say is more than one.
             let thousandths = half.value * 1000.0;
             let more = self.memory.control.arcs.negative.refused();
@@ -230,11 +230,6 @@ impl Reader<'_, '_> {
         let scale = side / (2.0 * half);
         Ok([f64::midpoint(start[0], end[0]) - chord[1] * scale, f64::midpoint(start[1], end[1]) + chord[0] * scale])
     }
-}
-
-/// A length in the unit of the program, said to its ten-thousandth.
-const fn size(length: f64, unit: LengthUnit) -> Size {
-    Size { value: unit.from_mm(length), unit: unit.symbol(), decimals: 4 }
 }
 
 /// By how much the radii of an arc at its start and its end may differ whatever its size, in the unit whose tolerance
@@ -255,11 +250,11 @@ fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Result<()> {
     let tolerance = radii_tolerance(unit);
     let difference = (start - end).abs();
     if start < LEAST || end < LEAST {
-        return Err(Refused::of(&ArcOfNoRadius { start: size(start, unit), end: size(end, unit) }, &[]));
+        return Err(Refused::of(&ArcOfNoRadius { start: unit.size(start), end: unit.size(end) }, &[]));
     }
     if difference > 100.0 * tolerance || (difference > tolerance && difference > RELATIVE * start.max(end)) {
         return Err(Refused::of(
-            &EndOffCircle { start: size(start, unit), end: size(end, unit), difference: size(difference, unit) },
+            &EndOffCircle { start: unit.size(start), end: unit.size(end), difference: unit.size(difference) },
             &[],
         ));
     }

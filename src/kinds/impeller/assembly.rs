@@ -13,7 +13,7 @@ use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Pose, Position};
 use crate::machine::tip_way::longest;
-use crate::number::grid::{Milli, OutOfFormat};
+use crate::number::grid::{Milli, OutOfFormat, TURN};
 use crate::text::Text;
 
 /// How often feeds had to give way.
@@ -24,9 +24,6 @@ pub struct Limited {
     /// Moves whose F word reached an end of its format.
     pub by_format: usize,
 }
-
-/// A whole turn, thousandths of a degree.
-const WHOLE: i32 = 360_000;
 
 const ALL: &[Axis] = &[Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
 
@@ -81,7 +78,7 @@ pub fn feeds(
     let (Style::Full, Some(F)) = (design.style, F) else {
         return Ok(Feed::None);
     };
-    let law = design.control.feed.law;
+    let law = design.post.control.feed.law;
     let (mut words, mut times) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
     let mut at = from;
     for to in points {
@@ -141,7 +138,7 @@ impl<'a> Assembly<'a> {
     /// For a position that no program may carry.
     pub fn with(design: &'a Design, mill: Mill, first: Position) -> Result<Self, OutOfFormat> {
         let turned = first.get(Axis::C).thousandths();
-        let whole = if design.turns_by_increments() { turned.rem_euclid(360_000) - turned } else { 0 };
+        let whole = if design.turns_by_increments() { turned.rem_euclid(TURN) - turned } else { 0 };
         let turns = Milli::new(whole);
         let first = first.moved(Axis::C, turns);
         let mut assembly = {
@@ -266,8 +263,8 @@ impl<'a> Assembly<'a> {
     #[must_use]
     pub fn nearest(&self, to: Position, turn: Milli) -> Milli {
         let by = (to.get(Axis::C) + self.turns - self.at.get(Axis::C)).thousandths();
-        let whole = (by + WHOLE / 2).div_euclid(WHOLE);
-        turn - Milli::new(whole * WHOLE)
+        let whole = (by + TURN / 2).div_euclid(TURN);
+        turn - Milli::new(whole * TURN)
     }
 
     /// A rapid move outside the part, C turned on, of the axes that move.
@@ -326,10 +323,10 @@ impl<'a> Assembly<'a> {
                 axes.iter().fold(at, |at, &axis| at.with(axis, from.get(axis)))
             };
             let turned = self.at.get(Axis::C) - self.first.get(Axis::C);
-            let turns = turned.thousandths().div_euclid(360_000);
+            let turns = turned.thousandths().div_euclid(TURN);
             // Turned back all the way where the next run takes the axes to stand at 0, on whole turns elsewhere.
             let turns = if design.turns_by_increments() { 0 } else { turns };
-            let home = self.start.with(Axis::C, Milli::new(turns * 360_000));
+            let home = self.start.with(Axis::C, Milli::new(turns * TURN));
             self.go(over(self.at, home, &[Axis::Z]), &[Axis::Z]);
             self.go(over(self.at, home, &[Axis::X, Axis::Y]), &[Axis::X, Axis::Y]);
             self.go(over(self.at, home, &[Axis::B, Axis::C]), &[Axis::B, Axis::C]);
@@ -342,7 +339,7 @@ impl<'a> Assembly<'a> {
         Program {
             key: operation.key(),
             title,
-            control: design.control,
+            control: design.post.control,
             law: self.writer.law(),
             format: if design.style == Style::Full { NumberFormat::Fixed } else { NumberFormat::Trimmed },
             block_step: Some(design.block_step),

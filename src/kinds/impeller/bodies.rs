@@ -21,6 +21,7 @@ use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
 use crate::kinds::impeller::splitter::Splitter;
+use crate::number::root::halved;
 use crate::number::trig::{atan2, hypot, sin_cos};
 
 /// Steps of Newton's method down a ruling: it stands nearly upright in the surface.
@@ -297,12 +298,9 @@ impl<F: Fn(f64) -> [f64; 2]> Walls<'_, F> {
 
 /// Where a function that is positive at the first place and negative at the second is 0; the nearer of the places where it is
 /// not so.
-fn border([mut out, mut inside]: [f64; 2], over: impl Fn(f64) -> f64) -> f64 {
-    for _ in 0..HALVINGS {
-        let middle = f64::midpoint(out, inside);
-        if over(middle) > 0.0 { out = middle } else { inside = middle }
-    }
-    inside
+fn border([out, inside]: [f64; 2], over: impl Fn(f64) -> f64) -> f64 {
+    let is_out = |v: f64| over(v) > 0.0;
+    halved([inside, out], HALVINGS, |v| !is_out(v))
 }
 
 impl Part {

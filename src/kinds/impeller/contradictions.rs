@@ -141,7 +141,7 @@ impl Design {
         if let (Some(F), Some(F_max)) = (self.F, self.F_max)
             && F > F_max
         {
-            let feed = |value| Size { value, unit: "mm/min", decimals: 3 };
+            let feed = |value| Size::feed(value, 3);
             let told = FeedBeyondMachine { F: feed(F), F_max: feed(F_max) };
             findings.push(told.at(at([form::F.key(), form::F_MAX.key()])).with(shown(F, 3), shown(F_max, 3)));
         }
@@ -176,15 +176,15 @@ impl Design {
                     findings.push(FullStyleNeeds { symbol }.at(at([symbol, form::STYLE.key()])));
                 }
             }
-        } else if self.control.feed.missing.refused() {
-            let told = AnnexCarriesNoFeed { control: self.control.name };
+        } else if self.post.control.feed.missing.refused() {
+            let told = AnnexCarriesNoFeed { control: self.post.control.name };
             findings.push(told.at(at([form::STYLE.key(), form::DIALECT.key()])));
         }
         if self.style == Style::Full && self.distance == Distance::Absolute && self.counting == RotaryMode::Rollover {
             let place = at([form::DISTANCE.key(), form::ROTARY.key(), form::DIALECT.key()]);
             findings.push(AbsoluteOnRollover {}.at(place));
         }
-        let refused = refused_retract(self.control, form::RETRACT.key(), &self.retract);
+        let refused = refused_retract(self.post.control, form::RETRACT.key(), &self.retract);
         if refused.is_empty() {
             self.check_retract(findings);
         }
@@ -192,10 +192,10 @@ impl Design {
         findings.extend(refused_spindle(form::COOLANT.key(), &self.coolant, false));
         findings.extend(refused_spindle(form::START_CODES.key(), &self.start_codes, true));
         let within = CodesPlace { last: false, tooled: true };
-        findings.extend(refused_codes(self.control, form::COOLANT.key(), &self.coolant, within));
-        findings.extend(refused_codes(self.control, form::START_CODES.key(), &self.start_codes, within));
+        findings.extend(refused_codes(self.post.control, form::COOLANT.key(), &self.coolant, within));
+        findings.extend(refused_codes(self.post.control, form::START_CODES.key(), &self.start_codes, within));
         findings.extend(refused_codes(
-            self.control,
+            self.post.control,
             form::END_CODES.key(),
             &self.end_codes,
             CodesPlace { last: true, ..within },

@@ -1,7 +1,7 @@
 //! The design of an impeller: validated parameters with units settled, and the checks of one against another.
 
 use crate::finding::Finding;
-use crate::gcode::control::{Control, Post, RotaryMode};
+use crate::gcode::control::{Post, RotaryMode};
 use crate::gcode::fields::{TOOL_CHANGE, rapids};
 pub use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Retract, Word};
@@ -71,9 +71,7 @@ pub struct Design {
     pub material: String,
     /// The program number.
     pub program: u32,
-    /// The dialect.
-    pub control: &'static Control,
-    /// How it is written for.
+    /// The dialect: the control, and how it is written for.
     pub post: Post,
     /// The style.
     pub style: Style,
@@ -141,7 +139,7 @@ impl Design {
     /// whether the rotary axes are rollover or not.
     #[must_use]
     pub fn turns_by_increments(&self) -> bool {
-        let may_roll = self.control.rotary.delivered == RotaryMode::Rollover;
+        let may_roll = self.post.control.rotary.delivered == RotaryMode::Rollover;
         self.style == Style::Full && self.distance == Distance::Incremental && may_roll
     }
 
@@ -158,7 +156,6 @@ impl Design {
     fn of(fields: &Fields) -> Self {
         let (R_B, H) = (fields.get(&form::R_B), fields.get(&form::H));
         let post = fields.get(&form::DIALECT);
-        let control = post.control;
         let linear = |axis, ends: [&'static Field<f64, Optional>; 2]| AxisTravel {
             axis,
             ends: ends.map(|end| fields.get(end)),
@@ -198,9 +195,8 @@ impl Design {
             part: fields.get(&form::PART),
             material: fields.get(&form::MATERIAL).unwrap_or_default(),
             program: fields.get(&form::NUMBER),
-            control,
             post,
-            counting: fields.get(&form::ROTARY).unwrap_or(control.rotary.delivered),
+            counting: fields.get(&form::ROTARY).unwrap_or(post.control.rotary.delivered),
             style: fields.get(&form::STYLE),
             distance: fields.get(&form::DISTANCE),
             start_codes: fields.get(&form::START_CODES).0,

@@ -118,7 +118,7 @@ pub fn header(
             &format!("AVANCE DE LA PUNTA {F} MM-MIN - HUSILLO {S} RPM"),
             &format!("FEED OF THE TIP {F} MM-MIN - SPINDLE {S} RPM"),
         );
-        match design.control.feed.law {
+        match design.post.control.feed.law {
             FeedLaw::Resultant => comments.line(
                 "F EN CADA BLOQUE - RESULTANTE DE LOS EJES EN MM Y GRADOS",
                 "F IN EACH BLOCK - RESULTANT OF THE AXES IN MM AND DEG.",

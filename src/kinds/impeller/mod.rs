@@ -228,8 +228,7 @@ impl Method for Impeller {
 
     fn programs(design: &Design, model: &Model, origin: &Origin<'_>) -> Result<Unproved, Vec<Finding>> {
         if let (Some(plan), Some(asked)) = (&model.clear, &design.clear) {
-            let made = clear::programs::programs(design, plan, origin)
-                .map_err(|error| vec![out_of_format(error, [form::R.key(), form::R_B.key(), form::H.key()])])?;
+            let made = clear::programs::programs(design, plan, origin).map_err(no_room)?;
             let long: Vec<Finding> = made
                 .programs
                 .iter()
@@ -247,7 +246,7 @@ impl Method for Impeller {
             Ok(tracks) => programs(design, tracks, origin),
             Err(error) => Err(*error),
         };
-        let made = made.map_err(|error| vec![out_of_format(error, [form::R.key(), form::R_B.key(), form::H.key()])])?;
+        let made = made.map_err(no_room)?;
         let mut findings = remarks(design, &made, model.calibration.as_ref().map(|(_, axis)| *axis));
         findings.extend(too_narrow(design, &model.limits));
         Ok(Unproved { programs: made.programs, findings })
@@ -325,4 +324,9 @@ impl Method for Impeller {
     fn figures(design: &Design, model: &Model, known: &Known) -> Vec<Figure> {
         figures(design, model, &known.curves())
     }
+}
+
+/// The refusal of a position that no program may carry.
+fn no_room(error: OutOfFormat) -> Vec<Finding> {
+    vec![out_of_format(error, [form::R.key(), form::R_B.key(), form::H.key()])]
 }

@@ -19,7 +19,7 @@ use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::tables::ToolPaths;
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
-use crate::number::grid::{Milli, OutOfFormat};
+use crate::number::grid::{Milli, OutOfFormat, TURN};
 use crate::text::t;
 
 /// Passes and safe points of a blade and of its splitter on the output grid, C of the first blade.
@@ -213,7 +213,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
 /// N blades, then N splitters, with the C turns between; closes in every axis, in C to whole turns.
 fn impeller(design: &Design, tracks: &Tracks, cuts: &Cuts) -> Result<Program, OutOfFormat> {
     let N = design.N;
-    let turn = Milli::new(360_000);
+    let turn = Milli::new(TURN);
     let mut assembly = Assembly::new(design, tracks.entry_obverse)?;
     for k in 0..N {
         cuts.blade(tracks, &mut assembly, part_of_turn(k, N)?);

@@ -38,7 +38,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
         findings.push(AnnexWithoutFeed {}.at(at([form::STYLE.key(), form::F.key(), form::S.key()])));
         findings.push(AnnexStartsAnywhere {}.at(at([form::STYLE.key()])));
         if design.splitters {
-            let half = Size { value: 180.0 / f64::from(design.N), unit: "°", decimals: 3 };
+            let half = Size::degrees(180.0 / f64::from(design.N), 3);
             findings.push(AnnexIsRepeated { N: design.N, half }.at(at([form::STYLE.key(), form::SPLITTERS.key()])));
         }
     }
@@ -61,7 +61,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
     }
     let moves = made.limited.by_axis;
     if moves > 0 {
-        let most = Size { value: design.F_max.unwrap_or(0.0), unit: "mm/min", decimals: 3 };
+        let most = Size::feed(design.F_max.unwrap_or(0.0), 3);
         findings.push(FeedReduced { moves, most }.at(at([form::F.key(), form::F_MAX.key()])));
     }
     let moves = made.limited.by_format;
@@ -71,7 +71,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
             Some(_) => (form::TOL.key(), t("una tol mayor", "a larger tol")),
         };
         let told = FeedWordAtItsEnd { moves, longer }.at(at([form::F.key(), key]));
-        let greatest = shown(design.control.feed.law.greatest(), 3);
+        let greatest = shown(design.post.control.feed.law.greatest(), 3);
         findings.push(told.with(moves.to_string(), format!("0.0001 … {greatest}")));
     }
     findings.push(BlankForFagor {}.at(Place::Block { program: Operation::Blank.key(), line: 1 }));
@@ -83,8 +83,8 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
 /// the eye, a person must judge it.
 fn calibration_remark(design: &Design, axis: Calibrated) -> Finding {
     let difference = axis.R_B - design.R_B;
-    let [found, R_B] = [axis.R_B, design.R_B].map(|height| Size { decimals: 4, ..Size::mm(height) });
-    let B = Size { value: axis.B.to_degrees(), unit: "°", decimals: 5 };
+    let [found, R_B] = [axis.R_B, design.R_B].map(|height| Size::length(height, 4));
+    let B = Size::degrees(axis.B.to_degrees(), 5);
     let place = at([form::R_B.key()]);
     let told = if difference.abs() > 0.01 {
         CalibrationDiffers { found, B, R_B, better: Bare::mm(axis.R_B, 4) }.at(place)

@@ -54,11 +54,10 @@ impl<'a> Room<'a> {
     /// The channel between two blades of a design.
     #[must_use]
     pub fn new(design: &'a Design, blade: &'a Blade) -> Self {
-        let turned = 0.0005_f64.to_radians() * (design.machine.L + 2.0 * design.torus.R);
         let pitch = TAU / f64::from(design.N);
         let turns = (0..design.N).map(|k| pitch * f64::from(k) + PI / f64::from(design.N)).collect();
         let walls = Walls::new(Part::new(design), design.machine, design.d_t / 2.0, turns, f64::MIN);
-        Self { design, blade, walls, least: 0.0005 * 3.0_f64.sqrt() + turned }
+        Self { design, blade, walls, least: design.machine.rounding(design.torus.R) }
     }
 
     /// The least m from `from` on with which the tool of a splitter's track has room; `None` where there is none.

@@ -23,7 +23,7 @@ fn holds(words: &[Word], letter: char, number: u32) -> bool {
 pub(super) fn start(design: &Design) -> Vec<Finding> {
     let mut findings = vec![rotary_axes(design)];
     // Of the clamps of other machines nothing was published.
-    match design.control.rotary.delivered {
+    match design.post.control.rotary.delivered {
         RotaryMode::Rollover => findings.push(clamps(design)),
         RotaryMode::Linear => {}
     }
@@ -36,7 +36,7 @@ pub(super) fn start(design: &Design) -> Vec<Finding> {
     if design.style == Style::Full {
         findings.extend(retract(design));
     }
-    findings.extend(corners_between_blocks(design.control));
+    findings.extend(corners_between_blocks(design.post.control));
     findings
 }
 
@@ -49,7 +49,7 @@ fn rotary_axes(design: &Design) -> Finding {
     } else if design.distance == Distance::Incremental {
         IncrementsFromZero {}.at(place)
     } else {
-        match design.control.rotary.delivered {
+        match design.post.control.rotary.delivered {
             RotaryMode::Rollover => OnLinearAxesUnproved {}.at(place),
             RotaryMode::Linear => OnLinearAxes {}.at(place),
         }
@@ -80,7 +80,7 @@ fn retract(design: &Design) -> Vec<Finding> {
         return vec![RetractByProgram { z: Size::mm(z) }.at(place())];
     }
     let mut findings = Vec::new();
-    match design.control.rotary.delivered {
+    match design.post.control.rotary.delivered {
         RotaryMode::Rollover => findings.push(RetractIsAssumed {}.at(place())),
         RotaryMode::Linear => {}
     }

@@ -82,7 +82,7 @@ pub(super) fn too_many(file: Option<&str>, line: usize) -> Finding {
 pub(super) fn too_much_work(file: Option<&str>, motion: &Motion, made: usize) -> Finding {
     let place = at_line(file, motion.line);
     let MotionKind::Thread(thread) = motion.kind else { return TooMuchWork { made }.at(place) };
-    let lead = Size { decimals: 6, ..Size::mm(thread.lead) };
+    let lead = Size::length(thread.lead, 6);
     let length = [Axis::X, Axis::Z].map(|axis| (motion.to.get(axis) - motion.from.get(axis)).abs());
     let turns = revolutions(thread, length[0].max(length[1])).unwrap_or_default();
     ThreadTooMuchWork { made, lead, turns: Size::number(turns, 0) }.at(place)

@@ -300,7 +300,7 @@ impl<'a> Following<'_, 'a> {
             && self.last.is_none()
             && self.too_fast.insert(step.control.tool)
         {
-            let [feed, rapid] = [feed, rapid].map(|value| Size { value, unit: "mm/min", decimals: 0 });
+            let [feed, rapid] = [feed, rapid].map(|value| Size::feed(value, 0));
             self.faults.told.push(FeedBeyondRapid { feed, axis: axis.letter(), rapid }.at(at_line(file, motion.line)));
         }
     }

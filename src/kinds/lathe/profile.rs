@@ -134,7 +134,6 @@ pub(super) fn compared(part: &Comparison<'_>, wanted: &Wanted, quantities: &mut 
         one.map_or(String::new(), |(_, [z, r])| format!(" (X{} Z{})", shown(2.0 * r, 3), shown(z, 3)))
     };
     let [most, least] = [found.over, found.under].map(place);
-    let size = |by: f64| Size { decimals: 4, ..Size::mm(by) };
     let held = if part.second {
         t(" (en cotas del segundo amarre)", " (in coordinates of the second set-up)")
     } else {
@@ -142,7 +141,7 @@ pub(super) fn compared(part: &Comparison<'_>, wanted: &Wanted, quantities: &mut 
     };
     let limit = explained(part.tolerance);
     let missing = (under > limit && !part.threaded).then(|| {
-        let told = MetalMissing { held: held.clone(), under: size(under), least: least.clone() };
+        let told = MetalMissing { held: held.clone(), under: Size::length(under, 4), least: least.clone() };
         let told = told.at(found.under.map_or(Place::File, |(_, place)| wanted.row(place)));
         told.with(format!("{} mm", shown(under, 4)), format!("≤ {} mm", shown(limit, 4)))
     });
@@ -152,7 +151,8 @@ pub(super) fn compared(part: &Comparison<'_>, wanted: &Wanted, quantities: &mut 
     } else {
         held
     };
-    let note = Compared { held, over: size(over), most, under: size(under), least }.at(Place::File);
+    let note =
+        Compared { held, over: Size::length(over, 4), most, under: Size::length(under, 4), least }.at(Place::File);
     (missing.into_iter().chain([note]).collect(), false)
 }
 

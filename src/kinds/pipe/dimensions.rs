@@ -21,7 +21,7 @@ pub struct Pipe {
 
 /// The fields that give a pipe's size.
 #[derive(Clone, Copy, Debug)]
-pub struct SizeFields {
+struct SizeFields {
     size: &'static Field<&'static Size, Optional>,
     schedule: &'static Field<Schedule, Optional>,
     D: &'static Field<f64, Optional>,
@@ -29,18 +29,14 @@ pub struct SizeFields {
 }
 
 /// The fields of the branch's size.
-pub const BRANCH: SizeFields =
-    SizeFields { size: &BRANCH_SIZE, schedule: &BRANCH_SCHEDULE, D: &D_BRANCH, t: &T_BRANCH };
+const BRANCH: SizeFields = SizeFields { size: &BRANCH_SIZE, schedule: &BRANCH_SCHEDULE, D: &D_BRANCH, t: &T_BRANCH };
 /// The fields of the header's size.
-pub const HEADER: SizeFields =
-    SizeFields { size: &HEADER_SIZE, schedule: &HEADER_SCHEDULE, D: &D_HEADER, t: &T_HEADER };
+const HEADER: SizeFields = SizeFields { size: &HEADER_SIZE, schedule: &HEADER_SCHEDULE, D: &D_HEADER, t: &T_HEADER };
 
 impl Pipe {
-    /// The pipe of nominal size and schedule, or of outside diameter and wall.
-    ///
-    /// # Errors
-    /// Where both are given and differ, neither is given whole, or the schedule does not exist in that size.
-    pub fn of(fields: &Fields, from: SizeFields) -> Result<Self, Box<Finding>> {
+    /// The pipe of nominal size and schedule, or of outside diameter and wall; refused where both are given and differ, neither is
+    /// given whole, or the schedule does not exist in that size.
+    fn of(fields: &Fields, from: SizeFields) -> Result<Self, Box<Finding>> {
         let keys = [from.size.key(), from.schedule.key(), from.D.key(), from.t.key()];
         let [size, schedule, diameter, wall] = keys;
         let typed = (fields.get(from.D), fields.get(from.t));
@@ -61,6 +57,17 @@ impl Pipe {
             return Err(Box::new(told.at(at(keys))));
         }
         Ok(Self { D: outside, t: thick })
+    }
+
+    /// Branch and header.
+    ///
+    /// # Errors
+    /// Where size or wall of one is missing or contradicts itself, for both at once.
+    pub fn both(fields: &Fields) -> Result<[Self; 2], Vec<Finding>> {
+        match [BRANCH, HEADER].map(|from| Self::of(fields, from)) {
+            [Ok(branch), Ok(header)] => Ok([branch, header]),
+            [one, other] => Err([one.err(), other.err()].into_iter().flatten().map(|finding| *finding).collect()),
+        }
     }
 }
 

@@ -154,9 +154,12 @@ impl Reader<'_, '_> {
         // What the inch leaves in the last digits is no way beyond the start.
         if infeed * (infeed + taper) < 0.0 && (infeed + taper).abs() > 1e-9 {
             let unit = self.state.modal.unit;
-            let said = |length: f64| Size { value: unit.from_mm(length), unit: unit.symbol(), decimals: 4 };
             return Err(Refused::of(
-                &PassBeginsBeyondStart { taper: Bare(said(taper)), cycle: number, infeed: said(infeed.abs()) },
+                &PassBeginsBeyondStart {
+                    taper: Bare(unit.size(taper)),
+                    cycle: number,
+                    infeed: unit.size(infeed.abs()),
+                },
                 &[self.block.column(letter::R)],
             )
             .hanging_on(doubt::LATHE));

@@ -47,13 +47,6 @@ pub struct Asked {
     pub root: Option<f64>,
 }
 
-/// How far rounding to the output grid may move a point of the tool: 0.0005 mm in each of X, Y and Z, and 0.0005° of B
-/// and C at the distance of any point of the part from the pivot, L + R at most, and from the axis, R at most.
-#[must_use]
-pub fn rounding(L: f64, R: f64) -> f64 {
-    0.0005 * 3.0_f64.sqrt() + 0.0005_f64.to_radians() * (L + 2.0 * R)
-}
-
 impl Asked {
     /// What a workbook asks; `None` where the part is cut as published. `plain` is the rest of the design.
     #[must_use]
@@ -87,7 +80,7 @@ impl Asked {
             level: fields.get(&fields::LEVEL),
             step: fields.get(&fields::STEP),
             scallop: fields.get(&fields::SCALLOP),
-            tolerance: tolerance - rounding(plain.machine.L, plain.torus.R),
+            tolerance: tolerance - plain.machine.rounding(plain.torus.R),
             feed: fields.get(&fields::FEED_CHANGE),
             d_s: plain.d_s,
             blank: plain.blank.L_b,

@@ -21,6 +21,7 @@ use crate::kinds::impeller::clear::table::Table;
 use crate::kinds::impeller::gap::RUN_OUT;
 use crate::kinds::impeller::nearest::{Axis, Wall};
 use crate::kinds::impeller::part::{Face, Part};
+use crate::number::root::halved;
 use crate::number::trig::{atan2, sin_cos};
 
 /// How close contacts are found, radians.
@@ -33,6 +34,8 @@ const SAME: f64 = 1e-6;
 const MARCH: u16 = 60;
 /// The first station of a tool that does not fit where it has run out of the hub.
 const LEAST: f64 = 1e-6;
+/// Halvings between two stations towards the one from which on a tool fits: to a billionth of the way and closer.
+const HALVINGS: u8 = 40;
 /// How close the table is, mm at the rim.
 const TABLE: f64 = 3e-5;
 
@@ -295,12 +298,8 @@ impl Contacts {
         let stations: Vec<f64> = std::iter::once(begin).chain(inside).collect();
         let last = stations.iter().rposition(|&q| self.room(q) < 0.0);
         let Some(last) = last else { return Some(0.0) };
-        let (mut low, mut high) = (stations[last], *stations.get(last + 1)?);
-        for _ in 0..40 {
-            let middle = f64::midpoint(low, high);
-            if self.room(middle) < 0.0 { low = middle } else { high = middle }
-        }
-        Some(high.max(LEAST))
+        let lacks = |q: f64| self.room(q) < 0.0;
+        Some(halved([*stations.get(last + 1)?, stations[last]], HALVINGS, |q| !lacks(q)).max(LEAST))
     }
 }
 

@@ -24,6 +24,7 @@ use crate::kinds::impeller::clear::table::Table;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::part::{HUB, Part, RIM};
 use crate::machine::rotary::TiltingTable;
+use crate::number::root::halved;
 use crate::number::trig::sin_cos;
 
 /// How close the way round the nose is kept, radians of v and of ψ.
@@ -121,12 +122,7 @@ pub fn start(part: &Part, contacts: &Contacts, s: f64) -> Option<f64> {
     // From the rim inwards: at the very end the contour leaves the blank and has no room.
     let last = (1..STARTS).rev().find(|&start| clear(place(start)))?;
     let first = (1..last).rev().take_while(|&start| clear(place(start))).last().unwrap_or(last);
-    let (mut bad, mut good) = (place(first - 1), place(first));
-    for _ in 0..HALVINGS {
-        let middle = f64::midpoint(bad, good);
-        if clear(middle) { good = middle } else { bad = middle }
-    }
-    Some(good)
+    Some(halved([place(first), place(first - 1)], HALVINGS, clear))
 }
 
 /// The way round a splitter.

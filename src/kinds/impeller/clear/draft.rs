@@ -17,7 +17,7 @@ use crate::kinds::impeller::clear::flank::FlankWay;
 use crate::kinds::impeller::clear::holder::Blank;
 use crate::kinds::impeller::clear::lane::{OwnNormal, v_at};
 use crate::kinds::impeller::clear::link::{End, link, up};
-use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass};
+use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move, Pass, SLOT_FEED};
 use crate::kinds::impeller::clear::pieces::parts;
 use crate::kinds::impeller::clear::placement::Tolerance;
 use crate::kinds::impeller::clear::root::BESIDE;
@@ -32,8 +32,6 @@ use crate::kinds::impeller::solids::Stock;
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::trig::{atan2, hypot, sin_cos};
 
-/// The feed into the full.
-pub(super) const SLOT_FEED: f64 = 0.5;
 /// Pairs of lanes that are looked at side by side.
 const AHEAD: usize = 16;
 /// Places along a face at which its error is looked at.

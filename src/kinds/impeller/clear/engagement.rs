@@ -13,8 +13,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
-use crate::kinds::impeller::clear::draft::SLOT_FEED;
-use crate::kinds::impeller::clear::pass::{Cutting, Mode, Pass};
+use crate::kinds::impeller::clear::pass::{Cutting, Mode, Pass, SLOT_FEED};
 use crate::kinds::impeller::clear::poses::{Pose, Poses, along};
 use crate::kinds::impeller::clear::tool::Tool;
 

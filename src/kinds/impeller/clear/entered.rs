@@ -17,10 +17,11 @@ use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clearance::{Stand, Until, WORK, Walls};
 use crate::kinds::impeller::part::{Face, Part};
 use crate::limits::CLEAR_BLOCKS;
+use crate::number::grid::HALF;
+use crate::number::root::halved;
 
-/// What the judge of the programs allows beside the tolerance, mm, and by what angle the other channels may be turned otherwise.
+/// What the judge of the programs allows beside the tolerance, mm.
 const OVER: f64 = 0.001;
-const ROUNDED: f64 = 0.0005;
 /// How often a block is halved to find where it begins to enter.
 const HALVINGS: u8 = 6;
 /// How much farther out a pass then begins, in parts of the way: its blocks lie otherwise.
@@ -97,7 +98,8 @@ impl<'a> Blades<'a> {
         let middle = Part::with(circle.torus, 0.0, a_p);
         Self {
             job,
-            limit: cut.tolerance + OVER - ROUNDED.to_radians() * circle.torus.R,
+            // The other channels may be turned otherwise by what rounding takes.
+            limit: cut.tolerance + OVER - HALF.to_radians() * circle.torus.R,
             faces: Walls::new(job.part, job.machine, cut.tool(tool).a(), turns(), f64::MIN),
             middles: Walls::new(middle, job.machine, 0.0, turns(), f64::MIN),
         }
@@ -135,11 +137,7 @@ impl<'a> Blades<'a> {
             if self.hold(&way[..middle]) { entered = middle } else { clear = middle }
         }
         let ([.., last], Some(next)) = (&way[..clear], way.get(clear)) else { return from };
-        let (mut good, mut bad) = (0.0, 1.0);
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(good, bad);
-            if self.hold(&[*last, last.towards(next, middle)]) { bad = middle } else { good = middle }
-        }
+        let good = halved([0.0, 1.0], HALVINGS, |part| !self.hold(&[*last, last.towards(next, part)]));
         let begin = self.station(&last.towards(next, good)) + MORE;
         // One that is in a blade at the rim is not mended by that.
         if begin < 1.0 { begin.max(from) } else { from }

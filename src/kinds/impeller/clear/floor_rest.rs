@@ -19,6 +19,7 @@ use crate::kinds::impeller::clear::floor_feet::{ARITHMETIC, Floor, psi_at};
 use crate::kinds::impeller::clear::poses::{Pose, Poses, Seen};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::part::{Part, RIM};
+use crate::number::root::halved;
 use crate::number::trig::sin_cos;
 
 /// How many stations of the floor are looked at between its ends: so many for each radius of the tool, and within these limits.
@@ -85,12 +86,7 @@ fn reach(tool: Tool, pose: &Pose, c: &Vector3<f64>, out: &Vector3<f64>, [r, r_f]
     };
     let step = (high - low) / f64::from(STEPS);
     let Some(held) = (0..=STEPS).map(|k| high - step * f64::from(k)).find(|&T| inside(T)) else { return r };
-    let (mut low, mut high) = (held, (held + step).min(high));
-    for _ in 0..HALVINGS {
-        let middle = f64::midpoint(low, high);
-        if inside(middle) { low = middle } else { high = middle }
-    }
-    low
+    halved([held, (held + step).min(high)], HALVINGS, inside)
 }
 
 /// A place of the floor, and what is left there.
@@ -176,15 +172,6 @@ impl Ground {
         }
         r_f - deepest.get()
     }
-}
-
-/// The last open place on the way from one to a shut one, by halvings.
-fn halved([mut open, mut shut]: [f64; 2], halvings: u8, is_open: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..halvings {
-        let middle = f64::midpoint(shut, open);
-        if is_open(middle) { open = middle } else { shut = middle }
-    }
-    open
 }
 
 /// Looks at places one after the other.

@@ -23,6 +23,7 @@ use crate::geometry::torus::Torus;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::outside::{Outside, WORK};
 use crate::kinds::impeller::solids::Stock;
+use crate::number::grid::HALF;
 use crate::number::trig::sin_cos;
 
 /// A stage of shank or holder.
@@ -59,10 +60,10 @@ impl Blank {
         self.above(from).max(self.above(to)) + M * turn * turn / 8.0 + self.rounding()
     }
 
-    /// How far rounding positions to 0.001 mm and degrees moves a point of the blank, at most: by 0.0005 along each of three axes, and
-    /// by B and C.
+    /// How far rounding positions to 0.001 mm and degrees moves a point of the blank, at most: by half of that along each of three
+    /// axes, and by B and C.
     fn rounding(&self) -> f64 {
-        0.0005 * 3.0_f64.sqrt() + 2.0 * 0.0005_f64.to_radians() * self.stock.reach(self.L)
+        HALF * 3.0_f64.sqrt() + 2.0 * HALF.to_radians() * self.stock.reach(self.L)
     }
 
     /// How far above the tip of its tool the blank reaches at most while passes are run: a holder of any radius that begins

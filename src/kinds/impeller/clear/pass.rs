@@ -4,6 +4,10 @@ use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::part::Face;
 
+/// The feed into the full metal, as a part of F: both sides of the tool cut there, its teeth are in metal over half a turn, and the
+/// chips have no open side to leave by.
+pub const SLOT_FEED: f64 = 0.5;
+
 /// What a pass cuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cutting {

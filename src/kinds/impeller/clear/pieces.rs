@@ -1,5 +1,7 @@
 //! Which part of a way is clear.
 
+use crate::number::root::halved;
+
 /// Places at which each piece of a way is looked at first, and halvings about each change.
 const LOOKS: u16 = 160;
 const HALVINGS: u8 = 24;
@@ -8,13 +10,7 @@ const HALVINGS: u8 = 24;
 /// shorter than a look may be missed, a change lies on the side where it holds.
 #[must_use]
 pub fn parts(pieces: &[f64], holds: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
-    let change = |mut good: f64, mut bad: f64| {
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(good, bad);
-            if holds(middle) { good = middle } else { bad = middle }
-        }
-        good
-    };
+    let change = |good: f64, bad: f64| halved([good, bad], HALVINGS, &holds);
     let Some(&begin) = pieces.first() else { return Vec::new() };
     let (mut found, mut open) = (Vec::new(), holds(begin).then_some(begin));
     let mut before = begin;

@@ -32,6 +32,7 @@ use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clear::uncut;
 use crate::kinds::impeller::gap::{RUN_OUT, gap};
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
+use crate::number::root::last_whole;
 use crate::number::trig::pow;
 
 /// How often a splitter's beginning is moved on at most, and by how much, radians of v.
@@ -276,10 +277,7 @@ fn largest_that_passes(job: &Job, cut: &Cut, which: Which) -> Option<f64> {
         }
         small = (large - step).max(small);
     }
-    while large - small > 1.0 {
-        let middle = f64::midpoint(small, large).floor();
-        if passes(middle) { small = middle } else { large = middle }
-    }
+    let small = last_whole([small, large], passes);
     (small > 0.0).then_some(small / 100.0)
 }
 
@@ -342,15 +340,7 @@ fn largest_round_splitters(job: &Job, cut: &Cut) -> Option<f64> {
         rest.is_some_and(|rest| splitter_start(job, &cut, &rest, &ways(job, &cut)).is_some())
     };
     // A smaller one has more room; what is told has passed as a tool of the form would.
-    let (mut small, mut large) = (0.0, (cut.finish.d * 100.0).ceil());
-    while large - small > 1.0 {
-        let middle = f64::midpoint(small, large).floor();
-        if fits(middle) {
-            small = middle;
-        } else {
-            large = middle;
-        }
-    }
+    let small = last_whole([0.0, (cut.finish.d * 100.0).ceil()], fits);
     (small > 0.0).then_some(small / 100.0)
 }
 

@@ -8,7 +8,7 @@ use crate::gcode::header::Origin;
 use crate::gcode::program::Feed;
 use crate::kinds::impeller::assembly::{Assembly, Limited, feeds};
 use crate::kinds::impeller::clear::cut::Which;
-use crate::kinds::impeller::clear::pass::{Cutting, Pass};
+use crate::kinds::impeller::clear::pass::{Cutting, Pass, SLOT_FEED};
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::design::Design;
@@ -21,7 +21,7 @@ use crate::number::grid::{Milli, OutOfFormat};
 use crate::text::{Text, t};
 
 /// The feed that a pass into the full metal may be run at, as a part of F: what its name ends with says which these are.
-pub const SLOT: (&str, f64) = ("-slot", 0.5);
+pub const SLOT: (&str, f64) = ("-slot", SLOT_FEED);
 
 impl Cutting {
     /// The name of such a pass in programs and findings.
@@ -156,4 +156,36 @@ pub fn programs(design: &Design, plan: &Plan, origin: &Origin<'_>) -> Result<Pro
     }
     made.push(blank(design, origin)?);
     Ok(Programs { programs: made, limited })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_named_otherwise_as_a_slot_is_what_the_judge_lets_run_at_the_feed_of_a_slot() {
+        let [level, lane] = [0; 2];
+        let flat = [
+            Cutting::Rough { level, lane },
+            Cutting::RoughContour { level },
+            Cutting::Rest { level, lane },
+            Cutting::RestContour { level },
+            Cutting::Floor { lane },
+            Cutting::Contour,
+            Cutting::SplitterFlanks { level },
+        ];
+        let faces = Face::ALL.into_iter().flat_map(|face| [Cutting::Leaning { face }, Cutting::Flank { face, level }]);
+        let (ending, part) = SLOT;
+        assert_eq!(part, SLOT_FEED);
+        let mut slots = Vec::new();
+        for cutting in flat.into_iter().chain(faces) {
+            let [plain, slot] = [false, true].map(|slot| cutting.key(slot));
+            assert!(!plain.ends_with(ending), "{plain}");
+            if slot != plain {
+                assert_eq!(slot, format!("{plain}{ending}"));
+                slots.push(slot);
+            }
+        }
+        assert_eq!(slots, ["rough-slot", "rest-slot", "floor-slot"]);
+    }
 }

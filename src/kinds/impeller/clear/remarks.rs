@@ -2,7 +2,7 @@
 
 use crate::finding::{Finding, Key, Place, Raise, Said, Size};
 use crate::kind::Shown;
-use crate::kinds::impeller::clear::asked::{Asked, rounding};
+use crate::kinds::impeller::clear::asked::Asked;
 use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
 use crate::kinds::impeller::clear::holder::Blank;
@@ -11,13 +11,14 @@ use crate::kinds::impeller::clear::programs::title;
 use crate::kinds::impeller::clear::root::largest_that_leaves;
 use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
-use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, ToolTold};
+use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, Told, ToolTold};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters::{self as form, NUMBERS};
 use crate::kinds::impeller::part::{HUB, RIM};
 use crate::kinds::impeller::solids::Stock;
 use crate::limits::CLEAR_BLOCKS;
+use crate::number::root::last_whole;
 use crate::number::shown;
 use crate::parameter::at;
 use crate::text::{Language, Text, all_of, t};
@@ -73,15 +74,14 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
         let (number, most) = (design.program, NUMBERS);
         findings.push(missed(NoNumberLeft { number, most }.at(at([form::NUMBER.key()])), number, most - 1));
     }
-    let least = rounding(design.machine.L, design.torus.R) + LEFT;
+    let least = design.machine.rounding(design.torus.R) + LEFT;
     if asked.tolerance < least {
         let least = Size::mm((least * 1000.0).ceil() / 1000.0);
-        let tol = Size { decimals: 4, ..Size::mm(asked.tolerance) };
+        let tol = Size::length(asked.tolerance, 4);
         findings.push(missed(ToleranceBelowResolution { tol, least }.at(at([form::TOL.key()])), tol, least));
     }
     if asked.tolerance > design.e / THINNED {
-        let (tol, most) =
-            (Size { decimals: 4, ..Size::mm(asked.tolerance) }, Size { decimals: 4, ..Size::mm(design.e / THINNED) });
+        let (tol, most) = (Size::length(asked.tolerance, 4), Size::length(design.e / THINNED, 4));
         findings.push(missed(ToleranceThinsBlade { tol, most }.at(at([form::TOL.key(), form::E.key()])), tol, most));
     }
     if asked.cut.s >= design.a_p {
@@ -122,7 +122,7 @@ pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
     };
     let d = Size::mm(why.d);
     let told = ToolDoesNotFit { tool: tool_name(why.tool), d, largest, alone };
-    let passes = why.largest.map(|d| Size { decimals: 2, ..Size::mm(d) });
+    let passes = why.largest.map(|d| Size::length(d, 2));
     let limit = passes.map(|passes| passes.said(Language::En).into_owned());
     told.at(at([key, form::N.key(), form::E.key()])).with(d.said(Language::En), limit.unwrap_or_default())
 }
@@ -186,14 +186,10 @@ fn by_plans(job: &Job, asked: &Asked, first: Option<f64>, too_large: Option<f64>
     if !keeps(&tried) {
         return None;
     }
-    let mut good = (first * STEPS_A_MM).floor();
+    let from = (first * STEPS_A_MM).floor();
     // No finishing tool is wider than the roughing tool, which is tried itself.
-    let mut bad = too_large.map_or((asked.cut.rough.d * STEPS_A_MM).floor() + 1.0, |d| (d * STEPS_A_MM).ceil());
-    let from = good;
-    while bad - good > 1.0 {
-        let middle = f64::midpoint(good, bad).floor();
-        if keeps(&plan(middle / STEPS_A_MM)) { good = middle } else { bad = middle }
-    }
+    let bad = too_large.map_or((asked.cut.rough.d * STEPS_A_MM).floor() + 1.0, |d| (d * STEPS_A_MM).ceil());
+    let good = last_whole([from, bad], |step| keeps(&plan(step / STEPS_A_MM)));
     Some(if good > from { good / STEPS_A_MM } else { first })
 }
 
@@ -206,7 +202,7 @@ fn stick_outs() -> [(Which, Key); 2] {
 pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
     if let Some(NoSplitter { largest }) = plan.told.no_splitter {
-        let largest = Largest(largest.map(|d| Size { decimals: 2, ..Size::mm(d) }));
+        let largest = Largest(largest.map(|d| Size::length(d, 2)));
         let d = Size::mm(asked.cut.finish.d);
         let told = NoRoomForClearSplitter { d, s: Size::mm(asked.cut.s), largest };
         let place = at([
@@ -259,7 +255,7 @@ fn tenths(stick_out: f64) -> f64 {
 }
 
 fn enough(stick_out: f64) -> Size {
-    Size { decimals: 1, ..Size::mm(tenths(stick_out)) }
+    Size::length(tenths(stick_out), 1)
 }
 
 /// The stick-outs that are enough for any holder, of the tools whose holder the form does not give; for the set-up sheet.
@@ -277,7 +273,7 @@ pub(in crate::kinds::impeller) fn enough_stick_outs(asked: &Asked, plan: &Plan) 
 
 /// A length that is not more, in mm: rounded up to a hundredth.
 fn at_most(value: f64) -> Size {
-    Size { decimals: 2, ..Size::mm((value * 100.0).ceil() / 100.0) }
+    Size::length((value * 100.0).ceil() / 100.0, 2)
 }
 
 /// The same, rounded up to a thousandth.
@@ -287,7 +283,17 @@ fn finely(value: f64) -> Size {
 
 /// What a person should know of a plan.
 pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan) -> Vec<Finding> {
-    let told = &plan.told;
+    let mut findings = of_tools(asked, plan);
+    findings.extend(not_read(asked));
+    findings.extend(at_the_root(job, asked, &plan.told));
+    findings.extend(cut_partly(&plan.told));
+    findings.extend(on_the_floor(asked, &plan.told));
+    findings.extend(left_out(&plan.told));
+    findings
+}
+
+/// Of the tools: their holders, how far they must stick out, and how their feed changes.
+fn of_tools(asked: &Asked, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
     // One tool for both is told of once: its greater stick-out, its greater change.
     let two = asked.given.0.is_some();
@@ -313,24 +319,33 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
             findings.push(FeedChangesInBlock { tool: tool_name(which), change }.at(at([fields::FEED_CHANGE.key()])));
         }
     }
-    findings.extend(not_read(asked));
+    findings
+}
+
+/// How far it is from the hub to a place, in percent of the way to the rim.
+fn share(v: f64) -> Size {
+    Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), 0)
+}
+
+/// Of what is left in the corners and of the faces above them.
+fn at_the_root(job: &Job, asked: &Asked, told: &Told) -> Vec<Finding> {
+    let mut findings = Vec::new();
     // Of a rounded end the radius of its corner counts, too.
     let corners = [(asked.cut.rough, fields::CORNER.key()), (asked.cut.finish, fields::CORNER_F.key())];
-    let corner = corners[usize::from(two)];
+    let corner = corners[usize::from(asked.given.0.is_some())];
     let finishing = [fields::D_F.key()].into_iter().chain(Some(corner.1).filter(|_| corner.0.r_c > 0.0));
-    let share = |v: f64, digits| Size::number(((v - HUB) / (RIM - HUB) * 100.0).clamp(0.0, 100.0), digits);
     let root = &told.root;
     let over = finely(root.over);
     if root.height > 0.0 {
-        let (height, here, thick) = (at_most(root.height), share(root.v, 0), at_most(root.thick));
+        let (height, here, thick) = (at_most(root.height), share(root.v), at_most(root.thick));
         findings.push(RestAtTheRoot { over, height, here, thick }.at(Place::Parameters(finishing.clone().collect())));
     }
     if root.width > 0.0 {
-        let (width, there) = (at_most(root.width), share(root.width_v, 0));
+        let (width, there) = (at_most(root.width), share(root.width_v));
         findings.push(RestBesideTheRoot { over, width, there }.at(Place::Parameters(finishing.clone().collect())));
     }
     if let Some(v) = told.unfinished {
-        findings.push(FacesUnfinished { share: share(v, 0) }.at(at([
+        findings.push(FacesUnfinished { share: share(v) }.at(at([
             fields::CORNER.key(),
             fields::CORNER_F.key(),
             form::A_P.key(),
@@ -356,42 +371,60 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
                 .at(Place::Parameters([fields::ROOT.key()].into_iter().chain(finishing).collect())),
         );
     }
+    findings
+}
+
+/// Of a cut that does not begin at the hub.
+fn cut_partly(told: &Told) -> Vec<Finding> {
+    let percent = |part: f64| Size::number((part * 1000.0).ceil() / 10.0, 1);
+    let mut findings = Vec::new();
     if told.finish_from > 0.0 {
-        let from = Size::number((told.finish_from * 1000.0).ceil() / 10.0, 1);
-        let uncut = Size::number((told.uncut * 1000.0).ceil() / 10.0, 1);
+        let (from, uncut) = (percent(told.finish_from), percent(told.uncut));
         findings.push(CutPartly { from, uncut }.at(at([fields::PARTLY.key(), fields::D_F.key(), form::D_T.key()])));
     }
     if told.rough_from > told.finish_from {
-        let from = Size::number((told.rough_from * 1000.0).ceil() / 10.0, 1);
+        let from = percent(told.rough_from);
         findings.push(FinishingToolRoughs { from }.at(at([fields::PARTLY.key(), form::D_T.key()])));
     }
-    let (most, beside, here) = (finely(told.floor.most), at_most(told.floor.beside), share(told.floor.v, 0));
+    findings
+}
+
+/// Of what is left on the floor.
+fn on_the_floor(asked: &Asked, told: &Told) -> Option<Finding> {
+    let (most, beside, share) = (finely(told.floor.most), at_most(told.floor.beside), share(told.floor.v));
     let floor = at([fields::SCALLOP.key(), fields::D_F.key()]);
     if told.floor.most > asked.cut.scallop + asked.tolerance {
-        findings.push(FloorAboveRidges { most, wanted: Size::mm(asked.cut.scallop), beside, share: here }.at(floor));
-    } else if told.floor.most > 0.0 {
-        findings.push(RidgesOfTheFloor { most, beside, share: here }.at(floor));
-    }
-    let smaller = if told.finish_from > 0.0 {
-        t("use una herramienta menor, que quepa también en el cubo", "use a smaller tool, which fits at the hub, too")
+        Some(FloorAboveRidges { most, wanted: Size::mm(asked.cut.scallop), beside, share }.at(floor))
     } else {
-        t(
-            "otro diámetro de la herramienta, u otra c_s, da otras pasadas, que pueden llegar",
-            "another diameter of the tool, or another c_s, gives other passes, which may reach them",
-        )
-    };
-    for by in [By::Blade, By::Ends] {
-        let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by).collect();
-        let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])));
-        if let Some(longest) = longest {
-            let [from, to] = longest.v.map(|v| share(v, 0));
-            let (count, what) = (left.len(), longest.cutting.name());
-            let place = at([form::D_T.key(), fields::D_F.key(), form::SPLITTERS.key()]);
-            findings.push(match by {
-                By::Ends => StretchesNotReached { count, what, from, to, smaller: smaller.clone() }.at(place),
-                By::Blade | By::Splitter => PassesLeftOut { count, what, from, to }.at(place),
-            });
-        }
+        (told.floor.most > 0.0).then(|| RidgesOfTheFloor { most, beside, share }.at(floor))
     }
-    findings
+}
+
+/// Of the stretches of passes that are not run.
+fn left_out(told: &Told) -> Vec<Finding> {
+    let place = || at([form::D_T.key(), fields::D_F.key(), form::SPLITTERS.key()]);
+    let passes =
+        longest(told, By::Blade).map(|(count, what, [from, to])| PassesLeftOut { count, what, from, to }.at(place()));
+    let ends = longest(told, By::Ends).map(|(count, what, [from, to])| {
+        let smaller = if told.finish_from > 0.0 {
+            t(
+                "use una herramienta menor, que quepa también en el cubo",
+                "use a smaller tool, which fits at the hub, too",
+            )
+        } else {
+            t(
+                "otro diámetro de la herramienta, u otra c_s, da otras pasadas, que pueden llegar",
+                "another diameter of the tool, or another c_s, gives other passes, which may reach them",
+            )
+        };
+        StretchesNotReached { count, what, from, to, smaller }.at(place())
+    });
+    passes.into_iter().chain(ends).collect()
+}
+
+/// How many stretches are not run for one cause, what the longest of them would cut, and from where to where it lies.
+fn longest(told: &Told, by: By) -> Option<(usize, Text, [Size; 2])> {
+    let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by).collect();
+    let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])))?;
+    Some((left.len(), longest.cutting.name(), longest.v.map(share)))
 }

@@ -33,6 +33,7 @@ use crate::kinds::impeller::clear::lane::OwnNormal;
 use crate::kinds::impeller::clear::poses::{Pose, Poses};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM, Ruling};
+use crate::number::root::halved;
 use crate::number::trig::{hypot, sin_cos};
 
 /// The rest of the floor is told farther from the walls than this and the corner radius, mm.
@@ -163,12 +164,8 @@ pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -
             if depth >= 0.0 && high > root.height && part.trimmed(&point) {
                 let Some(inside) = held(&point) else {
                     height = Some(last_held.map_or(high, |held_at: f64| {
-                        let (mut low, mut high) = (held_at, h);
-                        for _ in 0..HALVINGS {
-                            let middle = f64::midpoint(low, high);
-                            if held(&line.ruling.at(middle)).is_some() { low = middle } else { high = middle }
-                        }
-                        part.a_p - part.depth(&line.ruling.at(low))
+                        let last = halved([held_at, h], HALVINGS, |h| held(&line.ruling.at(h)).is_some());
+                        part.a_p - part.depth(&line.ruling.at(last))
                     }));
                     break;
                 };
@@ -210,13 +207,9 @@ pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -
         }
     }
     let thick = highest.map_or(0.0, |line| {
-        let (mut low, mut high) = (line.top, part.floor(&line.ruling, line.top));
-        for _ in 0..HALF_WAY {
-            let middle = f64::midpoint(low, high);
-            let below = part.a_p - part.depth(&line.ruling.at(middle)) < root.height / 2.0;
-            if below { high = middle } else { low = middle }
-        }
-        poses.apart(tool, &turn(line.turn)(&line.ruling.at(low)), part.a_p)
+        let below = |h: f64| part.a_p - part.depth(&line.ruling.at(h)) < root.height / 2.0;
+        let half_way = halved([line.top, part.floor(&line.ruling, line.top)], HALF_WAY, |h| !below(h));
+        poses.apart(tool, &turn(line.turn)(&line.ruling.at(half_way)), part.a_p)
     });
     Root { thick, ..root }
 }

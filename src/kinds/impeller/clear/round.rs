@@ -33,6 +33,7 @@ use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Part, RIM};
 use crate::machine::rotary::TiltingTable;
+use crate::number::root::halved;
 use crate::number::trig::sin_cos;
 
 /// The part of the ridge c_s that a flat end may leave at the foot of the nose, to leave less in the corner.
@@ -43,6 +44,8 @@ const TABLE: f64 = 1e-5;
 const NEARER: f64 = 2e-4;
 /// How often the way along a face is asked, twice as far from v_s each time, whether the nose still stands out there.
 const ASKED: u8 = 6;
+/// Halvings towards D where no root is found: to a billionth of the tool's radius and closer.
+const HALVINGS: u8 = 40;
 /// Places at which each piece of the way is looked at for its room.
 const LOOKS: u8 = 24;
 
@@ -132,12 +135,9 @@ impl<'a> Round<'a> {
         if let Some((D, _)) = closing(low, 1.0, a, off).filter(|(D, _)| *D > low) {
             return D;
         }
-        let (mut low, mut high) = (low, low + a);
-        for _ in 0..40 {
-            let middle = f64::midpoint(low, high);
-            if off(middle) < 0.0 { low = middle } else { high = middle }
-        }
-        high
+        // What is no number counts as clear.
+        let enters = |D: f64| off(D) < 0.0;
+        halved([low + a, low], HALVINGS, |D| !enters(D))
     }
 
     /// An axis as high as metal stands beside the tool.

@@ -279,12 +279,14 @@ impl Judge for Over {
         let (left, place_left) = most(found.over);
         let name = t("Metal de más sobre cara, toro y cilindro", "Metal left on face, torus and cylinder");
         let left = asked("blank-metal-left", name, left.value()).within(&left, LIMIT, |found, place| {
-            MetalLeft { program: program.title.clone(), most: size(found.value()), place: place_left }.at(place)
+            MetalLeft { program: program.title.clone(), most: Size::length(found.value(), 4), place: place_left }
+                .at(place)
         });
         let (missing, place_missing) = most(found.under);
         let name = t("Metal de menos en cara, toro y cilindro", "Metal missing from face, torus and cylinder");
         let missing = asked("blank-metal-missing", name, missing.value()).within(&missing, LIMIT, |found, place| {
-            MetalMissing { program: program.title.clone(), most: size(found.value()), place: place_missing }.at(place)
+            MetalMissing { program: program.title.clone(), most: Size::length(found.value(), 4), place: place_missing }
+                .at(place)
         });
         let all = &straight.totals().all;
         let seconds = shown(all.seconds - all.rapid_seconds, 1);
@@ -301,11 +303,6 @@ impl Judge for Over {
     }
 }
 
-/// A length to a tenth of a micrometre.
-const fn size(value: f64) -> Size {
-    Size { value, unit: "mm", decimals: 4 }
-}
-
 /// Counts an alarm, and keeps the first. Notes are of the coolant, which the material asks for or not, and of pieces that fall
 /// off: the pip that is left on the axis does, and what should not is missing from the contour.
 fn count(first: &mut Option<(Alarm, usize)>, alarm: Alarm) {
@@ -319,7 +316,8 @@ fn depth(deepest: f64, step: f64, program: &Program, motions: usize) -> Check {
     let asked = Question::new("blank-depth", name, program);
     let asked = asked.showing(Text::same(mm(deepest)), Text::same(mm(step + LIMIT))).seen(motions);
     asked.holds(deepest <= step + LIMIT, |place| {
-        CutTooDeep { program: program.title.clone(), depth: size(deepest), step: size(step) }.at(place)
+        CutTooDeep { program: program.title.clone(), depth: Size::length(deepest, 4), step: Size::length(step, 4) }
+            .at(place)
     })
 }
 

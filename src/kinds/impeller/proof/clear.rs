@@ -15,7 +15,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::finding::{Place, Raise, Size};
+use crate::finding::{Finding, Place, Raise, Size};
 use crate::gcode::program::{Program, Role};
 use crate::kinds::impeller::clear::asked::Asked;
 use crate::kinds::impeller::clear::cut::Which;
@@ -23,7 +23,7 @@ use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::programs::BACK;
 use crate::kinds::impeller::clearance::{Bounds, Stand, Until, WORK, Walls};
 use crate::kinds::impeller::design::Design;
-use crate::kinds::impeller::floor_depth::within;
+use crate::kinds::impeller::floor_depth::{Deepest, within};
 use crate::kinds::impeller::part::Part;
 use crate::kinds::impeller::proof::nose::Nose;
 use crate::kinds::impeller::proof::rules::{
@@ -31,7 +31,7 @@ use crate::kinds::impeller::proof::rules::{
 };
 use crate::kinds::impeller::sweep::Sweep;
 use crate::machine::axis::{Axis, Pose, Position};
-use crate::number::grid::Milli;
+use crate::number::grid::{HALF, Milli, TURN};
 use crate::proof::check::{At, Check, Question, bounded, mm, up};
 use crate::proof::step::{Judge, Stage, Step};
 use crate::text::{Text, t};
@@ -42,8 +42,6 @@ pub const OVER: f64 = 0.001;
 const LESS: usize = WORK / 40;
 /// Nearer to a face than this part of the radius the axis is taken to reach it.
 const AT_AXIS: f64 = 0.02;
-/// A whole turn, thousandths of a degree.
-const WHOLE: i32 = 360_000;
 /// How close the bounds are brought to each other, mm.
 const CLOSE: f64 = 0.0005;
 
@@ -94,7 +92,7 @@ impl<'a> ClearCutting<'a> {
 
     /// By how much a rounded turn of C moves the rim.
     fn turned(&self) -> f64 {
-        0.0005_f64.to_radians() * self.design.torus.R
+        HALF.to_radians() * self.design.torus.R
     }
 
     /// True where the limit lies between both bounds: then they are brought closer.
@@ -191,6 +189,29 @@ impl<'a> ClearCutting<'a> {
         self.widened(least)
     }
 
+    /// The least clearance to all blades.
+    fn to_blades(&self) -> Option<(Bounds, At)> {
+        let (faces, inside) = rayon::join(|| self.least(&self.walls(0.0, f64::MIN)), || self.inside(0.0, f64::MIN));
+        nearest([faces, inside, None])
+    }
+
+    /// The least clearance to all splitters, where there are such.
+    fn to_splitters(&self) -> Option<(Bounds, At)> {
+        let (v_s, half) = (self.splitter?, PI / f64::from(self.design.N));
+        let faces = || rayon::join(|| self.least(&self.walls(half, v_s)), || self.inside(half, v_s));
+        let ((faces, inside), noses) = rayon::join(faces, || self.noses(v_s));
+        nearest([faces, inside, noses])
+    }
+
+    /// The deepest place below the floor, by the number of the way.
+    fn to_floor(&self) -> Option<Deepest<usize>> {
+        let mill = self.asked.cut.tool(self.which);
+        let through =
+            |(number, way): (usize, &Way)| Sweep::through(number, self.design.machine, &way.positions, mill.r_c);
+        let sweeps: Vec<Sweep<usize>> = self.ways.iter().enumerate().map(through).collect();
+        within(self.design.torus, self.design.a_p, mill, &sweeps, self.limit())
+    }
+
     fn turns(&self, offset: f64) -> Vec<f64> {
         let pitch = TAU / f64::from(self.design.N);
         (0..self.design.N).map(|k| pitch * f64::from(k) + offset).collect()
@@ -250,6 +271,111 @@ fn position(pose: &Pose) -> Position {
         .fold(Position::default(), |position, axis| position.with(axis, milli(axis)))
 }
 
+/// The least of some clearances, and where.
+fn nearest(found: [Option<(Bounds, At)>; 3]) -> Option<(Bounds, At)> {
+    found.into_iter().flatten().reduce(|one, two| {
+        let mut least = Some(one);
+        lower(&mut least, two.0, two.1);
+        least.unwrap_or(one)
+    })
+}
+
+/// The answers.
+impl ClearCutting<'_> {
+    /// Whether as many passes are run as the plan has.
+    fn passes_check(&self, program: &Program) -> Check {
+        let (made, due) = (self.made, self.due);
+        let asked = Question::new("passes", t("Pasadas", "Passes"), program)
+            .showing(Text::same(made.to_string()), Text::same(due.to_string()))
+            .seen(due);
+        asked.holds(made == due, |place| ClearPassesDiffer { program: program.title.clone(), made, due }.at(place))
+    }
+
+    /// How far the tool keeps from all blades.
+    fn faces_check(&self, program: &Program, (bounds, at): (Bounds, At)) -> Check {
+        let name = t("Holgura a las caras de todos los álabes", "Clearance to the faces of all blades");
+        let asked = self.clearance(Question::new("faces", name, program), bounds, at);
+        asked.holds(bounds.lower >= self.least_left(), |place| {
+            let (limit, line, program) = (self.limit(), at.line, program.title.clone());
+            let d = self.asked.cut.tool(self.which).d;
+            // The search for a face that the axis reaches ends at a hundredth of the radius.
+            if self.is_into(bounds, self.turned() - (1.0 - AT_AXIS) * d / 2.0) {
+                AxisInBlade { line, program }.at(place)
+            } else if self.is_into(bounds, -limit) {
+                let (depth, limit) = (Size::length(-bounds.upper, 4), Size::length(limit, 4));
+                ClearCutsBlade { depth, limit, line, program }.at(place)
+            } else {
+                self.nearer(bounds, line, program, place)
+            }
+        })
+    }
+
+    /// How far it keeps from all splitters.
+    fn splitters_check(&self, program: &Program, (bounds, at): (Bounds, At)) -> Check {
+        let name = t("Holgura a los álabes intermedios", "Clearance to the splitters");
+        let asked = self.clearance(Question::new("splitters", name, program), bounds, at);
+        asked.holds(bounds.lower >= self.least_left(), |place| {
+            let (limit, line, program) = (self.limit(), at.line, program.title.clone());
+            if self.is_into(bounds, -limit) {
+                let (depth, limit) = (Size::length(-bounds.upper, 4), Size::length(limit, 4));
+                ClearCutsSplitter { depth, limit, line, program }.at(place)
+            } else {
+                self.nearer(bounds, line, program, place)
+            }
+        })
+    }
+
+    /// How far it goes below the floor.
+    fn floor_check(&self, program: &Program, found: &Deepest<usize>) -> Check {
+        let (most, limit) = (found.most, self.limit());
+        let first = self.ways.first().and_then(|way| way.at.first()).copied();
+        // A stretch counts its positions from the one after the first.
+        let at = self.ways.get(found.track).map(|way| way.place(motion((found.x + 1.0).max(0.0)))).or(first);
+        let name = t("Fondo: lo que más baja de a_p", "Floor: the deepest below a_p");
+        let asked = Question::new("floor", name, program)
+            .showing(Text::same(format!("≤ {}", mm(up(most)))), Text::same(mm(limit)))
+            .at(at)
+            .seen(self.ways.len())
+            .measuring(most);
+        asked.holds(most <= limit, |place| {
+            let (depth, limit) = (Size::length(up(most), 4), Size::length(limit, 4));
+            FloorUnder { depth, limit, program: program.title.clone() }.at(place)
+        })
+    }
+
+    /// A question of a clearance, with what was found of it and the least there may be.
+    fn clearance(&self, asked: Question, bounds: Bounds, at: At) -> Question {
+        let least = self.least_left();
+        let sign = if least < 0.0 { "−" } else { "" };
+        asked
+            .showing(bounded(bounds.lower, bounds.upper), Text::same(format!("≥ {sign}{}", mm(least.abs()))))
+            .at(Some(at))
+            .seen(self.ways.len())
+            .measuring(bounds.lower)
+    }
+
+    /// True where nothing is entered by more than the limit, for certain.
+    fn keeps_out(&self, bounds: Bounds) -> bool {
+        bounds.lower >= -self.limit()
+    }
+
+    /// True where something is entered so far that the clearance is below this one, for certain.
+    fn is_into(&self, bounds: Bounds, below: f64) -> bool {
+        !self.keeps_out(bounds) && bounds.upper < below
+    }
+
+    /// What is said of a clearance that is too small where nothing is entered for certain: less is left than is asked, or something
+    /// may be entered.
+    fn nearer(&self, bounds: Bounds, line: usize, program: Text, place: Place) -> Finding {
+        if self.keeps_out(bounds) {
+            let (left, asked) = (Size::length(-up(-bounds.lower.max(0.0)), 4), Size::mm(self.asked.cut.s));
+            RoughingLeavesLess { left, asked, line, program }.at(place)
+        } else {
+            ClearMayCut { limit: Size::length(self.limit(), 4), line, program }.at(place)
+        }
+    }
+}
+
 impl Judge for ClearCutting<'_> {
     fn see(&mut self, step: &Step<'_>) {
         let Stage::Planned(planned) = &step.stage else { return };
@@ -262,7 +388,7 @@ impl Judge for ClearCutting<'_> {
             self.made += 1;
         }
         // Whole turns of C are no other channel.
-        let channel = Milli::new(path.turn.thousandths().rem_euclid(WHOLE));
+        let channel = Milli::new(path.turn.thousandths().rem_euclid(TURN));
         if *self.channel.get_or_insert(channel) != channel {
             return;
         }
@@ -286,104 +412,13 @@ impl Judge for ClearCutting<'_> {
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = t("Pasadas", "Passes");
-        let (made, due) = (self.made, self.due);
-        let asked = Question::new("passes", name, program)
-            .showing(Text::same(made.to_string()), Text::same(due.to_string()))
-            .seen(due);
-        let mut checks = vec![
-            asked.holds(made == due, |place| ClearPassesDiffer { program: program.title.clone(), made, due }.at(place)),
-        ];
-        let limit = self.limit();
-        let least_left = self.least_left();
-        let sign = if least_left < 0.0 { "−" } else { "" };
-        let shown = Text::same(format!("≥ {sign}{}", mm(least_left.abs())));
-        let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
-        let nearest = |found: [Option<(Bounds, At)>; 3]| {
-            found.into_iter().flatten().reduce(|one, two| {
-                let mut least = Some(one);
-                lower(&mut least, two.0, two.1);
-                least.unwrap_or(one)
-            })
-        };
-        let half = PI / f64::from(self.design.N);
-        let mill = self.asked.cut.tool(self.which);
         // Each is a search by itself.
-        let to_blades = || {
-            let (faces, inside) = rayon::join(|| self.least(&self.walls(0.0, f64::MIN)), || self.inside(0.0, f64::MIN));
-            nearest([faces, inside, None])
-        };
-        let to_splitters = || {
-            let v_s = self.splitter?;
-            let faces = || rayon::join(|| self.least(&self.walls(half, v_s)), || self.inside(half, v_s));
-            let ((faces, inside), noses) = rayon::join(faces, || self.noses(v_s));
-            nearest([faces, inside, noses])
-        };
-        let to_floor = || {
-            let through =
-                |(number, way): (usize, &Way)| Sweep::through(number, self.design.machine, &way.positions, mill.r_c);
-            let sweeps: Vec<Sweep<usize>> = self.ways.iter().enumerate().map(through).collect();
-            within(self.design.torus, self.design.a_p, mill, &sweeps, limit)
-        };
-        let ((blades, splitters), floor) = rayon::join(|| rayon::join(to_blades, to_splitters), to_floor);
-        if let Some((bounds, at)) = blades {
-            let name = t("Holgura a las caras de todos los álabes", "Clearance to the faces of all blades");
-            let asked = Question::new("faces", name, program)
-                .showing(bounded(bounds.lower, bounds.upper), shown.clone())
-                .at(Some(at))
-                .seen(self.ways.len())
-                .measuring(bounds.lower);
-            checks.push(asked.holds(bounds.lower >= least_left, |place: Place| {
-                let (line, program) = (at.line, program.title.clone());
-                if bounds.lower >= -limit {
-                    let (left, asked) = (size(-up(-bounds.lower.max(0.0))), Size::mm(self.asked.cut.s));
-                    return RoughingLeavesLess { left, asked, line, program }.at(place);
-                }
-                // The search for a face that the axis reaches ends at a hundredth of the radius.
-                if bounds.upper < self.turned() - (1.0 - AT_AXIS) * mill.d / 2.0 {
-                    AxisInBlade { line, program }.at(place)
-                } else if bounds.upper < -limit {
-                    ClearCutsBlade { depth: size(-bounds.upper), limit: size(limit), line, program }.at(place)
-                } else {
-                    ClearMayCut { limit: size(limit), line, program }.at(place)
-                }
-            }));
-        }
-        if let Some((bounds, at)) = splitters {
-            let name = t("Holgura a los álabes intermedios", "Clearance to the splitters");
-            let asked = Question::new("splitters", name, program)
-                .showing(bounded(bounds.lower, bounds.upper), shown)
-                .at(Some(at))
-                .seen(self.ways.len())
-                .measuring(bounds.lower);
-            checks.push(asked.holds(bounds.lower >= least_left, |place| {
-                let (line, program) = (at.line, program.title.clone());
-                if bounds.lower >= -limit {
-                    let (left, asked) = (size(-up(-bounds.lower.max(0.0))), Size::mm(self.asked.cut.s));
-                    RoughingLeavesLess { left, asked, line, program }.at(place)
-                } else if bounds.upper < -limit {
-                    ClearCutsSplitter { depth: size(-bounds.upper), limit: size(limit), line, program }.at(place)
-                } else {
-                    ClearMayCut { limit: size(limit), line, program }.at(place)
-                }
-            }));
-        }
-        let at = self.ways.first().and_then(|way| way.at.first()).copied();
-        if let Some(found) = floor {
-            // A stretch counts its positions from the one after the first.
-            let at = self.ways.get(found.track).map(|way| way.place(motion((found.x + 1.0).max(0.0)))).or(at);
-            let name = t("Fondo: lo que más baja de a_p", "Floor: the deepest below a_p");
-            let value = Text::same(format!("≤ {}", mm(up(found.most))));
-            let asked = Question::new("floor", name, program)
-                .showing(value, Text::same(mm(limit)))
-                .at(at)
-                .seen(self.ways.len())
-                .measuring(found.most);
-            checks.push(asked.holds(found.most <= limit, |place| {
-                let program = program.title.clone();
-                FloorUnder { depth: size(up(found.most)), limit: size(limit), program }.at(place)
-            }));
-        }
+        let walls = || rayon::join(|| self.to_blades(), || self.to_splitters());
+        let ((blades, splitters), floor) = rayon::join(walls, || self.to_floor());
+        let mut checks = vec![self.passes_check(program)];
+        checks.extend(blades.map(|found| self.faces_check(program, found)));
+        checks.extend(splitters.map(|found| self.splitters_check(program, found)));
+        checks.extend(floor.map(|found| self.floor_check(program, &found)));
         checks
     }
 }

@@ -169,11 +169,6 @@ fn greatest(measured: &[&Measured], value: fn(&Along) -> (f64, &Peak)) -> Extrem
     most
 }
 
-/// A length to a tenth of a micrometre.
-const fn size(value: f64) -> Size {
-    Size { value, unit: "mm", decimals: 4 }
-}
-
 impl Cutting<'_, '_> {
     fn tip_path(&self, program: &Program, measured: &[&Measured]) -> Vec<Check> {
         let design = self.geometry.design;
@@ -185,7 +180,7 @@ impl Cutting<'_, '_> {
         let found = if design.tol.is_some() { total.value() > told } else { metal.value() > INTO_METAL };
         let asked = total.value() > told && (found || !self.known.wants.row);
         let wanted = asked.then(|| needed(design, total.value(), told));
-        let (n, tolerance) = (wanted.flatten(), size(told));
+        let (n, tolerance) = (wanted.flatten(), Size::length(told, 4));
         let name = t("Punta entre bloques: desviación máxima", "Tip between blocks: maximum deviation");
         let limit = Text::same(design.tol.map(mm).unwrap_or_default());
         let path = Question::new("tip-path", name, program).showing(at_most(&total), limit);
@@ -193,7 +188,7 @@ impl Cutting<'_, '_> {
             None => path.of(&total).informs(),
             Some(tol) => {
                 path.of_parameters([form::TOL.key(), form::INTERVALS_N.key()]).within(&total, tol, |found, place| {
-                    let (deviation, program) = (size(up(found.value())), program.title.clone());
+                    let (deviation, program) = (Size::length(up(found.value()), 4), program.title.clone());
                     match n {
                         Some(n) => TipOffTolerance { deviation, program, tolerance, n }.at(place),
                         None => TipOffAtAnyN { deviation, program, tolerance }.at(place),
@@ -205,7 +200,7 @@ impl Cutting<'_, '_> {
         let limit = Text::same(if design.tol.is_none() { mm(INTO_METAL) } else { String::new() });
         let into = Question::new("into-metal", name, program).showing(at_most(&metal), limit);
         let deep = |found: &Extreme, place: Place| -> Finding {
-            let depth = size(up(found.value()));
+            let depth = Size::length(up(found.value()), 4);
             match n {
                 Some(n) => TipIntoMetal { depth, tolerance, n }.at(place),
                 None => TipIntoMetalAtAnyN { depth, tolerance }.at(place),
@@ -239,9 +234,9 @@ impl Cutting<'_, '_> {
         let asked = Question::new("grid", name, program).showing(Text::same(mm(moved.value())), Text::same(mm(bound)));
         // Each point is compared with the limit of its own place.
         let kept = past.value() <= 0.0;
-        asked
-            .of(if kept { &moved } else { &past })
-            .holds(kept, |place| PointOffGrid { program: program.title.clone(), off: size(moved.value()) }.at(place))
+        asked.of(if kept { &moved } else { &past }).holds(kept, |place| {
+            PointOffGrid { program: program.title.clone(), off: Size::length(moved.value(), 4) }.at(place)
+        })
     }
 
     fn floor(&self, program: &Program) -> Check {

@@ -178,8 +178,8 @@ impl Met {
     fn new(program: &Program, found: &Clearance) -> Self {
         let upper = found.bounds.upper;
         Self {
-            point: Size { value: found.other, unit: "", decimals: 1 },
-            depth: (upper < 0.0).then_some(Size { value: -upper, unit: "mm", decimals: 4 }),
+            point: Size::number(found.other, 1),
+            depth: (upper < 0.0).then_some(Size::length(-upper, 4)),
             line: found.at.line,
             program: program.title.clone(),
         }

@@ -21,6 +21,7 @@ use crate::kinds::impeller::outside::{Bounds, CLOSE, Outside, WORK};
 use crate::kinds::impeller::proof::rules::{ToolInStock, ToolMayBeInStock, ToolMayBeNearStock, ToolNearStock};
 use crate::kinds::impeller::proof::track_step::{TrackStep, clear};
 use crate::machine::axis::{Axis, Pose};
+use crate::number::grid::HALF;
 use crate::proof::check::{At, Check, Question, bounded, mm};
 use crate::proof::step::{Judge, Step};
 use crate::text::{Text, t};
@@ -121,7 +122,7 @@ impl<'a> Clear<'a> {
         let Bounds { lower, upper, .. } = bounds;
         let program = program.title.clone();
         let down = |length: f64| Size::mm((length * 1000.0 + 1e-6).floor() / 1000.0);
-        asked.holds(lower >= self.d_s - self.nearer(0.0005), |place| {
+        asked.holds(lower >= self.d_s - self.nearer(HALF), |place| {
             if upper < 0.0 {
                 ToolInStock { depth: down(-upper), line, program }.at(place)
             } else if lower.is_nan() || lower < 0.0 {
@@ -174,7 +175,7 @@ impl Judge for Clear<'_> {
                 moves,
             ),
         ];
-        let (d_s, rounding) = (mm(self.d_s), mm((self.nearer(0.0005) * 1e4).ceil() / 1e4));
+        let (d_s, rounding) = (mm(self.d_s), mm((self.nearer(HALF) * 1e4).ceil() / 1e4));
         let limit = Text::new(
             format!("{d_s}, menos hasta {rounding} del redondeo"),
             format!("{d_s}, less up to {rounding} of rounding"),

@@ -34,7 +34,7 @@ use crate::limits::TIP_LOOKS;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::TiltingTable;
 use crate::number::bound::Enclosure;
-use crate::number::grid::Milli;
+use crate::number::grid::{HALF, Milli};
 use crate::proof::agreement::tip;
 
 /// How far the tip may go into the metal before a person must judge it where the workbook states no tolerance, mm: the
@@ -300,11 +300,10 @@ impl Along {
 /// which is so much farther out at most, for the part turns about both as a whole.
 #[must_use]
 pub fn grid_bound(machine: TiltingTable, pose: &Pose, point: &Vector3<f64>) -> f64 {
-    let half = 0.0005_f64;
     let square = |axis: Axis| pose.get(axis) * pose.get(axis);
     let height = pose.get(Axis::Z) + machine.L;
-    let line = half * 3.0_f64.sqrt();
+    let line = HALF * 3.0_f64.sqrt();
     let pivot = (square(Axis::X) + square(Axis::Y) + height * height).sqrt() + line;
-    let axis = (point.x * point.x + point.y * point.y).sqrt() + line + half.to_radians() * pivot;
-    line + half.to_radians() * (pivot + axis) + ARITHMETIC
+    let axis = (point.x * point.x + point.y * point.y).sqrt() + line + HALF.to_radians() * pivot;
+    line + HALF.to_radians() * (pivot + axis) + ARITHMETIC
 }

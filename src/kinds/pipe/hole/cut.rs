@@ -243,7 +243,7 @@ impl Way<'_> {
         let by: [f64; 5] = std::array::from_fn(|axis| (place[axis] - self.place[axis]).value());
         let greatest = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
         let resultant = by.iter().map(|by| by * by).sum::<f64>().sqrt();
-        let word = self.design.control.feed.law.least_seconds(resultant);
+        let word = self.design.post.control.feed.law.least_seconds(resultant);
         let axis = self.design.F_max.map_or(0.0, |F_max| greatest * 60.0 / F_max);
         let seconds = (way * 60.0 / self.design.F).max(axis).max(word);
         self.place = place;

@@ -4,12 +4,12 @@ use std::f64::consts::TAU;
 
 use crate::figure::Paper;
 use crate::finding::{Finding, Raise, Said, Size};
-use crate::gcode::control::{Control, Post};
+use crate::gcode::control::Post;
 use crate::gcode::fields::rapids;
 use crate::gcode::machine_codes::{CodesPlace, refused_codes};
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
-use crate::kinds::pipe::dimensions::{BRANCH, HEADER, Pipe, or_eccentricity, solid};
+use crate::kinds::pipe::dimensions::{Pipe, or_eccentricity, solid};
 use crate::kinds::pipe::form::{
     BLOCK_STEP, D_BRANCH, D_HEADER, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, T_HEADER,
     THETA, TORCH_OFF, TORCH_ON,
@@ -90,9 +90,7 @@ pub struct Design {
     pub material: String,
     /// The program number.
     pub program: u32,
-    /// The dialect.
-    pub control: &'static Control,
-    /// How it is written for.
+    /// The dialect: the control, and how it is written for.
     pub post: Post,
     /// M codes that turn the torch on.
     pub torch_on: Vec<Word>,
@@ -114,13 +112,7 @@ impl Design {
     /// # Errors
     /// Every check of one value against another that fails, as findings on parameters (the caller turns them into cells).
     pub fn new(fields: &Fields) -> Result<Self, Vec<Finding>> {
-        let pipes = [Pipe::of(fields, BRANCH), Pipe::of(fields, HEADER)];
-        let (branch, header) = match pipes {
-            [Ok(branch), Ok(header)] => (branch, header),
-            [one, other] => {
-                return Err([one.err(), other.err()].into_iter().flatten().map(|finding| *finding).collect());
-            }
-        };
+        let [branch, header] = Pipe::both(fields)?;
         let design = Self::of(fields, branch, header);
         let findings = design.contradictions();
         if findings.is_empty() { Ok(design) } else { Err(findings) }
@@ -157,7 +149,6 @@ impl Design {
             part: fields.get(&PART),
             material: fields.get(&MATERIAL).unwrap_or_default(),
             program: fields.get(&NUMBER),
-            control: fields.get(&DIALECT).control,
             post: fields.get(&DIALECT),
             torch_on: fields.get(&TORCH_ON).0,
             torch_off: fields.get(&TORCH_OFF).0,
@@ -273,11 +264,11 @@ impl Design {
         ];
         let within = CodesPlace { last: false, tooled: false };
         for (key, codes) in lists {
-            findings.extend(refused_codes(self.control, key, codes, within));
+            findings.extend(refused_codes(self.post.control, key, codes, within));
         }
         findings.extend(opposed(&lists));
         findings.extend(refused_codes(
-            self.control,
+            self.post.control,
             END_CODES.key(),
             &self.end_codes,
             CodesPlace { last: true, ..within },

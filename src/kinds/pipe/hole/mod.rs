@@ -50,6 +50,7 @@ use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
 use crate::kinds::pipe::{self, account, quantity, scene, sizes, time};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
+use crate::number::root::halved;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, FieldKind, Form, at};
 use crate::proof::account::Account;
@@ -253,8 +254,7 @@ fn height_refused(design: &Design, place: &TooHigh) -> Finding {
     let eccentric = (design.e != 0.0).then_some(E.key());
     match place.sigma_o {
         Some(sigma) => {
-            let (height, most) =
-                (Size::mm(height_taken(design, place)), Size { decimals: 6, ..Size::mm(design.D_max) });
+            let (height, most) = (Size::mm(height_taken(design, place)), Size::length(design.D_max, 6));
             let torch = [
                 t("una antorcha más fina", "a slimmer torch"),
                 t("un g0 menor", "a smaller g0"),
@@ -294,11 +294,7 @@ fn other_joint(design: &Design) -> Vec<Text> {
     let gamma = angles.find(|&gamma| goes(&Design { gamma, ..design.clone() }));
     let with = |e: f64| goes(&Design { e: e.copysign(design.e), ..design.clone() });
     let e = (design.e != 0.0 && with(0.0)).then(|| {
-        let (mut good, mut bad) = (0.0, design.e.abs());
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(good, bad);
-            if with(middle) { good = middle } else { bad = middle }
-        }
+        let good = halved([0.0, design.e.abs()], HALVINGS, with);
         (good * 10.0).floor() / 10.0
     });
     let e = e.filter(|&e| with(e)).map(|e| Size::mm(if e == 0.0 { 0.0 } else { e.copysign(design.e) }));
@@ -392,6 +388,6 @@ fn remarks(design: &Design, held: bool) -> Vec<Finding> {
     });
     findings.push(TurnsAboutTip {}.at(at([DIALECT.key()])));
     // A jet is wider than what a corner is rounded by.
-    findings.extend(kinds::rules::corners_between_blocks(design.control).map(|one| one.graded(Grade::Note)));
+    findings.extend(kinds::rules::corners_between_blocks(design.post.control).map(|one| one.graded(Grade::Note)));
     findings
 }

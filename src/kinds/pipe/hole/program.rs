@@ -34,7 +34,7 @@ pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
 /// How the program turns A, B and C.
 #[must_use]
 pub fn distance(design: &Design) -> Distance {
-    counted(design.control.rotary.delivered)
+    counted(design.post.control.rotary.delivered)
 }
 
 /// The words of a move between two places: all axes where it goes to, or those that move, and by how much.
@@ -65,7 +65,7 @@ fn feed(law: FeedLaw, from: Place, leg: &Leg) -> Result<FeedWord, OutOfFormat> {
 /// For a number that no program may carry.
 pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
     let work = Work { part: &design.part, material: &design.material, number: design.program };
-    let mut header = Header::new(design.control, "hole", &TITLE, work, origin);
+    let mut header = Header::new(design.post.control, "hole", &TITLE, work, origin);
     comments(design, &mut header);
     let mut writer = Writer::new(design.post, header.parts);
     let law = writer.law();
@@ -131,7 +131,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     Ok(Program {
         key: "hole",
         title: TITLE,
-        control: design.control,
+        control: design.post.control,
         law,
         format: NumberFormat::Fixed,
         block_step: Some(design.block_step),

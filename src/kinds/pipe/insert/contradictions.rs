@@ -77,7 +77,7 @@ impl Design {
             let (kerf, bore) = (Size::mm(self.kerf), Size::mm(bore));
             findings.push(KerfBeyondBore { kerf, bore }.at(at([KERF.key(), D_BRANCH.key()])));
         }
-        let missing = self.control.feed.missing.refused();
+        let missing = self.post.control.feed.missing.refused();
         match self.style {
             Style::Full if self.F.is_none() => {
                 findings.push(FullStyleNeeds { symbol: F.key() }.at(at([F.key(), STYLE.key()])));
@@ -86,17 +86,17 @@ impl Design {
                 findings.push(AnnexIsFlat {}.at(at([STYLE.key(), MODE.key()])));
             }
             Style::Annex if missing => {
-                let told = AnnexCarriesNoFeed { control: self.control.name };
+                let told = AnnexCarriesNoFeed { control: self.post.control.name };
                 findings.push(told.at(at([STYLE.key(), DIALECT.key()])));
             }
             _ => {}
         }
         let within = CodesPlace { last: false, tooled: false };
-        findings.extend(refused_codes(self.control, TORCH_ON.key(), &self.torch_on, within));
-        findings.extend(refused_codes(self.control, TORCH_OFF.key(), &self.torch_off, within));
+        findings.extend(refused_codes(self.post.control, TORCH_ON.key(), &self.torch_on, within));
+        findings.extend(refused_codes(self.post.control, TORCH_OFF.key(), &self.torch_off, within));
         findings.extend(opposed(&[(TORCH_ON.key(), &self.torch_on), (TORCH_OFF.key(), &self.torch_off)]));
         findings.extend(refused_codes(
-            self.control,
+            self.post.control,
             END_CODES.key(),
             &self.end_codes,
             CodesPlace { last: true, ..within },

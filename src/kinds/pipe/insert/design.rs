@@ -2,13 +2,13 @@
 
 use crate::figure::Paper;
 use crate::finding::{Finding, Key};
-use crate::gcode::control::{Control, Post};
+use crate::gcode::control::Post;
 use crate::gcode::fields::rapids;
 use crate::gcode::program::Style;
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
 use crate::geometry::pipe_wall::{PipeWall, Seat};
-use crate::kinds::pipe::dimensions::{BRANCH, HEADER, Pipe};
+use crate::kinds::pipe::dimensions::Pipe;
 use crate::kinds::pipe::form::{
     BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, THETA, TORCH_OFF, TORCH_ON,
 };
@@ -85,9 +85,7 @@ pub struct Design {
     pub material: String,
     /// The program number.
     pub program: u32,
-    /// The dialect.
-    pub control: &'static Control,
-    /// How it is written for.
+    /// The dialect: the control, and how it is written for.
     pub post: Post,
     /// The style.
     pub style: Style,
@@ -107,13 +105,7 @@ impl Design {
     /// # Errors
     /// Every check of one value against another that fails, as findings on parameters (the caller turns them into cells).
     pub fn new(fields: &Fields) -> Result<Self, Vec<Finding>> {
-        let pipes = [Pipe::of(fields, BRANCH), Pipe::of(fields, HEADER)];
-        let (branch, header) = match pipes {
-            [Ok(branch), Ok(header)] => (branch, header),
-            [one, other] => {
-                return Err([one.err(), other.err()].into_iter().flatten().map(|finding| *finding).collect());
-            }
-        };
+        let [branch, header] = Pipe::both(fields)?;
         let design = Self::of(fields, branch, header);
         let findings = design.contradictions();
         if findings.is_empty() { Ok(design) } else { Err(findings) }
@@ -168,7 +160,6 @@ impl Design {
             part: fields.get(&PART),
             material: fields.get(&MATERIAL).unwrap_or_default(),
             program: fields.get(&NUMBER),
-            control: fields.get(&DIALECT).control,
             post: fields.get(&DIALECT),
             style: fields.get(&STYLE),
             torch_on: fields.get(&TORCH_ON).0,

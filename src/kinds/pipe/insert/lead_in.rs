@@ -23,6 +23,7 @@ use nalgebra::Vector2;
 use crate::geometry::pipe_pair::Side;
 use crate::kinds::pipe::insert::outline::Outline;
 use crate::number::jet::{Jet, bow};
+use crate::number::root::last_whole;
 
 /// Pieces that one lead-in may be looked at in.
 const LOOKS: u32 = 20_000;
@@ -44,16 +45,7 @@ impl Outline {
         if self.lead_in_clears(asked) {
             return asked;
         }
-        let (mut clear, mut other) = (0.0, (asked * TOLD).ceil());
-        while other - clear > 1.0 {
-            let middle = f64::midpoint(clear, other).floor();
-            if self.lead_in_clears(middle / TOLD) {
-                clear = middle;
-            } else {
-                other = middle;
-            }
-        }
-        clear / TOLD
+        last_whole([0.0, (asked * TOLD).ceil()], |way| self.lead_in_clears(way / TOLD)) / TOLD
     }
 
     /// Whether it is proved of a lead-in.

@@ -373,7 +373,7 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
     findings.extend(beside);
     findings.extend(template_not_round(design));
     // A jet is wider than what a corner is rounded by.
-    findings.extend(kinds::rules::corners_between_blocks(design.control).map(|one| one.graded(Grade::Note)));
+    findings.extend(kinds::rules::corners_between_blocks(design.post.control).map(|one| one.graded(Grade::Note)));
     let below = -design.template().extent()[0];
     if below > SEATED / 2.0 {
         let least = ((design.Z + below) * 1000.0 - 1e-6).ceil() / 1000.0;

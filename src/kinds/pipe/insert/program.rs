@@ -44,8 +44,8 @@ pub fn published(design: &Design) -> Result<Program, OutOfFormat> {
     Ok(Program {
         key: "insert",
         title: TITLE,
-        control: design.control,
-        law: design.control.feed.law,
+        control: design.post.control,
+        law: design.post.control.feed.law,
         format: NumberFormat::Six,
         block_step: None,
         start: Position::default(),
@@ -87,7 +87,7 @@ pub const TRUE_FOR_BOTH: [&str; 2] =
 pub fn distance(design: &Design) -> Distance {
     match design.mode {
         Mode::Flat => Distance::Absolute,
-        Mode::Rotary => counted(design.control.rotary.delivered),
+        Mode::Rotary => counted(design.post.control.rotary.delivered),
     }
 }
 
@@ -111,7 +111,7 @@ fn way(design: &Design, from: [Milli; 2], leg: &Leg) -> f64 {
 /// short for its decimals has one: what that slows is reported where the program is read back.
 #[must_use]
 pub fn beyond_f_word(design: &Design, cut: &Cut) -> Option<Finding> {
-    let (law, F) = (design.control.feed.law, design.F.filter(|_| design.mode == Mode::Rotary)?);
+    let (law, F) = (design.post.control.feed.law, design.F.filter(|_| design.mode == Mode::Rotary)?);
     match law.slower() {
         Slower::More => return None,
         Slower::Less => {}
@@ -119,7 +119,7 @@ pub fn beyond_f_word(design: &Design, cut: &Cut) -> Option<Finding> {
     let before = std::iter::once(cut.pierce).chain(cut.legs.iter().map(|leg| leg.to));
     let words = before.zip(&cut.legs).map(|(at, leg)| law.word(way(design, at, leg) * 60.0 / F, resultant(at, leg)));
     let word = words.fold(0.0_f64, f64::max);
-    let (greatest, speed) = (law.greatest(), |value| Size { value, unit: "mm/min", decimals: 3 });
+    let (greatest, speed) = (law.greatest(), |value| Size::feed(value, 3));
     // What a word is beyond the greatest by, F is beyond the greatest F by.
     let most = speed((F * greatest / word).floor());
     let told = FasterThanFWord { F: speed(F), word: Size::number(word, 3), greatest: Size::number(greatest, 3), most };
@@ -143,7 +143,7 @@ fn resultant(from: [Milli; 2], leg: &Leg) -> f64 {
 /// For a number that no program may carry.
 pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
     let work = Work { part: &design.part, material: &design.material, number: design.program };
-    let mut header = Header::new(design.control, "insert", &TITLE, work, origin);
+    let mut header = Header::new(design.post.control, "insert", &TITLE, work, origin);
     comments(design, &mut header);
     let writer = Writer::new(design.post, header.parts);
     let mut writer = if design.mode == Mode::Rotary { writer } else { writer.along_the_path() };
@@ -203,7 +203,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     Ok(Program {
         key: "insert",
         title: TITLE,
-        control: design.control,
+        control: design.post.control,
         law,
         format: NumberFormat::Fixed,
         block_step: Some(design.block_step),

@@ -148,9 +148,9 @@ impl Judge for Clearance<'_> {
         };
         let asked = self.near.put(asked, 0).measuring(least);
         vec![asked.holds(least >= limit, |place| {
-            let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
             let (whence, other) = (self.whence.said(), self.whence.other(self.design, self.cut));
-            TorchTooNear { whence, distance: size(down), g0: size(self.design.g0), other }.at(place)
+            TorchTooNear { whence, distance: Size::length(down, 4), g0: Size::length(self.design.g0, 4), other }
+                .at(place)
         })]
     }
 }
@@ -202,7 +202,7 @@ impl Whence {
                 t("una Z_s mayor", "a larger Z_s"),
             ),
         };
-        let Some(length) = length.map(|length| Size { decimals: 1, ..Size::mm(length) }) else { return plain };
+        let Some(length) = length.map(|length| Size::length(length, 1)) else { return plain };
         let [es, en] = named;
         Text::new(es.replace("{}", &length.said(Language::Es)), en.replace("{}", &length.said(Language::En)))
     }

@@ -98,7 +98,7 @@ impl Crossing {
         let limit = Text::same(length.said(Language::En).into_owned());
         let asked = Question::new("crossing", name, program).showing(value, limit);
         let asked = self.found.put(asked.of_parameters([GAMMA.key(), E.key()]), 0).measuring(most);
-        let alpha = Size { value: alpha.to_degrees(), unit: "°", decimals: 0 };
+        let alpha = Size::degrees(alpha.to_degrees(), 0);
         asked.holds(most < 1.0, |place| BeamsCross { alpha, height, length }.at(place))
     }
 }
@@ -143,11 +143,8 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::gcode::control::LINUXCNC;
-    use crate::gcode::word::NumberFormat;
     use crate::geometry::pipe_pair::PipePair;
     use crate::kinds::pipe::hole::height::Torch;
-    use crate::machine::axis::Position;
 
     fn groove(pair: PipePair, R_o: f64, gamma: f64) -> Groove {
         Groove {
@@ -209,16 +206,7 @@ mod tests {
     /// A height that is nearer to the hundredth above than to the one below.
     #[test]
     fn the_height_of_a_crossing_is_told_once_and_no_higher_than_it_may_be() {
-        let program = Program {
-            key: "hole",
-            title: Text::same(""),
-            control: &LINUXCNC,
-            law: LINUXCNC.feed.law,
-            format: NumberFormat::Fixed,
-            block_step: None,
-            start: Position::default(),
-            parts: Vec::new(),
-        };
+        let program = Program::sample("hole");
         let mut crossing = Crossing::new(groove(PipePair::new(12.65, 101.37, 90.0, -79.7), 109.55, 0.0), 0.02);
         crossing.take(At::line(1), [0.0, TAU]);
         crossing.nearest = [1.0, 10.000_4, 1.0];

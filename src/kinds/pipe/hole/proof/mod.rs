@@ -243,9 +243,8 @@ impl Judge for Swing<'_> {
         let name = t("Continuidad de C: paso máximo", "Continuity of C: largest step");
         let degrees = |value: f64| Text::same(format!("{}°", shown(value, 3)));
         let asked = Question::new("turning", name, program).showing(degrees(self.turn.value()), degrees(SWING));
-        let turning = asked.within(&self.turn, SWING, |found, place| {
-            SwingsAtOnce { step: Size { value: found.value(), unit: "°", decimals: 3 } }.at(place)
-        });
+        let turning = asked
+            .within(&self.turn, SWING, |found, place| SwingsAtOnce { step: Size::degrees(found.value(), 3) }.at(place));
         vec![tilt, turning]
     }
 }
@@ -276,7 +275,7 @@ impl Judge for CutSpeed<'_> {
         let speed = way * 60.0 / seconds;
         self.speed = [self.speed[0].min(speed), self.speed[1].max(speed)];
         let word = if let MotionKind::Feed(feed) = motion.kind { feed.value } else { 0.0 };
-        if !timely(self.design.control.feed.law, motion, word, leg.seconds) {
+        if !timely(self.design.post.control.feed.law, motion, word, leg.seconds) {
             self.off.get_or_insert((speed, at));
         }
         self.rounded.take(seconds / leg.seconds - 1.0, at);
@@ -301,12 +300,12 @@ impl CutSpeed<'_> {
         let limit = Text::same(format!("{} mm/min", shown(self.design.F, 3)));
         let asked = Question::new("feed", name, program).showing(value, limit).seen(self.seen);
         if let Some((speed, at)) = self.off {
-            let speed = Size { value: speed, unit: "mm/min", decimals: 1 };
+            let speed = Size::feed(speed, 1);
             return asked.at(Some(at)).holds(false, |place| NotItsTime { line: at.line, speed }.at(place));
         }
         let Some((speed, at)) = self.slowed else { return asked.passes() };
         let asked = asked.at(Some(at)).of_parameters([F_MAX.key(), GAMMA.key()]);
-        let speed = Size { value: speed, unit: "mm/min", decimals: 0 };
+        let speed = Size::feed(speed, 0);
         asked.holds(false, |place| CutSlows { speed, line: at.line }.at(place))
     }
 }
@@ -395,6 +394,6 @@ pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec
             seen: 0,
         }),
         Box::new(Torch(Some([&design.torch_on, &design.torch_off]))),
-        Box::new(Rollover::new(design.control.rotary.delivered)),
+        Box::new(Rollover::new(design.post.control.rotary.delivered)),
     ]
 }

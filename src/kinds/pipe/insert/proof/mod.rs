@@ -542,7 +542,7 @@ pub fn judges<'a>(design: &'a Design, moves: &'a Moves, curve: &'a mut Curve) ->
         Box::new(Torch(codes)),
     ];
     if design.mode == Mode::Rotary {
-        judges.push(Box::new(Rollover::new(design.control.rotary.delivered)));
+        judges.push(Box::new(Rollover::new(design.post.control.rotary.delivered)));
     }
     judges
 }

@@ -53,7 +53,7 @@ impl Judge for CutSpeed<'_> {
         let good = match design.mode {
             // F is the speed over the sheet itself; a word within a billionth of a whole step is that step.
             Mode::Flat => (F - least_step(FeedLaw::Resultant, F)..=F * (1.0 + 1e-9)).contains(&word),
-            Mode::Rotary => timely(design.control.feed.law, motion, word, planned),
+            Mode::Rotary => timely(design.post.control.feed.law, motion, word, planned),
         };
         if !good || seconds < planned * (1.0 - 1e-6) {
             self.off.get_or_insert((speed, at));
@@ -85,8 +85,7 @@ impl CutSpeed<'_> {
                 .at(Some(at))
                 .holds(false, |place| CutWithoutFeed { line: at.line, program: program.title.clone() }.at(place)),
             (Some((speed, at)), _) => asked.at(Some(at)).holds(false, |place| {
-                let (speed, F) =
-                    (Size { value: speed, unit: "mm/min", decimals: 1 }, Size { value: F, unit: "", decimals: 3 });
+                let (speed, F) = (Size::feed(speed, 1), Size::number(F, 3));
                 CutOffSpeed { speed, line: at.line, F }.at(place)
             }),
         }
