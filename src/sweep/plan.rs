@@ -95,6 +95,9 @@ impl Levels {
     }
 }
 
+/// The mark of an input before its symbol: so no column of one is called as a measure.
+pub const INPUT: &str = "in_";
+
 /// An input that is varied.
 #[derive(Clone, Debug)]
 pub struct Input {
@@ -105,10 +108,16 @@ pub struct Input {
 }
 
 impl Input {
-    /// Its symbol in columns: that of the form, with the sheet before it where it is not of the first.
+    /// Its symbol: that of the form, with the sheet before it where it is not of the first.
     #[must_use]
     pub fn symbol(&self) -> String {
         self.parameter.key.replace('/', "_")
+    }
+
+    /// The name of its column.
+    #[must_use]
+    pub fn column(&self) -> String {
+        format!("{INPUT}{}", self.symbol())
     }
 
     /// True for one of whole numbers.

@@ -9,7 +9,7 @@ use crate::sweep::indices::Index;
 use crate::sweep::objective::Objective;
 use crate::sweep::plan::{Input, Levels, Method, Plan, slice};
 use crate::sweep::row::{Row, State};
-use crate::sweep::table::Table;
+use crate::sweep::table::{FEASIBLE, ID, Table, whole};
 use crate::text::{Text, t};
 
 /// The part of an input's range by which it is moved for its slope.
@@ -355,12 +355,10 @@ impl<'a> Shares<'a> {
 
     /// Takes rows in, in the order of their indices.
     pub fn take(&mut self, rows: &Table) {
-        let (Some(id), Some(feasible)) = (rows.column("id"), rows.column("feasible")) else { return };
+        let (Some(id), Some(feasible)) = (rows.column(ID), rows.column(FEASIBLE)) else { return };
         let objectives: Vec<_> = self.plan.objectives.iter().map(|one| rows.column(one.measure.key)).collect();
         for row in (0..rows.rows()).filter(|row| feasible.truth(*row)) {
-            let Some(id) = id.number(row) else { continue };
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "indices are whole")]
-            let id = id as u64;
+            let Some(id) = id.number(row).map(whole) else { continue };
             let values: Vec<Option<f64>> =
                 objectives.iter().map(|cells| cells.and_then(|cells| cells.number(row))).collect();
             for (all, value) in self.all.iter_mut().zip(&values) {

@@ -33,6 +33,7 @@ use crate::sweep::form::NAME;
 use crate::sweep::plan::Plan;
 use crate::sweep::rules::{NoSweepSheet, WrongChunk};
 use crate::sweep::sensitivity::most;
+use crate::sweep::table::ID;
 use crate::text::{Language, Text, t};
 use crate::workbook::sweep_sheet;
 
@@ -229,7 +230,7 @@ fn all(
         worked?;
     }
     // Whether all their columns can be read is seen when they are merged.
-    if !rows.missing(&|name| name == "id").is_empty() {
+    if !rows.missing(&|name| name == ID).is_empty() {
         return Err(rows.lacking());
     }
     merge::merge(arguments, study, kinds, &rows, interrupted, terminal)
@@ -260,12 +261,6 @@ fn ranges(numbers: &[u64]) -> String {
 #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
 fn count(number: u64) -> f64 {
     number as f64
-}
-
-/// An index that was read as a number.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "indices are whole and far below 2^52")]
-const fn whole(number: f64) -> u64 {
-    number as u64
 }
 
 /// A path that does not depend on the current folder.

@@ -14,7 +14,7 @@ use crate::kind::Kind;
 use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::results::{Built, Coded};
 use crate::sweep::row::{codes, says, values};
-use crate::sweep::table::{Cells, Table};
+use crate::sweep::table::{CAUTION, CODES, Cells, Table};
 use crate::text::Text;
 use crate::workbook::results::Tables;
 use crate::workbook::template;
@@ -84,7 +84,7 @@ pub(super) fn judged_whole(best: &mut Table, built: &[Option<Built>]) {
     let whole = || built.iter().enumerate().filter_map(|(row, built)| Some((row, built.as_ref()?)));
     for column in &mut best.columns {
         match (column.name.as_str(), &mut column.cells) {
-            ("caution", Cells::Whole(cells)) => {
+            (CAUTION, Cells::Whole(cells)) => {
                 for (row, built) in whole() {
                     let cautions = built.findings.iter().filter(|one| one.grade == Grade::Caution).count();
                     if let Some(cell) = cells.get_mut(row) {
@@ -92,7 +92,7 @@ pub(super) fn judged_whole(best: &mut Table, built: &[Option<Built>]) {
                     }
                 }
             }
-            ("codes", Cells::Text(cells)) => {
+            (CODES, Cells::Text(cells)) => {
                 for (row, built) in whole() {
                     if let Some(cell) = cells.get_mut(row) {
                         *cell = Some(codes(&built.findings).join(";").into());
