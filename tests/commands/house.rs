@@ -9,6 +9,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use rodete::gcode::control::ALL;
+
 const TOP: [&str; 16] = [
     "Cargo.toml",
     "Cargo.lock",
@@ -155,6 +157,22 @@ fn no_code_asks_which_control_it_is() {
         let found = code.iter().find(|line| asks(line));
         assert_eq!(found, None, "{}", path.display());
     }
+}
+
+/// A formula asks for a control as code does. One name stands there, and a test beside it holds it to the data.
+#[test]
+fn no_live_form_asks_which_control_it_is() {
+    let (mut forms, mut named) = (0, Vec::new());
+    for (path, code) in sources("kinds") {
+        if path.ends_with("live_form.rs") {
+            forms += 1;
+            let code = code.iter().take_while(|line| *line != "#[cfg(test)]");
+            let asks = code.filter(|line| ALL.iter().any(|control| line.contains(control.name)));
+            named.extend(asks.map(|line| (path.clone(), line.contains("LEN(TRIM(rotary_axes))=0"))));
+        }
+    }
+    assert!(forms >= 6, "the live forms are found");
+    assert_eq!(named, [(PathBuf::from("kinds/impeller/live_form.rs"), true)]);
 }
 
 /// The door prints a finding with its code; a sentence that is printed elsewhere would have none.
