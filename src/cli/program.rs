@@ -159,7 +159,7 @@ impl<'a> Shared<'a> {
     /// The dialect of a program: as named (true), or told from its beginning. What cannot be read is refused in its turn.
     pub(super) fn dialect(&self, path: &Path, file: &mut dyn BufRead) -> (bool, &'static Control) {
         let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-        match self.control.dialect.as_deref().and_then(Control::named) {
+        match self.control.dialect {
             Some(dialect) => (true, dialect),
             None => (false, guess(file.fill_buf().unwrap_or_default(), &ending, self.workbook.is_some())),
         }

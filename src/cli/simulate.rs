@@ -14,7 +14,6 @@ use super::verdict::{Ending, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
 use crate::escape::printable_path;
 use crate::finding::{Exit, Place, Refusal};
-use crate::gcode::control::Control;
 use crate::kind::{Kind, Wants};
 use crate::kinds::lathe::Raised;
 use crate::store::{self, Existing, Folder, Set};
@@ -61,7 +60,7 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
     let wanted = Wanted {
         program: path,
         bytes: &bytes,
-        dialect: arguments.dialect.as_deref().and_then(Control::named),
+        dialect: arguments.dialect,
         point: arguments.decimal_point,
         plane: arguments.hole_r,
         block_delete: arguments.block_delete,

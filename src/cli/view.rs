@@ -14,7 +14,6 @@ use super::verdict::{Ending, gravest};
 use super::{finding, interrupt, plan, reading, refused};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Place, Raise, Refusal};
-use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
 use crate::kind::{Kind, Wants};
@@ -123,7 +122,7 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
         return Ok(false);
     }
     let ending = arguments.input.extension().unwrap_or_default().to_string_lossy().into_owned();
-    Ok(match control.dialect.as_deref().and_then(Control::named) {
+    Ok(match control.dialect {
         Some(dialect) => dialect.turns(),
         // A lathe's workbook is given for a turning program alone.
         None => machine == Some(true) || guess(head, &ending, false).turns(),
@@ -138,7 +137,7 @@ fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<O
     let wanted = Wanted {
         program: input,
         bytes: &bytes,
-        dialect: control.dialect.as_deref().and_then(Control::named),
+        dialect: control.dialect,
         point: control.decimal_point,
         plane: control.hole_r,
         block_delete: control.block_delete,
