@@ -187,8 +187,8 @@ impl<'a> Shared<'a> {
         setting.unit = self.unit;
         setting.var_file = self.var_file.clone();
         setting.tools = self.tools.clone();
-        setting.point = self.control.decimal_point;
-        setting.plane = self.control.hole_r;
+        setting.decimal_point = self.control.decimal_point;
+        setting.hole_plane = self.control.hole_r;
         setting.rotary = self.control.rotary.unwrap_or(dialect.rotary.delivered);
         setting.block_delete = self.control.block_delete;
         if let Some(given) = &self.workbook {

@@ -10,7 +10,7 @@ use super::locale::spoken;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::turning::{Followed, Wanted, follow};
-use super::verdict::{Ending, code, status};
+use super::verdict::{Verdict, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
 use crate::escape::printable_path;
 use crate::finding::{Exit, Place, Refusal};
@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &Simulate, kinds: &[&dyn Kind], terminal: &mut Term
     verdict.exit
 }
 
-fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<Followed, Refusal> {
+fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Verdict) -> Result<Followed, Refusal> {
     let path = &arguments.program;
     let bytes = workbook::open_as(Input::Program, path)?;
     let folder = arguments.output.as_deref().map(Folder::open).transpose()?;
@@ -61,8 +61,8 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
         program: path,
         bytes: &bytes,
         dialect: arguments.dialect,
-        point: arguments.decimal_point,
-        plane: arguments.hole_r,
+        decimal_point: arguments.decimal_point,
+        hole_plane: arguments.hole_r,
         block_delete: arguments.block_delete,
         stock: arguments.stock,
         tools: arguments.tools.as_deref(),
@@ -106,7 +106,7 @@ fn alarm(Raised { alarm, place, .. }: &Raised) -> Map<String, Value> {
     [json!(finding), figures].into_iter().filter_map(|part| part.as_object().cloned()).flatten().collect()
 }
 
-fn document(arguments: &Simulate, verdict: &Ending, followed: Option<&Followed>) -> Value {
+fn document(arguments: &Simulate, verdict: &Verdict, followed: Option<&Followed>) -> Value {
     let totals: Map<String, Value> = verdict
         .quantities
         .iter()

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::program::{Beside, PACKAGE, of_workbook, told_from, told_of};
 use super::rules::*;
 use super::stock::Stock;
-use super::verdict::Ending;
+use super::verdict::Verdict;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
@@ -47,9 +47,9 @@ pub(super) struct Wanted<'a> {
     /// Its dialect; `None`: told from the program.
     pub(super) dialect: Option<&'static Control>,
     /// What a dimension without a decimal point is.
-    pub(super) point: Option<DecimalPoint>,
+    pub(super) decimal_point: Option<DecimalPoint>,
     /// What R of G81 to G83 is; `None`: what the workbook says.
-    pub(super) plane: Option<HolePlane>,
+    pub(super) hole_plane: Option<HolePlane>,
     /// Blocks with `/` are skipped.
     pub(super) block_delete: bool,
     /// The stock; `None`: that of the workbook, or one that encloses the path.
@@ -77,7 +77,7 @@ pub(super) struct Followed {
 ///
 /// # Errors
 /// Where a file cannot be read, the workbook is refused, or its values contradict each other.
-pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Ending, wants: Wants) -> Result<Followed, Refusal> {
+pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -> Result<Followed, Refusal> {
     let path = wanted.program;
     if wanted.bytes.starts_with(PACKAGE) {
         return Err(is_workbook(path));
@@ -160,11 +160,11 @@ fn for_program(
     turned_over: bool,
 ) -> Values {
     values.put(&form::DIALECT, Some(dialect));
-    if wanted.point.is_some() || wanted.tools.is_none() {
-        values.put(&form::POINT, wanted.point);
+    if wanted.decimal_point.is_some() || wanted.tools.is_none() {
+        values.put(&form::POINT, wanted.decimal_point);
     }
-    if wanted.plane.is_some() {
-        values.put(&form::HOLE_R, wanted.plane);
+    if wanted.hole_plane.is_some() {
+        values.put(&form::HOLE_R, wanted.hole_plane);
     }
     if wanted.block_delete {
         values.put(&form::BLOCK_DELETE, Some(true));

@@ -19,6 +19,7 @@ use super::interrupt;
 use super::locale::spoken;
 use super::plan::beside;
 use super::terminal::Terminal;
+use super::verdict::Verdict;
 use super::{fault, finding, reading, refused};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
@@ -102,8 +103,8 @@ fn study<'a>(arguments: &'a Sweep, kinds: &[&'a dyn Kind]) -> Result<Study<'a>, 
     let path = arguments.workbook.as_path();
     let unread = |refusal| (refusal, None);
     reading::settled([beside(path)]).map_err(unread)?;
-    let mut ending = super::verdict::Ending::new(path.to_owned());
-    let (bytes, filled) = reading::read(path, kinds, &mut ending).map_err(|refusal| (refusal, ending.language))?;
+    let mut verdict = Verdict::new(path.to_owned());
+    let (bytes, filled) = reading::read(path, kinds, &mut verdict).map_err(|refusal| (refusal, verdict.language))?;
     let language = Some(filled.values.language);
     let wrong = |refusal| (refusal, language);
     let Some(kind) = kinds.iter().find(|kind| kind.form().schema == filled.form.schema) else {

@@ -68,13 +68,13 @@ fn build_one(
         tables: Tables::Live,
     };
     let made = build::made(&item, &Settings::of(&asked, None, kinds, Arc::default()), &|| false);
-    if !matches!(made.ending.exit, Exit::Done | Exit::Refused) {
-        return Err(Refusal { exit: made.ending.exit, findings: made.ending.findings });
+    if !matches!(made.verdict.exit, Exit::Done | Exit::Refused) {
+        return Err(Refusal { exit: made.verdict.exit, findings: made.verdict.findings });
     }
-    let files = made.ending.files.iter().map(|file| file.name.to_string_lossy().into_owned());
+    let files = made.verdict.files.iter().map(|file| file.name.to_string_lossy().into_owned());
     let results = files.into_iter().find(|name| name.ends_with("-results.xlsx"));
     // What is found of the folder says nothing of the design.
-    let findings = made.outcome.map_or(made.ending.findings, |outcome| outcome.findings);
+    let findings = made.outcome.map_or(made.verdict.findings, |outcome| outcome.findings);
     let file = results.clone().unwrap_or_else(|| name.to_string_lossy().into_owned());
     Ok(Built { file: format!("top/{file}"), rejected: results.is_none(), findings })
 }

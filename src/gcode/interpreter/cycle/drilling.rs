@@ -32,7 +32,7 @@ impl Reader<'_, '_> {
         let again = matches!(self.state.modal.motion, G::Cycle(_));
         let (unit, sticky) = (self.state.modal.unit, self.state.modal.sticky);
         let r = match self.block.get(letter::R) {
-            Some(R) => match self.memory.setting.plane {
+            Some(R) => match self.memory.setting.hole_plane {
                 Some(HolePlane::Incremental) => self.state.at.get(Axis::Z) + unit.to_mm(R),
                 Some(HolePlane::Absolute) => unit.to_mm(R),
                 None => {
