@@ -24,8 +24,7 @@ use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::text;
 use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
 use crate::kinds::lathe::{self, Raised, Simulated};
-use crate::limits::FOLLOWED_MOTIONS;
-use crate::limits::SHEET_BLOCKS;
+use crate::limits::{FOLLOWED_MOTIONS, SHEET_BLOCKS, STOCK_SIZE};
 use crate::machine::axis::Axis;
 use crate::parameter::Values;
 use crate::parameter::field::{Field, Fields, Required, Stated};
@@ -36,6 +35,12 @@ use crate::workbook;
 
 /// Held in the jaws, and faced off, where only the stock's size is given: mm.
 const HELD: f64 = 30.0;
+/// The radius of a stock in which nothing is cut at feed, mm: thick enough to need no tailstock.
+const THICK: f64 = 7.0;
+/// What a stock has between its jaws and the path, mm.
+const BESIDE_JAWS: f64 = 5.0;
+/// The shortest stock that encloses a path, mm.
+const SHORTEST: f64 = 40.0;
 
 /// A program to follow, and what it is followed with.
 #[derive(Debug)]
@@ -244,9 +249,9 @@ fn enclosing(values: &Values, program: &text::SheetProgram) -> Result<Stock, Ref
         X = X.max(motion.to.get(Axis::X).abs());
         Z = Z.min(motion.to.get(Axis::Z));
     }
-    // Where nothing is cut at feed the bar is thick enough to need no tailstock.
-    let X = if X > 0.0 { X } else { 7.0 };
-    let (D, L) = ((2.0 * X).ceil().clamp(1.0, 1000.0), ((-Z).ceil() + 5.0 + HELD).clamp(40.0, 1000.0));
+    let X = if X > 0.0 { X } else { THICK };
+    let D = (2.0 * X).ceil().clamp(1.0, STOCK_SIZE);
+    let L = ((-Z).ceil() + BESIDE_JAWS + HELD).clamp(SHORTEST, STOCK_SIZE);
     Ok(Stock { D, L, d: None })
 }
 
