@@ -24,7 +24,7 @@ use super::{fault, finding, reading, refused};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::kind::Kind;
-use crate::limits::SWEEP_CHUNKS;
+use crate::limits::{ASKED_CHUNKS, SWEEP_CHUNKS};
 use crate::number::duration;
 use crate::parameter::Values;
 use crate::parameter::field::Fields;
@@ -244,7 +244,7 @@ fn all(
 fn chunk_of(text: &str) -> Result<(u64, u64), Refusal> {
     let parts = text.split_once('/').and_then(|(number, of)| Some((number.parse().ok()?, of.parse().ok()?)));
     parts
-        .filter(|(number, of): &(u64, u64)| number < of && *of <= 100_000)
+        .filter(|(number, of): &(u64, u64)| number < of && *of <= ASKED_CHUNKS)
         .ok_or_else(|| WrongChunk { text: printable(text) }.refused(Exit::CommandLine, Place::File))
 }
 
