@@ -7,7 +7,7 @@ use crate::number::decimal;
 use crate::parameter::{FieldKind, Value, Values};
 use crate::sweep::indices::Index;
 use crate::sweep::objective::Objective;
-use crate::sweep::plan::{Input, Levels, Method, Plan, slice};
+use crate::sweep::plan::{Input, Levels, Method, Plan, billionth, slice};
 use crate::sweep::row::{Row, State};
 use crate::sweep::table::{FEASIBLE, ID, Table, whole};
 use crate::text::{Text, t};
@@ -139,8 +139,7 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Valu
         };
         let moved = |to: f64| {
             let mut values = base.clone();
-            // To a billionth: the number that a person would type.
-            let to = if input.whole() { to.round() } else { (to * 1e9).round() / 1e9 }.clamp(low, high);
+            let to = if input.whole() { to.round() } else { billionth(to) }.clamp(low, high);
             let value = if input.whole() { super::plan::whole(to).map(Value::Whole) } else { Some(Value::Real(to)) };
             if let Some(value) = value {
                 values.values.insert(input.parameter.key, value);
