@@ -241,16 +241,16 @@ fn cautions(top: &Table, built: &[Option<Built>], study: &Study<'_>, rules: &[&R
     let mut whole: BTreeMap<&str, Text> = BTreeMap::new();
     let codes = top.column(CODES);
     for (row, (id, built)) in top.ids().zip(built).enumerate() {
-        let of_row: BTreeSet<&str> = match built {
+        let mut of_row: BTreeSet<&str> = BTreeSet::new();
+        match built {
             Some(built) => {
-                let found = built.findings.iter().filter(|one| one.grade == Grade::Caution);
-                found
-                    .inspect(|one| _ = whole.entry(one.code()).or_insert_with(|| says(id, one)))
-                    .map(Finding::code)
-                    .collect()
+                for found in built.findings.iter().filter(|one| one.grade == Grade::Caution) {
+                    whole.entry(found.code()).or_insert_with(|| says(id, found));
+                    of_row.insert(found.code());
+                }
             }
-            None => codes.and_then(|codes| codes.text(row)).into_iter().flat_map(|text| text.split(';')).collect(),
-        };
+            None => of_row.extend(codes.and_then(|codes| codes.text(row)).unwrap_or_default().split(';')),
+        }
         for code in of_row.into_iter().filter(|code| !code.is_empty()) {
             let first = || Reason { code: code.to_owned(), count: 0, first: id, value: None, margin: None };
             counts.entry(code).or_insert_with(first).count += 1;
