@@ -145,8 +145,10 @@ pub const SIMULATION_WORK: u64 = 100_000_000;
 pub const SWEEP_DESIGNS: u32 = 10_000_000;
 /// Inputs that vary in a plan: rows of the list of inputs, or columns of the sheet of designs.
 pub const SWEEP_INPUTS: u32 = 40;
-/// Chunks of a plan. An array of tasks ends at index 1000 as Slurm is delivered.
+/// Chunks of a plan, unless more are asked for. An array of tasks ends at index 1000 as Slurm is delivered.
 pub const SWEEP_CHUNKS: u64 = 1000;
+/// Chunks that may be asked for. Each is a file, all in one folder.
+pub const ASKED_CHUNKS: u64 = 100_000;
 /// Designs of a batch for each job. It bounds the memory of rows that are not saved yet.
 pub const BATCH_DESIGNS: usize = 2_000;
 /// Designs that a forecast tries, refused ones too. A forecast must end soon where nearly all are refused.

@@ -13,10 +13,11 @@ use super::stock::Stock;
 use super::sweep::args::Sweep;
 use super::verdict::{ENDS, code, meaning};
 use crate::finding::Exit;
-use crate::gcode::control::{ALL, TURNING};
+use crate::gcode::control::{ALL, Control, TURNING};
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, RotaryMode};
 use crate::kind::Kind;
 use crate::machine::work_offset::System;
+use crate::parameter::field::Chosen;
 use crate::text::Language;
 
 /// From a workbook of design parameters to checked tables, ISO programs and a report: 5-axis impellers, branch pipes, bevelled holes, turning.
@@ -327,8 +328,8 @@ pub(super) struct Build {
 #[derive(Debug, Args)]
 pub(super) struct ControlOptions {
     /// Dialect of the programs [default: recognised from the program]
-    #[arg(long, value_parser = PossibleValuesParser::new(ALL.map(|dialect| dialect.name)))]
-    pub(super) dialect: Option<String>,
+    #[arg(long, value_parser = dialect(&ALL))]
+    pub(super) dialect: Option<&'static Control>,
     /// LinuxCNC's parameter file: work offsets and parameters at the start
     #[arg(long, value_name = "FILE")]
     pub(super) var: Option<PathBuf>,
@@ -342,11 +343,11 @@ pub(super) struct ControlOptions {
     #[arg(long)]
     pub(super) block_delete: bool,
     /// How a Fanuc lathe reads a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
-    #[arg(long, value_name = "RULE", value_parser = decimal_point())]
+    #[arg(long, value_name = "RULE", value_parser = chosen::<DecimalPoint>())]
     pub(super) decimal_point: Option<DecimalPoint>,
     /// What R of G81 to G83 means on a Fanuc lathe: absolute, the Z of the plane; incremental, from the tool's position
     /// [default: the lathe workbook's, else absolute]
-    #[arg(long, value_name = "RULE", value_parser = hole_plane())]
+    #[arg(long, value_name = "RULE", value_parser = chosen::<HolePlane>())]
     pub(super) hole_r: Option<HolePlane>,
     /// What a rotary axis word means in G90: linear, the position, counted beyond one turn; rollover, the target angle
     /// (0 to 359.9999), with the sign as the direction [default: rollover for fagor-8055 and fagor-8055-t, else linear]
@@ -447,8 +448,8 @@ pub(super) struct Simulate {
     /// Turning program
     pub(super) program: PathBuf,
     /// Dialect of the program [default: recognised from the program]
-    #[arg(long, value_parser = PossibleValuesParser::new(TURNING.map(|dialect| dialect.name)))]
-    pub(super) dialect: Option<String>,
+    #[arg(long, value_parser = dialect(&TURNING))]
+    pub(super) dialect: Option<&'static Control>,
     /// Diameter, length and bore of the stock, in mm: D50xL100, D50xL100xd20 [default: the workbook's, or stock that encloses the path]
     #[arg(long, value_name = "STOCK", value_parser = super::stock::parse)]
     pub(super) stock: Option<Stock>,
@@ -459,11 +460,11 @@ pub(super) struct Simulate {
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
     /// How a Fanuc lathe reads a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
-    #[arg(long, value_name = "RULE", value_parser = decimal_point())]
+    #[arg(long, value_name = "RULE", value_parser = chosen::<DecimalPoint>())]
     pub(super) decimal_point: Option<DecimalPoint>,
     /// What R of G81 to G83 means on a Fanuc lathe: absolute, the Z of the plane; incremental, from the tool's position
     /// [default: the lathe workbook's, else absolute]
-    #[arg(long, value_name = "RULE", value_parser = hole_plane())]
+    #[arg(long, value_name = "RULE", value_parser = chosen::<HolePlane>())]
     pub(super) hole_r: Option<HolePlane>,
     /// Skip blocks that begin with /
     #[arg(long)]
@@ -512,14 +513,14 @@ fn system() -> impl TypedValueParser<Value = System> {
     PossibleValuesParser::new(System::ALL.map(System::name)).map(|name| System::from_name(&name).unwrap_or_default())
 }
 
-fn decimal_point() -> impl TypedValueParser<Value = DecimalPoint> {
-    PossibleValuesParser::new(["calculator", "micrometre"])
-        .map(|rule| if rule == "calculator" { DecimalPoint::Calculator } else { DecimalPoint::Micrometre })
+/// One of these controls, by its name.
+fn dialect(of: &'static [&'static Control]) -> impl TypedValueParser<Value = &'static Control> {
+    PossibleValuesParser::new(of.iter().map(|control| control.name)).try_map(|name| Control::named(&name).ok_or(name))
 }
 
-fn hole_plane() -> impl TypedValueParser<Value = HolePlane> {
-    PossibleValuesParser::new(["absolute", "incremental"])
-        .map(|rule| if rule == "absolute" { HolePlane::Absolute } else { HolePlane::Incremental })
+/// One of the choices of a cell, by its key.
+fn chosen<T: Chosen + Send + Sync>() -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(T::CHOICES.iter().map(|choice| choice.key)).try_map(|key| T::of(&key).ok_or(key))
 }
 
 fn rotary() -> impl TypedValueParser<Value = RotaryMode> {

@@ -14,7 +14,7 @@ use super::locale::spoken;
 use super::made::Made;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
-use super::verdict::Ending;
+use super::verdict::Verdict;
 use super::{BUILD, Sink, drawings, finding, opened, reading, refused, side_by_side, stationery};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
@@ -141,7 +141,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
     let tables = if arguments.values { Tables::Values } else { Tables::Live };
     let asked = Asked { tables, into: arguments.into, ..Asked::from(outputs) };
     let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);
-    let work = |item: &Item| made(item, &settings, &|| false).ending;
+    let work = |item: &Item| made(item, &settings, &|| false).verdict;
     let mut to_open = Vec::new();
     side_by_side::run(&items, work, terminal, |verdict, terminal| {
         let path = opened::chosen(&verdict).filter(|_| arguments.open);
@@ -181,8 +181,8 @@ pub(super) fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typ
 /// Builds one workbook. `overtaken` says whether it was saved again meanwhile: then nothing is written.
 pub(super) fn made(item: &Item, settings: &Settings<'_>, overtaken: &dyn Fn() -> bool) -> Made {
     let mut made = Made::default();
-    let ending = reading::verdict(&item.workbook, |verdict| build(item, settings, overtaken, &mut made, verdict));
-    Made { ending, ..made }
+    let verdict = reading::verdict(&item.workbook, |verdict| build(item, settings, overtaken, &mut made, verdict));
+    Made { verdict, ..made }
 }
 
 fn build(
@@ -190,7 +190,7 @@ fn build(
     settings: &Settings<'_>,
     overtaken: &dyn Fn() -> bool,
     made: &mut Made,
-    verdict: &mut Ending,
+    verdict: &mut Verdict,
 ) -> Result<(), Refusal> {
     if settings.into {
         // What a killed run left may be the workbook itself: before it is read.
@@ -266,7 +266,7 @@ fn print(
     settings: &Settings<'_>,
     logo: Option<Logo>,
     set: &mut Set<'_>,
-    verdict: &mut Ending,
+    verdict: &mut Verdict,
 ) -> Result<Vec<Finding>, Refusal> {
     let Some(typst) = &settings.typst else { return Ok(Vec::new()) };
     let Delivery { item, outcome, language, .. } = *delivery;
@@ -301,7 +301,7 @@ fn typeset(
     outcome: &Outcome,
     setter: &Setter<'_>,
     set: &mut Set<'_>,
-    verdict: &mut Ending,
+    verdict: &mut Verdict,
 ) -> Result<Option<Finding>, Refusal> {
     let input = Attachment {
         name: outcome.source.workbook.clone(),

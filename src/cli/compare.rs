@@ -44,15 +44,15 @@ pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Termi
     }
     let interrupted = interrupt::listen();
     let sides = [&arguments.one, &arguments.other].map(|path| computed(path, kinds));
-    let language = spoken(arguments.lang, sides[0].ending.language);
+    let language = spoken(arguments.lang, sides[0].verdict.language);
     let mut exit = Exit::Done;
     for side in &sides {
         // Values that contradict each other can be compared; what could not be read cannot.
-        if side.values.is_none() || side.ending.exit != Exit::Refused {
-            exit = gravest(exit, side.ending.exit);
+        if side.values.is_none() || side.verdict.exit != Exit::Refused {
+            exit = gravest(exit, side.verdict.exit);
         }
         if side.values.is_none() {
-            finding::faults(&side.ending.findings, &printable_path(&side.ending.workbook), language, terminal);
+            finding::faults(&side.verdict.findings, &printable_path(&side.verdict.workbook), language, terminal);
         }
     }
     let pair = match compared(&sides) {
@@ -124,13 +124,13 @@ fn is_pdf(file: &Path) -> bool {
 /// What a workbook comes to; nothing is written.
 fn computed(path: &Path, kinds: &[&dyn Kind]) -> Made {
     let mut made = Made::default();
-    let ending = reading::verdict(path, |verdict| {
+    let verdict = reading::verdict(path, |verdict| {
         let (_, filled) = reading::read(path, kinds, verdict)?;
         made.read(&filled);
         made.outcome = Some(reading::compute(path, filled, kinds, Wants::default(), verdict)?);
         Ok(())
     });
-    Made { ending, ..made }
+    Made { verdict, ..made }
 }
 
 /// The comparison; `None` where one of the two could not be read.
@@ -141,7 +141,7 @@ fn compared(sides: &[Made; 2]) -> Result<Option<Comparison<'_>>, Refusal> {
     let [one, other] = sides;
     let (Some(form), Some(another)) = (one.form, other.form) else { return Ok(None) };
     if form.kind != another.kind {
-        let [one, other] = [one, other].map(|side| printable_path(&side.ending.workbook));
+        let [one, other] = [one, other].map(|side| printable_path(&side.verdict.workbook));
         let (kind, other_kind) = (form.kind, another.kind);
         return Err(OtherKind { one, kind, other, other_kind }.refused(Exit::Refused, Place::File));
     }
@@ -159,18 +159,18 @@ fn write(
 ) -> Result<Vec<WrittenFile>, Refusal> {
     let (pdf, name) = (is_pdf(file), file_name(file)?);
     let folder = Folder::open(plan::beside(file))?;
-    let inputs: Vec<&Path> = sides.iter().map(|side| side.ending.workbook.as_path()).collect();
+    let inputs: Vec<&Path> = sides.iter().map(|side| side.verdict.workbook.as_path()).collect();
     let mut set = Set::new(&folder, &inputs, Existing::Replace);
     set.check(name)?;
     // It may be a design, also one that cannot be read.
     if !pdf && workbook::open(file).is_ok_and(|there| !comparison_book::is_comparison(&there)) {
         return Err(BookInTheWay { path: printable_path(file) }.refused(Exit::Unwritable, Place::File));
     }
-    let names = sides.each_ref().map(|side| printable_path(&side.ending.workbook));
+    let names = sides.each_ref().map(|side| printable_path(&side.verdict.workbook));
     if pdf {
         let named = [0, 1].map(|at| Named {
             name: &names[at],
-            sha256: sides[at].ending.sha256.as_deref().unwrap_or_default(),
+            sha256: sides[at].verdict.sha256.as_deref().unwrap_or_default(),
             rejected: rejected(&sides[at]),
         });
         let at_work = AtWork::begin();
@@ -190,15 +190,15 @@ fn write(
 
 /// True where a workbook is rejected: then it has no programs.
 fn rejected(side: &Made) -> bool {
-    side.outcome.is_none() || side.ending.exit != Exit::Done
+    side.outcome.is_none() || side.verdict.exit != Exit::Done
 }
 
 fn print(sides: &[Made; 2], comparison: &Comparison<'_>, language: Language, terminal: &mut Terminal) {
     let bold = Style::new().bold();
     let mut text = String::new();
     for (side, letter) in sides.iter().zip(["A", "B"]) {
-        let path = printable_path(&side.ending.workbook);
-        let schema = side.ending.schema.unwrap_or_default();
+        let path = printable_path(&side.verdict.workbook);
+        let schema = side.verdict.schema.unwrap_or_default();
         let end = if rejected(side) { t(", rechazado", ", rejected").get(language).to_owned() } else { String::new() };
         text.push_str(&format!("{bold}{letter}{bold:#}  {path}  {schema}{end}\n"));
     }
@@ -270,14 +270,14 @@ fn document(
     let workbooks: Vec<Value> = sides
         .iter()
         .map(|side| {
-            let ending = &side.ending;
+            let verdict = &side.verdict;
             json!({
-                "workbook": ending.workbook.to_string_lossy(),
-                "sha256": ending.sha256,
-                "schema": ending.schema,
-                "exit": code(ending.exit),
-                "status": status(ending.exit),
-                "findings": ending.findings,
+                "workbook": verdict.workbook.to_string_lossy(),
+                "sha256": verdict.sha256,
+                "schema": verdict.schema,
+                "exit": code(verdict.exit),
+                "status": status(verdict.exit),
+                "findings": verdict.findings,
             })
         })
         .collect();

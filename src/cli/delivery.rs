@@ -6,7 +6,7 @@ use std::ffi::{OsStr, OsString};
 use super::drawings;
 use super::plan::Item;
 use super::rules::LeftFromEarlier;
-use super::verdict::Ending;
+use super::verdict::Verdict;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::gcode::program::Program;
@@ -168,7 +168,7 @@ impl Delivery<'_> {
 /// A caution for each file in the folder that bears the name of an output and is not of this set: a program of an earlier
 /// one must not be taken for one of this.
 #[expect(clippy::disallowed_methods, reason = "the door to the files that a build names")]
-pub(super) fn leftovers(item: &Item, kinds: &[&dyn Kind], verdict: &Ending) -> Vec<Finding> {
+pub(super) fn leftovers(item: &Item, kinds: &[&dyn Kind], verdict: &Verdict) -> Vec<Finding> {
     endings(kinds)
         .into_iter()
         .map(|ending| store::file_name(&item.stem, &ending))

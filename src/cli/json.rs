@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::verdict::{Ending, code, status};
+use super::verdict::{Verdict, code, status};
 use crate::escape::hidden;
 use crate::finding::{Exit, Finding};
 use crate::store::WrittenFile;
@@ -58,7 +58,7 @@ pub(super) struct File<'a> {
 /// The document: version, command, exit code, and for every workbook its end, findings, derived values and files.
 /// Characters that a terminal would obey are escaped, which changes no value. A path that is no UTF-8 is shown with
 /// U+FFFD in its place.
-pub(super) fn document(command: &str, exit: Exit, verdicts: &[Ending]) -> String {
+pub(super) fn document(command: &str, exit: Exit, verdicts: &[Verdict]) -> String {
     let document = Document {
         schema: SCHEMA,
         rodete: env!("CARGO_PKG_VERSION"),
@@ -89,7 +89,7 @@ pub(super) fn laid_out(document: &impl Serialize) -> String {
     shown
 }
 
-fn workbook(verdict: &Ending) -> Workbook<'_> {
+fn workbook(verdict: &Verdict) -> Workbook<'_> {
     let quantities = verdict.quantities.iter().map(|one| Quantity {
         symbol: one.symbol,
         value: one.value,
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn the_document_holds_what_was_found_and_written() {
-        let mut verdict = Ending::new("a\u{202e}\u{1b}.xlsx".into());
+        let mut verdict = Verdict::new("a\u{202e}\u{1b}.xlsx".into());
         verdict.exit = Exit::Refused;
         let missing = Stopped { what: t("falta", "missing"), todo: t("", "") };
         verdict.findings.push(missing.at(Place::Sheet("DATA\u{9b}".into())));

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::verdict::Ending;
+use super::verdict::Verdict;
 use crate::kind::Outcome;
 use crate::kind::comparison::Side;
 use crate::parameter::{Form, Values};
@@ -11,8 +11,8 @@ use crate::workbook::Filled;
 /// What was made of a workbook.
 #[derive(Debug)]
 pub(super) struct Made {
-    /// How the work ended.
-    pub(super) ending: Ending,
+    /// What is said of it.
+    pub(super) verdict: Verdict,
     /// The form that it fills in; `None` where it could not be read.
     pub(super) form: Option<&'static Form>,
     /// Its values.
@@ -25,7 +25,7 @@ pub(super) struct Made {
 
 impl Default for Made {
     fn default() -> Self {
-        Self { ending: Ending::new(PathBuf::new()), form: None, values: None, outcome: None, overtaken: false }
+        Self { verdict: Verdict::new(PathBuf::new()), form: None, values: None, outcome: None, overtaken: false }
     }
 }
 
@@ -39,6 +39,6 @@ impl Made {
     /// The side of a comparison; `None` of a workbook that could not be read.
     pub(super) fn side(&self) -> Option<Side<'_>> {
         let (values, outcome) = (self.values.as_ref()?, self.outcome.as_ref());
-        Some(Side { values, findings: &self.ending.findings, outcome })
+        Some(Side { values, findings: &self.verdict.findings, outcome })
     }
 }

@@ -51,7 +51,7 @@ pub use self::explain::{codes, controls, exit_codes, parameters, reference, rows
 use self::locale::spoken;
 use self::rules::OutputNotWritten;
 use self::terminal::Terminal;
-use self::verdict::{Ending, code, gravest};
+use self::verdict::{Verdict, code, gravest};
 use crate::escape::printable;
 use crate::finding::answer::answer;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
@@ -175,7 +175,7 @@ struct Sink {
     /// The language that was asked for.
     language: Option<Language>,
     /// The verdicts so far, if they are to be printed as one document.
-    kept: Option<Vec<Ending>>,
+    kept: Option<Vec<Verdict>>,
     exit: Exit,
 }
 
@@ -184,7 +184,7 @@ impl Sink {
         Self { command, language, kept: if json { Some(Vec::new()) } else { None }, exit: Exit::Done }
     }
 
-    fn take(&mut self, verdict: Ending, terminal: &mut Terminal) {
+    fn take(&mut self, verdict: Verdict, terminal: &mut Terminal) {
         self.exit = gravest(self.exit, verdict.exit);
         match &mut self.kept {
             Some(kept) => kept.push(verdict),

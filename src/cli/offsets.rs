@@ -9,7 +9,7 @@ use super::locale::spoken;
 use super::offsets_view::{self, View, Way};
 use super::rules::*;
 use super::terminal::Terminal;
-use super::verdict::{Ending, gravest};
+use super::verdict::{Verdict, gravest};
 use super::{fault, interrupt, plan, reading, refused};
 use crate::escape::printable;
 use crate::finding::{Exit, Place, Raise, Refusal};
@@ -67,7 +67,7 @@ fn work(
     edits: &[Edit],
     unit: LengthUnit,
     view: &mut View,
-    verdict: &mut Ending,
+    verdict: &mut Verdict,
 ) -> Result<(), Refusal> {
     // A link that leads nowhere is something, too: it is neither read nor written through.
     let there = |path: &Path| fs::symlink_metadata(path).is_ok();
@@ -116,7 +116,7 @@ fn unfit(unfit: Unfit) -> Refusal {
 }
 
 /// What is to say about the file's offsets, and the blocks that set them.
-fn judge(file: &VarFile, unit: LengthUnit, view: &mut View, verdict: &mut Ending) {
+fn judge(file: &VarFile, unit: LengthUnit, view: &mut View, verdict: &mut Verdict) {
     verdict.findings.extend(work_offset::Offsets::read(file, unit).1);
     match preamble(file, unit) {
         Ok(blocks) => view.preamble = blocks,
@@ -136,7 +136,7 @@ fn write(
     changes: bool,
     way: Option<Way>,
     view: &mut View,
-    verdict: &mut Ending,
+    verdict: &mut Verdict,
 ) -> Result<(), Refusal> {
     let path = arguments.file.as_path();
     let name = path.file_name().unwrap_or_default();
@@ -171,7 +171,7 @@ fn write(
         verdict.findings.push(ControlRunning {}.at(Place::File));
     }
     if let Some(out) = out {
-        view.sheet = Some((Way::Out, Ending::new(out.to_owned())));
+        view.sheet = Some((Way::Out, Verdict::new(out.to_owned())));
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use anstyle::Style;
 use serde::Serialize;
 
 use super::terminal::Terminal;
-use super::verdict::{Ending, code, status};
+use super::verdict::{Verdict, code, status};
 use super::{OFFSETS, finding, json, show};
 use crate::escape::printable_path;
 use crate::finding::{Exit, Finding};
@@ -36,7 +36,7 @@ pub(super) struct View {
     /// The blocks that set the same offsets.
     pub(super) preamble: Vec<String>,
     /// The workbook that was named, and which way it went.
-    pub(super) sheet: Option<(Way, Ending)>,
+    pub(super) sheet: Option<(Way, Verdict)>,
 }
 
 /// The rows besides the systems, with their first parameter.
@@ -44,7 +44,7 @@ const OTHERS: [(&str, u32); 3] = [("G92", G92_FIRST), ("G28", G28_FIRST), ("G30"
 
 /// Prints the offsets, the blocks, what was found in the file and in the workbook, and what was written. Stops and
 /// cautions go to standard error, the rest to standard output.
-pub(super) fn show(verdict: &Ending, view: &View, language: Language, terminal: &mut Terminal) {
+pub(super) fn show(verdict: &Verdict, view: &View, language: Language, terminal: &mut Terminal) {
     let name = printable_path(&verdict.workbook);
     let width = terminal.width;
     if let Some(file) = &view.file {
@@ -181,7 +181,7 @@ struct Sheet<'a> {
 
 /// The JSON document: the file's end, its offsets after all edits, the blocks, findings, and the files written. `sha256`
 /// is that of the file as it was read.
-pub(super) fn document(verdict: &Ending, view: &View) -> String {
+pub(super) fn document(verdict: &Verdict, view: &View) -> String {
     json::laid_out(&Document {
         schema: json::SCHEMA,
         rodete: env!("CARGO_PKG_VERSION"),

@@ -6,13 +6,13 @@ use opener::OpenError;
 
 use super::delivery::REPORT;
 use super::rules::NotOpened;
-use super::verdict::Ending;
+use super::verdict::Verdict;
 use crate::escape::{printable, printable_path};
 use crate::finding::answer::{answer, quoted};
 use crate::finding::{Finding, Place, Raise};
 
 /// What is to be opened of a workbook that was built; none where nothing was written.
-pub(super) fn chosen(verdict: &Ending) -> Option<PathBuf> {
+pub(super) fn chosen(verdict: &Verdict) -> Option<PathBuf> {
     let report = verdict.files.iter().find(|file| file.name.to_string_lossy().ends_with(REPORT));
     let folder = || verdict.folder.clone().filter(|_| !verdict.files.is_empty());
     // The folder of outputs in the current one is the empty path.

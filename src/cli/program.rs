@@ -159,7 +159,7 @@ impl<'a> Shared<'a> {
     /// The dialect of a program: as named (true), or told from its beginning. What cannot be read is refused in its turn.
     pub(super) fn dialect(&self, path: &Path, file: &mut dyn BufRead) -> (bool, &'static Control) {
         let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-        match self.control.dialect.as_deref().and_then(Control::named) {
+        match self.control.dialect {
             Some(dialect) => (true, dialect),
             None => (false, guess(file.fill_buf().unwrap_or_default(), &ending, self.workbook.is_some())),
         }
@@ -187,8 +187,8 @@ impl<'a> Shared<'a> {
         setting.unit = self.unit;
         setting.var_file = self.var_file.clone();
         setting.tools = self.tools.clone();
-        setting.point = self.control.decimal_point;
-        setting.plane = self.control.hole_r;
+        setting.decimal_point = self.control.decimal_point;
+        setting.hole_plane = self.control.hole_r;
         setting.rotary = self.control.rotary.unwrap_or(dialect.rotary.delivered);
         setting.block_delete = self.control.block_delete;
         if let Some(given) = &self.workbook {

@@ -4,7 +4,7 @@ use std::mem;
 use std::path::Path;
 
 use super::plan::{self, beside};
-use super::verdict::Ending;
+use super::verdict::Verdict;
 use super::{fault, stationery};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
@@ -16,7 +16,7 @@ use crate::workbook::{self, Filled, stamp, sweep_sheet};
 
 /// Reads a workbook and computes what it asks for; writes nothing. The set that an earlier build of it delivered is seen
 /// to, too.
-pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
+pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Verdict {
     verdict(workbook, |verdict| {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
         let (bytes, mut filled) = read(workbook, kinds, verdict)?;
@@ -52,9 +52,9 @@ fn variants(bytes: &[u8], filled: &Filled, kind: &dyn Kind) -> Result<Vec<Findin
 }
 
 /// The verdict on one workbook: what `work` puts into it, and how it ended. A panic is a fault of that workbook alone.
-pub(super) fn verdict(workbook: &Path, work: impl FnOnce(&mut Ending) -> Result<(), Refusal>) -> Ending {
-    let mut verdict = Ending::new(workbook.to_owned());
-    let work = |verdict: &mut Ending| {
+pub(super) fn verdict(workbook: &Path, work: impl FnOnce(&mut Verdict) -> Result<(), Refusal>) -> Verdict {
+    let mut verdict = Verdict::new(workbook.to_owned());
+    let work = |verdict: &mut Verdict| {
         verdict.findings.extend(settled([beside(workbook)])?);
         work(verdict)
     };
@@ -87,7 +87,7 @@ pub(super) fn settled<'a>(folders: impl IntoIterator<Item = &'a Path>) -> Result
 ///
 /// # Errors
 /// Whatever the gate and the schema refuse.
-pub(super) fn read(path: &Path, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<(Vec<u8>, Filled), Refusal> {
+pub(super) fn read(path: &Path, kinds: &[&dyn Kind], verdict: &mut Verdict) -> Result<(Vec<u8>, Filled), Refusal> {
     let forms: Vec<_> = kinds.iter().map(|kind| kind.form()).collect();
     let bytes = workbook::open(path)?;
     verdict.sha256 = Some(store::sha256(&bytes));
@@ -107,7 +107,7 @@ pub(super) fn compute(
     filled: Filled,
     kinds: &[&dyn Kind],
     wants: Wants,
-    verdict: &mut Ending,
+    verdict: &mut Verdict,
 ) -> Result<Outcome, Refusal> {
     let Some(kind) = kinds.iter().find(|kind| kind.form().schema == filled.form.schema) else {
         return Err(fault::refusal("a form without a kind"));

@@ -4,7 +4,7 @@ use anstyle::{AnsiColor, Style};
 
 use super::delivery::{REPORT, RESULTS, SETUP};
 use super::terminal::Terminal;
-use super::verdict::Ending;
+use super::verdict::Verdict;
 use super::{finding, quantity};
 use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Grade, Place};
@@ -13,7 +13,7 @@ use crate::text::{Language, Text, t};
 /// Prints what is to say about one workbook: derived values, findings, files, and a closing line. What needs
 /// attention, stops and cautions, goes to standard error, the rest to standard output. `writes`: the command is one that
 /// writes files.
-pub(super) fn verdict(verdict: &Ending, writes: bool, language: Language, terminal: &mut Terminal) {
+pub(super) fn verdict(verdict: &Verdict, writes: bool, language: Language, terminal: &mut Terminal) {
     let workbook = printable_path(&verdict.workbook);
     let width = terminal.width;
     let bold = Style::new().bold();
@@ -35,7 +35,7 @@ pub(super) fn verdict(verdict: &Ending, writes: bool, language: Language, termin
 }
 
 /// The files with size and SHA-256, one a line.
-pub(super) fn files(verdict: &Ending) -> String {
+pub(super) fn files(verdict: &Verdict) -> String {
     let longest =
         verdict.files.iter().map(|file| textwrap::core::display_width(&printable_path(&file.path))).max().unwrap_or(0);
     verdict
@@ -49,7 +49,7 @@ pub(super) fn files(verdict: &Ending) -> String {
         .collect()
 }
 
-fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> String {
+fn closing(verdict: &Verdict, writes: bool, workbook: &str, language: Language) -> String {
     let colour = match verdict.exit {
         Exit::Done if verdict.count(Grade::Caution) == 0 => AnsiColor::Green,
         Exit::Done | Exit::ReportFailed => AnsiColor::Yellow,
@@ -104,7 +104,7 @@ fn in_cells(finding: &Finding) -> bool {
 }
 
 /// What to do now.
-fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> String {
+fn next(verdict: &Verdict, writes: bool, workbook: &str, language: Language) -> String {
     let written = |ending: &str| {
         let file = verdict.files.iter().find(|file| file.name.to_string_lossy().ends_with(ending));
         file.map(|file| printable_path(&file.path))

@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 
 use super::terminal::Terminal;
-use super::verdict::Ending;
+use super::verdict::Verdict;
 use crate::limits::WORKBOOKS_AT_ONCE;
 
 /// Does `work` for every item; `show` gets the verdicts one by one, in the order of the items, as soon as all before
@@ -16,9 +16,9 @@ use crate::limits::WORKBOOKS_AT_ONCE;
 #[expect(clippy::disallowed_methods, reason = "the door to the processors: how many workbooks are computed at once")]
 pub(super) fn run<T: Sync>(
     items: &[T],
-    work: impl Fn(&T) -> Ending + Sync,
+    work: impl Fn(&T) -> Verdict + Sync,
     terminal: &mut Terminal,
-    mut show: impl FnMut(Ending, &mut Terminal),
+    mut show: impl FnMut(Verdict, &mut Terminal),
 ) {
     let threads = available_parallelism().map_or(1, usize::from).min(items.len()).min(WORKBOOKS_AT_ONCE);
     let pool = if threads > 1 { ThreadPoolBuilder::new().num_threads(threads).build().ok() } else { None };

@@ -10,11 +10,10 @@ use super::locale::spoken;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::turning::{Followed, Wanted, follow};
-use super::verdict::{Ending, code, status};
+use super::verdict::{Verdict, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
 use crate::escape::printable_path;
 use crate::finding::{Exit, Place, Refusal};
-use crate::gcode::control::Control;
 use crate::kind::{Kind, Wants};
 use crate::kinds::lathe::Raised;
 use crate::store::{self, Existing, Folder, Set};
@@ -51,7 +50,7 @@ pub(super) fn run(arguments: &Simulate, kinds: &[&dyn Kind], terminal: &mut Term
     verdict.exit
 }
 
-fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<Followed, Refusal> {
+fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Verdict) -> Result<Followed, Refusal> {
     let path = &arguments.program;
     let bytes = workbook::open_as(Input::Program, path)?;
     let folder = arguments.output.as_deref().map(Folder::open).transpose()?;
@@ -61,9 +60,9 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
     let wanted = Wanted {
         program: path,
         bytes: &bytes,
-        dialect: arguments.dialect.as_deref().and_then(Control::named),
-        point: arguments.decimal_point,
-        plane: arguments.hole_r,
+        dialect: arguments.dialect,
+        decimal_point: arguments.decimal_point,
+        hole_plane: arguments.hole_r,
         block_delete: arguments.block_delete,
         stock: arguments.stock,
         tools: arguments.tools.as_deref(),
@@ -107,7 +106,7 @@ fn alarm(Raised { alarm, place, .. }: &Raised) -> Map<String, Value> {
     [json!(finding), figures].into_iter().filter_map(|part| part.as_object().cloned()).flatten().collect()
 }
 
-fn document(arguments: &Simulate, verdict: &Ending, followed: Option<&Followed>) -> Value {
+fn document(arguments: &Simulate, verdict: &Verdict, followed: Option<&Followed>) -> Value {
     let totals: Map<String, Value> = verdict
         .quantities
         .iter()

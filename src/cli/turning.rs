@@ -6,7 +6,7 @@ use std::path::Path;
 use super::program::{Beside, PACKAGE, of_workbook, told_from, told_of};
 use super::rules::*;
 use super::stock::Stock;
-use super::verdict::Ending;
+use super::verdict::Verdict;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
@@ -24,8 +24,7 @@ use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::text;
 use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
 use crate::kinds::lathe::{self, Raised, Simulated};
-use crate::limits::FOLLOWED_MOTIONS;
-use crate::limits::SHEET_BLOCKS;
+use crate::limits::{FOLLOWED_MOTIONS, SHEET_BLOCKS, STOCK_SIZE};
 use crate::machine::axis::Axis;
 use crate::parameter::Values;
 use crate::parameter::field::{Field, Fields, Required, Stated};
@@ -36,6 +35,12 @@ use crate::workbook;
 
 /// Held in the jaws, and faced off, where only the stock's size is given: mm.
 const HELD: f64 = 30.0;
+/// The radius of a stock in which nothing is cut at feed, mm: thick enough to need no tailstock.
+const THICK: f64 = 7.0;
+/// What a stock has between its jaws and the path, mm.
+const BESIDE_JAWS: f64 = 5.0;
+/// The shortest stock that encloses a path, mm.
+const SHORTEST: f64 = 40.0;
 
 /// A program to follow, and what it is followed with.
 #[derive(Debug)]
@@ -47,9 +52,9 @@ pub(super) struct Wanted<'a> {
     /// Its dialect; `None`: told from the program.
     pub(super) dialect: Option<&'static Control>,
     /// What a dimension without a decimal point is.
-    pub(super) point: Option<DecimalPoint>,
+    pub(super) decimal_point: Option<DecimalPoint>,
     /// What R of G81 to G83 is; `None`: what the workbook says.
-    pub(super) plane: Option<HolePlane>,
+    pub(super) hole_plane: Option<HolePlane>,
     /// Blocks with `/` are skipped.
     pub(super) block_delete: bool,
     /// The stock; `None`: that of the workbook, or one that encloses the path.
@@ -77,7 +82,7 @@ pub(super) struct Followed {
 ///
 /// # Errors
 /// Where a file cannot be read, the workbook is refused, or its values contradict each other.
-pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Ending, wants: Wants) -> Result<Followed, Refusal> {
+pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -> Result<Followed, Refusal> {
     let path = wanted.program;
     if wanted.bytes.starts_with(PACKAGE) {
         return Err(is_workbook(path));
@@ -160,11 +165,11 @@ fn for_program(
     turned_over: bool,
 ) -> Values {
     values.put(&form::DIALECT, Some(dialect));
-    if wanted.point.is_some() || wanted.tools.is_none() {
-        values.put(&form::POINT, wanted.point);
+    if wanted.decimal_point.is_some() || wanted.tools.is_none() {
+        values.put(&form::POINT, wanted.decimal_point);
     }
-    if wanted.plane.is_some() {
-        values.put(&form::HOLE_R, wanted.plane);
+    if wanted.hole_plane.is_some() {
+        values.put(&form::HOLE_R, wanted.hole_plane);
     }
     if wanted.block_delete {
         values.put(&form::BLOCK_DELETE, Some(true));
@@ -244,9 +249,9 @@ fn enclosing(values: &Values, program: &text::SheetProgram) -> Result<Stock, Ref
         X = X.max(motion.to.get(Axis::X).abs());
         Z = Z.min(motion.to.get(Axis::Z));
     }
-    // Where nothing is cut at feed the bar is thick enough to need no tailstock.
-    let X = if X > 0.0 { X } else { 7.0 };
-    let (D, L) = ((2.0 * X).ceil().clamp(1.0, 1000.0), ((-Z).ceil() + 5.0 + HELD).clamp(40.0, 1000.0));
+    let X = if X > 0.0 { X } else { THICK };
+    let D = (2.0 * X).ceil().clamp(1.0, STOCK_SIZE);
+    let L = ((-Z).ceil() + BESIDE_JAWS + HELD).clamp(SHORTEST, STOCK_SIZE);
     Ok(Stock { D, L, d: None })
 }
 

@@ -7,9 +7,9 @@ use crate::store::WrittenFile;
 use crate::table::Quantity;
 use crate::text::{Language, Text, t};
 
-/// The end of one workbook's work.
+/// What a command says about one workbook.
 #[derive(Debug)]
-pub(super) struct Ending {
+pub(super) struct Verdict {
     /// The workbook, as it was named.
     pub(super) workbook: PathBuf,
     /// The SHA-256 of its bytes, where it could be read.
@@ -32,7 +32,7 @@ pub(super) struct Ending {
     pub(super) files: Vec<WrittenFile>,
 }
 
-impl Ending {
+impl Verdict {
     /// A verdict with nothing found yet.
     pub(super) const fn new(workbook: PathBuf) -> Self {
         Self {

@@ -12,7 +12,7 @@ use super::program::{Consulted, Shared, told_from};
 use super::rules::NothingMoves;
 use super::terminal::Terminal;
 use super::turning::is_workbook;
-use super::verdict::{Ending, code, gravest, status};
+use super::verdict::{Verdict, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
@@ -33,7 +33,7 @@ const CHUNK: usize = 1 << 16;
 
 /// What came of one program.
 struct Read {
-    verdict: Ending,
+    verdict: Verdict,
     dialect: Option<&'static Control>,
     rotary: Option<RotaryMode>,
     account: Account,
@@ -53,7 +53,7 @@ impl Read {
     /// A program of which nothing was read yet.
     fn new(path: &Path) -> Self {
         Self {
-            verdict: Ending::new(path.to_owned()),
+            verdict: Verdict::new(path.to_owned()),
             dialect: None,
             rotary: None,
             account: Account::default(),

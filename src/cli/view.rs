@@ -10,11 +10,10 @@ use super::program::{self, PACKAGE, Shared, told_from};
 use super::rules::*;
 use super::terminal::Terminal;
 use super::turning::{Wanted, follow};
-use super::verdict::{Ending, gravest};
+use super::verdict::{Verdict, gravest};
 use super::{finding, interrupt, plan, reading, refused};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Place, Raise, Refusal};
-use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
 use crate::kind::{Kind, Wants};
@@ -30,7 +29,7 @@ use crate::workbook;
 /// Writes the file and says where it is.
 pub(super) fn run(arguments: &View, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     interrupt::listen();
-    let mut verdict = Ending::new(arguments.input.clone());
+    let mut verdict = Verdict::new(arguments.input.clone());
     let written = match shown(arguments, kinds, &mut verdict) {
         Ok(written) => written,
         Err(refusal) if verdict.findings.is_empty() => {
@@ -58,7 +57,7 @@ pub(super) fn run(arguments: &View, kinds: &[&dyn Kind], terminal: &mut Terminal
     verdict.exit
 }
 
-fn shown(arguments: &View, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<Vec<WrittenFile>, Refusal> {
+fn shown(arguments: &View, kinds: &[&dyn Kind], verdict: &mut Verdict) -> Result<Vec<WrittenFile>, Refusal> {
     let input = &arguments.input;
     let output = match &arguments.output {
         Some(output) => output.clone(),
@@ -101,7 +100,7 @@ fn shown(arguments: &View, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<
 }
 
 /// The scene; what refuses it goes to the verdict, whose findings are reported with their places in the input.
-fn placed(scene: Result<Option<Scene>, Refusal>, verdict: &mut Ending) -> Option<Scene> {
+fn placed(scene: Result<Option<Scene>, Refusal>, verdict: &mut Verdict) -> Option<Scene> {
     scene.unwrap_or_else(|refusal| {
         verdict.refuse(refusal);
         None
@@ -123,7 +122,7 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
         return Ok(false);
     }
     let ending = arguments.input.extension().unwrap_or_default().to_string_lossy().into_owned();
-    Ok(match control.dialect.as_deref().and_then(Control::named) {
+    Ok(match control.dialect {
         Some(dialect) => dialect.turns(),
         // A lathe's workbook is given for a turning program alone.
         None => machine == Some(true) || guess(head, &ending, false).turns(),
@@ -131,16 +130,16 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
 }
 
 /// The scene of a turning program over its stock.
-fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<Option<Scene>, Refusal> {
+fn of_turning(arguments: &View, title: String, verdict: &mut Verdict) -> Result<Option<Scene>, Refusal> {
     let (input, control) = (&arguments.input, &arguments.control);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
     let language = arguments.lang.unwrap_or_default();
     let wanted = Wanted {
         program: input,
         bytes: &bytes,
-        dialect: control.dialect.as_deref().and_then(Control::named),
-        point: control.decimal_point,
-        plane: control.hole_r,
+        dialect: control.dialect,
+        decimal_point: control.decimal_point,
+        hole_plane: control.hole_r,
         block_delete: control.block_delete,
         stock: arguments.stock,
         tools: control.tools.as_deref(),
@@ -155,7 +154,7 @@ fn of_workbook(
     arguments: &View,
     kinds: &[&dyn Kind],
     title: String,
-    verdict: &mut Ending,
+    verdict: &mut Verdict,
 ) -> Result<Option<Scene>, Refusal> {
     plan::twice(std::slice::from_ref(&arguments.input))?;
     let (_, filled) = reading::read(&arguments.input, kinds, verdict)?;
@@ -169,7 +168,7 @@ fn of_program(
     arguments: &View,
     title: String,
     file: &mut impl BufRead,
-    verdict: &mut Ending,
+    verdict: &mut Verdict,
 ) -> Result<Scene, Refusal> {
     let (input, control) = (&arguments.input, &arguments.control);
     let shared = Shared::new(control)?;

@@ -262,7 +262,7 @@ impl Watched {
             return;
         }
         self.overtaken = 0;
-        if made.values.is_none() && !matches!(made.ending.exit, Exit::Unwritable) {
+        if made.values.is_none() && !matches!(made.verdict.exit, Exit::Unwritable) {
             // What was read may be half of a save.
             std::thread::sleep(HALF_DONE);
             if stamp(&path) != now {
@@ -271,13 +271,13 @@ impl Watched {
             }
         }
         // A second try that ends as the first did says nothing new.
-        let quiet = retry && made.ending.exit == self.exit && sum == self.sum;
-        (self.sum, self.exit) = (sum, made.ending.exit);
+        let quiet = retry && made.verdict.exit == self.exit && sum == self.sum;
+        (self.sum, self.exit) = (sum, made.verdict.exit);
         if matches!(self.exit, Exit::Unwritable | Exit::Unreadable) {
             self.again = true;
         }
         if !quiet {
-            let language = spoken(asked, made.ending.language);
+            let language = spoken(asked, made.verdict.language);
             let took = begun.elapsed();
             let written = self.written.as_ref().or(self.read.as_ref().filter(|read| delivered(read)));
             let earlier = fs::exists(&self.item.folder).unwrap_or_default();
@@ -297,7 +297,7 @@ impl Watched {
 
 /// True where its files were written.
 fn delivered(made: &Made) -> bool {
-    made.outcome.is_some() && matches!(made.ending.exit, Exit::Done | Exit::ReportFailed)
+    made.outcome.is_some() && matches!(made.verdict.exit, Exit::Done | Exit::ReportFailed)
 }
 
 /// What was made before and now, where both are of one kind.
@@ -317,8 +317,8 @@ fn report(
     language: Language,
     terminal: &mut Terminal,
 ) {
-    let ending = &made.ending;
-    let workbook = printable_path(&ending.workbook);
+    let verdict = &made.verdict;
+    let workbook = printable_path(&verdict.workbook);
     let mut said: Vec<String> = Vec::new();
     said.extend(compared(before[0], made).map(|comparison| inputs(&comparison.inputs, language)));
     if delivered(made) {
@@ -327,16 +327,16 @@ fn report(
     if made.values.is_some() && before[0].is_some() {
         said.extend(findings(before, made, language));
     }
-    let (colour, end) = match ending.exit {
+    let (colour, end) = match verdict.exit {
         Exit::Done | Exit::ReportFailed => {
             let (count, folder) =
-                (ending.files.len(), ending.folder.as_deref().map(printable_path).unwrap_or_default());
-            let [es, en] = match ending.exit {
+                (verdict.files.len(), verdict.folder.as_deref().map(printable_path).unwrap_or_default());
+            let [es, en] = match verdict.exit {
                 Exit::ReportFailed => [", sin informe", ", without a report"],
                 _ => ["", ""],
             };
             let end = Text::new(format!("{count} archivos en {folder}{es}"), format!("{count} files in {folder}{en}"));
-            let caution = ending.count(Grade::Caution) > 0 || ending.exit == Exit::ReportFailed;
+            let caution = verdict.count(Grade::Caution) > 0 || verdict.exit == Exit::ReportFailed;
             (if caution { AnsiColor::Yellow } else { AnsiColor::Green }, end)
         }
         Exit::Refused if !earlier => {
@@ -361,7 +361,7 @@ fn report(
         Some(_) => false,
         None => one.grade == Grade::Caution,
     };
-    let grave: Vec<Finding> = ending.findings.iter().filter(attention).cloned().collect();
+    let grave: Vec<Finding> = verdict.findings.iter().filter(attention).cloned().collect();
     finding::faults(&grave, &workbook, language, terminal);
 }
 
@@ -415,7 +415,7 @@ fn programs(comparison: &Comparison<'_>, language: Language) -> Option<String> {
 /// cautions it would have.
 fn findings(before: [Option<&Made>; 2], made: &Made, language: Language) -> Vec<String> {
     let codes = |made: &Made| -> BTreeSet<&'static str> {
-        made.ending.findings.iter().filter(|one| one.grade > Grade::Note).map(Finding::code).collect()
+        made.verdict.findings.iter().filter(|one| one.grade > Grade::Note).map(Finding::code).collect()
     };
     let (earlier, now): (BTreeSet<_>, _) = (before.into_iter().flatten().flat_map(codes).collect(), codes(made));
     let said = |codes: Vec<&str>, words: Text| {

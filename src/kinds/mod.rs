@@ -2,6 +2,7 @@
 
 pub mod impeller;
 pub mod lathe;
+mod live_form;
 pub mod pipe;
 pub mod rules;
 

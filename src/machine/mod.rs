@@ -6,6 +6,7 @@ pub mod calibration;
 pub mod chain;
 pub mod length_unit;
 pub mod offset_edit;
+pub mod offset_parameters;
 pub mod rapids;
 pub mod rotary;
 pub mod rules;

@@ -19,6 +19,7 @@ use super::rules::*;
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::limits::VAR_FILE_BYTES;
+use crate::machine::offset_parameters::{ACTIVE, AXES, G28_FIRST, G30_FIRST, G92_SWITCH, SYSTEMS, system_first};
 
 /// The greatest number of a parameter.
 pub const LAST: u32 = 5601;
@@ -118,7 +119,7 @@ impl VarFile {
     /// Adds the parameters that LinuxCNC's own files always hold and that are missing here: 0, and 1 for 5220.
     pub fn complete(&mut self) {
         for number in required() {
-            let value = if number == 5220 { 1.0 } else { 0.0 };
+            let value = if number == ACTIVE { 1.0 } else { 0.0 };
             self.0.entry(number).or_insert_with(|| Entry { value, text: format!("{value:.6}") });
         }
     }
@@ -144,8 +145,9 @@ impl VarFile {
 /// The parameters that LinuxCNC writes into every file: G28 and G30 positions, G92 with its switch, the active
 /// coordinate system, and nine origins with their rotation. 5231 to 5240 and their like are in no file of its own.
 pub fn required() -> impl Iterator<Item = u32> {
-    let systems = (0..9).flat_map(|system| (1..=10).map(move |part| 5220 + 20 * system + part));
-    (5161..=5169).chain(5181..=5189).chain(5210..=5220).chain(systems)
+    let systems = (1..=SYSTEMS).map(system_first).flat_map(|first| first..=first + AXES);
+    let positions = [G28_FIRST, G30_FIRST].into_iter().flat_map(|first| first..first + AXES);
+    positions.chain(G92_SWITCH..=ACTIVE).chain(systems)
 }
 
 /// Reads a line without its LF: nothing where it is empty.
@@ -213,4 +215,17 @@ fn order(line: usize, number: u32, before: &BTreeMap<u32, usize>) -> Option<Find
     }
     let (last, first) = before.last_key_value().filter(|(last, _)| **last > number)?;
     Some(ParameterOutOfOrder { parameter: number, last: *last, first: *first }.at(place))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::required;
+
+    #[test]
+    fn a_file_of_linuxcnc_holds_positions_registers_and_nine_origins() {
+        let origins =
+            [5221..=5230, 5241..=5250, 5261..=5270, 5281..=5290, 5301..=5310, 5321..=5330, 5341..=5350, 5361..=5370];
+        let held = [5161..=5169, 5181..=5189, 5210..=5220].into_iter().chain(origins).chain([5381..=5390]).flatten();
+        assert_eq!(required().collect::<Vec<u32>>(), held.collect::<Vec<u32>>());
+    }
 }

@@ -11,20 +11,11 @@ use super::rules::*;
 use crate::finding::{Finding, Place, Raise};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
+use crate::machine::offset_parameters::system_first;
+pub use crate::machine::offset_parameters::{ACTIVE, G28_FIRST, G30_FIRST, G92_FIRST, G92_SWITCH};
 use crate::machine::var_file::{Unfit, VarFile};
 use crate::number::shown;
 use crate::number::trig::sin_cos;
-
-/// The parameter that says which coordinate system is active, 1 to 9.
-pub const ACTIVE: u32 = 5220;
-/// The parameter that switches the axis offsets of G92 and G52 on: any value but 0.
-pub const G92_SWITCH: u32 = 5210;
-/// The axis offset of X of G92 and G52; the other axes follow.
-pub const G92_FIRST: u32 = 5211;
-/// X of the position of G28; the other axes follow.
-pub const G28_FIRST: u32 = 5161;
-/// X of the position of G30; the other axes follow.
-pub const G30_FIRST: u32 = 5181;
 
 /// A coordinate system of the workpiece.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -92,7 +83,7 @@ impl System {
     /// The parameter that holds its origin in X; those of the other axes follow.
     #[must_use]
     pub const fn first_parameter(self) -> u32 {
-        5201 + 20 * self.number()
+        system_first(self.number())
     }
 
     /// The parameter that holds its rotation.

@@ -12,7 +12,7 @@ use crate::sweep::form::{
     CONSTRAINTS, DESIGNS, DISTRIBUTION, FROM, INPUT, LEVEL, METHOD, NAME, OBJECTIVES, SAMPLES, SEED, STEP, TO, VALUES,
 };
 use crate::sweep::objective::{Constraint, Objective, bound, direction, pieces};
-use crate::sweep::plan::{Input, Levels, Method, Plan, Spread, grouped, whole};
+use crate::sweep::plan::{Input, Levels, Method, Plan, Spread, billionth, grouped, whole};
 use crate::sweep::rules::*;
 use crate::sweep::sobol;
 use crate::text::Text;
@@ -232,11 +232,11 @@ impl Reading<'_> {
         // The last one counts though rounding leaves it a billionth short.
         let steps = ((to - from) / step + 1e-9).floor() + 1.0;
         if !(step > 0.0 && steps >= 2.0) {
-            let told = WrongStep { symbol, step: typed(step), range: typed(((to - from) * 1e9).round() / 1e9) };
+            let told = WrongStep { symbol, step: typed(step), range: typed(billionth(to - from)) };
             return Err(Box::new(told.at(at(&[&STEP.row]))));
         }
         let levels = Levels::Steps { from, step, count: floor(steps) };
-        let last = ((from + (steps - 1.0) * step) * 1e9).round() / 1e9;
+        let last = billionth(from + (steps - 1.0) * step);
         if to - last > 1e-6 * step {
             let told = LastBeforeTo { symbol, last: typed(last), to: typed(to) };
             self.notes.push(told.at(at(&[&TO.row, &STEP.row])));

@@ -8,7 +8,7 @@
 //! - T_i = Σ (f(A) − f(A_B,i))²/(2·n·V).
 
 use crate::sweep::plan::{Method, Plan};
-use crate::sweep::table::Table;
+use crate::sweep::table::{Cells, FEASIBLE, ID, Table, whole};
 
 /// The fewest triples from which an index is told.
 pub const LEAST: f64 = 16.0;
@@ -102,17 +102,16 @@ impl<'a> Indices<'a> {
 
     /// Takes rows in, in the order of their indices.
     pub fn take(&mut self, rows: &Table) {
-        let (Some(id), Some(feasible)) = (rows.column("id"), rows.column("feasible")) else { return };
+        let (Some(id), Some(feasible)) = (rows.column(ID), rows.column(FEASIBLE)) else { return };
         let objectives: Vec<_> = self.plan.objectives.iter().map(|one| rows.column(one.measure.key)).collect();
         for row in 0..rows.rows() {
             let Some(id) = id.number(row) else { continue };
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "indices are whole")]
-            let (number, _) = self.plan.group(id as u64);
+            let (number, _) = self.plan.group(whole(id));
             if number != self.group.0 {
                 self.group = (number, Vec::new());
             }
             let good = feasible.truth(row);
-            let value = |cells: &Option<&super::table::Cells>| cells.filter(|_| good)?.number(row);
+            let value = |cells: &Option<&Cells>| cells.filter(|_| good)?.number(row);
             self.group.1.push(objectives.iter().map(value).collect());
             if self.group.1.len() == self.plan.inputs.len() + 2 {
                 self.whole();
@@ -143,9 +142,8 @@ impl<'a> Indices<'a> {
 
     /// How many triples there are for the input and objective that have the fewest, of how many there could be.
     #[must_use]
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "counts are whole")]
     pub fn triples(&self) -> (u64, u64) {
-        let counts = self.sums.iter().flatten().map(|one| one.count as u64);
+        let counts = self.sums.iter().flatten().map(|one| whole(one.count));
         (counts.min().unwrap_or_default(), self.plan.group(self.plan.count).0)
     }
 }

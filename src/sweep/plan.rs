@@ -95,6 +95,9 @@ impl Levels {
     }
 }
 
+/// The mark of an input before its symbol: so no column of one is called as a measure.
+pub const INPUT: &str = "in_";
+
 /// An input that is varied.
 #[derive(Clone, Debug)]
 pub struct Input {
@@ -105,10 +108,16 @@ pub struct Input {
 }
 
 impl Input {
-    /// Its symbol in columns: that of the form, with the sheet before it where it is not of the first.
+    /// Its symbol: that of the form, with the sheet before it where it is not of the first.
     #[must_use]
     pub fn symbol(&self) -> String {
         self.parameter.key.replace('/', "_")
+    }
+
+    /// The name of its column.
+    #[must_use]
+    pub fn column(&self) -> String {
+        format!("{INPUT}{}", self.symbol())
     }
 
     /// True for one of whole numbers.
@@ -124,8 +133,7 @@ impl Input {
             Levels::Steps { from, step, count } => {
                 #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
                 let k = number.min(count.saturating_sub(1)) as f64;
-                // To a billionth, so that 1 + 3·0.1 is 1.3.
-                self.value(((from + k * step) * 1e9).round() / 1e9)
+                self.value(billionth(from + k * step))
             }
             Levels::Values(values) => {
                 let at = usize::try_from(number).unwrap_or(usize::MAX).min(values.len().saturating_sub(1));
@@ -165,6 +173,11 @@ impl Input {
 )]
 pub(super) fn slice(place: f64, count: u64) -> u64 {
     ((place * count as f64).floor() as u64).min(count.saturating_sub(1))
+}
+
+/// A number to a billionth, as a person would type it: 1 + 3·0.1 is 1.3.
+pub(super) fn billionth(number: f64) -> f64 {
+    (number * 1e9).round() / 1e9
 }
 
 /// A whole number that a cell may hold; `None` for any other.

@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::sweep::front::{Candidate, front};
 use crate::sweep::plan::Plan;
-use crate::sweep::table::Table;
+use crate::sweep::row::State;
+use crate::sweep::table::{FEASIBLE, ID, MARGIN, REASON, STATE, Table, VALUE, whole};
 
 /// Candidates beyond this many are thinned out while they come.
 const ROOM: usize = 2;
@@ -77,7 +78,7 @@ impl<'a> Ranking<'a> {
     pub fn take(&mut self, rows: &Table) {
         let column = |name: &str| rows.column(name);
         let (Some(id), Some(state), Some(feasible), Some(reason)) =
-            (column("id"), column("state"), column("feasible"), column("reason"))
+            (column(ID), column(STATE), column(FEASIBLE), column(REASON))
         else {
             return;
         };
@@ -86,14 +87,14 @@ impl<'a> Ranking<'a> {
         let mut candidates = Vec::new();
         for row in 0..rows.rows() {
             match state.text(row) {
-                Some("done") => self.counts.done += 1,
-                Some("refused") => self.counts.refused += 1,
+                Some(word) if word == State::Done.word() => self.counts.done += 1,
+                Some(word) if word == State::Refused.word() => self.counts.refused += 1,
                 _ => self.counts.failed += 1,
             }
             if let Some(code) = reason.text(row) {
                 let first = id.number(row).map_or(u64::MAX, whole);
                 let of = |name: &str| column(name).and_then(|cells| cells.number(row));
-                let (value, margin) = (of("value"), of("margin"));
+                let (value, margin) = (of(VALUE), of(MARGIN));
                 let here = Reason { code: code.to_owned(), count: 1, first, value, margin };
                 match self.why.get_mut(code) {
                     Some(known) if known.first < first => known.count += 1,
@@ -173,12 +174,6 @@ impl Ranked {
         let rest: Vec<u64> = rest.take(count.saturating_sub(front.len())).collect();
         front.into_iter().chain(rest).collect()
     }
-}
-
-/// An index that was read as a number.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "indices are whole and far below 2^52")]
-const fn whole(number: f64) -> u64 {
-    number as u64
 }
 
 #[cfg(test)]

@@ -5,10 +5,13 @@ use crate::kind::Kind;
 use crate::kind::measure::Level;
 use crate::parameter::field::Chosen;
 use crate::sweep::indices::LEAST;
-use crate::sweep::plan::Plan;
+use crate::sweep::plan::{INPUT, Plan};
 use crate::sweep::ranking::Counts;
+use crate::sweep::row::State;
 use crate::sweep::sensitivity::{Effect, LOOKS, NoRoom, SHARES_LEAST};
-use crate::sweep::table::{FRONT, Table};
+use crate::sweep::table::{
+    CAUTION, CODES, FEASIBLE, FRONT, ID, LIMIT, MARGIN, MESSAGE, REASON, STATE, STOP, Table, VALUE,
+};
 use crate::text::{Text, t};
 
 /// The colours of designs in the charts of the workbook and of the report: those of the front, others of the best, other feasible ones,
@@ -51,16 +54,16 @@ impl Built {
 #[must_use]
 pub fn heading(name: &str) -> Text {
     match name {
-        "state" => t("estado", "state"),
-        "feasible" => t("válido", "feasible"),
-        "stop" => t("paradas", "stop"),
-        "caution" => t("precauciones", "caution"),
-        "codes" => t("códigos", "codes"),
-        "reason" => t("motivo", "reason"),
-        "value" => t("valor", "value"),
-        "limit" => t("límite", "limit"),
-        "margin" => t("margen", "margin"),
-        "message" => t("mensaje", "message"),
+        STATE => t("estado", "state"),
+        FEASIBLE => t("válido", "feasible"),
+        STOP => t("paradas", "stop"),
+        CAUTION => t("precauciones", "caution"),
+        CODES => t("códigos", "codes"),
+        REASON => t("motivo", "reason"),
+        VALUE => t("valor", "value"),
+        LIMIT => t("límite", "limit"),
+        MARGIN => t("margen", "margin"),
+        MESSAGE => t("mensaje", "message"),
         FRONT => t("frente", "front"),
         name => Text::same(name.to_owned()),
     }
@@ -69,12 +72,13 @@ pub fn heading(name: &str) -> Text {
 /// How a design ended, as a sheet says it.
 #[must_use]
 pub fn state(word: &str) -> Text {
-    match word {
-        "done" => t("hecho", "done"),
-        "refused" => t("rechazado", "refused"),
-        "failed" => t("fallido", "failed"),
-        word => Text::same(word.to_owned()),
-    }
+    let says = [
+        (State::Done, t("hecho", "done")),
+        (State::Refused, t("rechazado", "refused")),
+        (State::Failed, t("fallido", "failed")),
+    ];
+    let said = says.into_iter().find(|(state, _)| state.word() == word);
+    said.map_or_else(|| Text::same(word.to_owned()), |(_, text)| text)
 }
 
 /// What came of a sweep.
@@ -211,8 +215,7 @@ impl Results<'_> {
                 .chain(constraints.iter().map(|one| one.measure))
                 .any(|one| one.key == name)
         };
-        let kept =
-            |name: &str| name.starts_with("in_") || asked(name) || ["id", "caution", "codes", FRONT].contains(&name);
+        let kept = |name: &str| name.starts_with(INPUT) || asked(name) || [ID, CAUTION, CODES, FRONT].contains(&name);
         Table { columns: self.top.columns.iter().filter(|one| kept(&one.name)).cloned().collect() }
     }
 

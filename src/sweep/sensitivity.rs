@@ -8,9 +8,9 @@ use crate::number::root::last_whole;
 use crate::parameter::{FieldKind, Value, Values};
 use crate::sweep::indices::Index;
 use crate::sweep::objective::Objective;
-use crate::sweep::plan::{Input, Levels, Method, Plan, slice};
+use crate::sweep::plan::{Input, Levels, Method, Plan, billionth, slice};
 use crate::sweep::row::{Row, State};
-use crate::sweep::table::Table;
+use crate::sweep::table::{FEASIBLE, ID, Table, whole};
 use crate::text::{Text, t};
 
 /// The part of an input's range by which it is moved for its slope.
@@ -140,8 +140,7 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Valu
         };
         let moved = |to: f64| {
             let mut values = base.clone();
-            // To a billionth: the number that a person would type.
-            let to = if input.whole() { to.round() } else { (to * 1e9).round() / 1e9 }.clamp(low, high);
+            let to = if input.whole() { to.round() } else { billionth(to) }.clamp(low, high);
             let value = if input.whole() { super::plan::whole(to).map(Value::Whole) } else { Some(Value::Real(to)) };
             if let Some(value) = value {
                 values.values.insert(input.parameter.key, value);
@@ -351,12 +350,10 @@ impl<'a> Shares<'a> {
 
     /// Takes rows in, in the order of their indices.
     pub fn take(&mut self, rows: &Table) {
-        let (Some(id), Some(feasible)) = (rows.column("id"), rows.column("feasible")) else { return };
+        let (Some(id), Some(feasible)) = (rows.column(ID), rows.column(FEASIBLE)) else { return };
         let objectives: Vec<_> = self.plan.objectives.iter().map(|one| rows.column(one.measure.key)).collect();
         for row in (0..rows.rows()).filter(|row| feasible.truth(*row)) {
-            let Some(id) = id.number(row) else { continue };
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "indices are whole")]
-            let id = id as u64;
+            let Some(id) = id.number(row).map(whole) else { continue };
             let values: Vec<Option<f64>> =
                 objectives.iter().map(|cells| cells.and_then(|cells| cells.number(row))).collect();
             for (all, value) in self.all.iter_mut().zip(&values) {

@@ -4,7 +4,7 @@ use crc32fast::Hasher;
 
 use crate::kind::Kind;
 use crate::parameter::{FieldKind, Value};
-use crate::sweep::plan::Plan;
+use crate::sweep::plan::{INPUT, Plan};
 use crate::sweep::row::Row;
 
 /// The values of a column.
@@ -140,8 +140,43 @@ pub struct Table {
     pub columns: Vec<Column>,
 }
 
-/// The name of the column of the summary that marks the front.
+/// The column of the design's index in the plan.
+pub const ID: &str = "id";
+/// The column of how the work on it ended, a word of [`State`](crate::sweep::row::State).
+pub const STATE: &str = "state";
+/// The column of whether it is feasible.
+pub const FEASIBLE: &str = "feasible";
+/// The column of how many stops it has.
+pub const STOP: &str = "stop";
+/// The column of how many cautions it has.
+pub const CAUTION: &str = "caution";
+/// The column of the codes of both.
+pub const CODES: &str = "codes";
+/// The column of why it is not feasible.
+pub const REASON: &str = "reason";
+/// The column of the value that the reason found.
+pub const VALUE: &str = "value";
+/// The column of the limit that it missed.
+pub const LIMIT: &str = "limit";
+/// The column of by how much.
+pub const MARGIN: &str = "margin";
+/// The column of what a failure said.
+pub const MESSAGE: &str = "message";
+/// The column of the summary that marks the front.
 pub const FRONT: &str = "front";
+
+/// The name of a column as it is shown: of an input without its mark.
+#[must_use]
+pub fn plain(name: &str) -> &str {
+    name.strip_prefix(INPUT).unwrap_or(name)
+}
+
+/// An index, or another count, that was read as a number.
+#[must_use]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "counts are whole and far below 2^52")]
+pub const fn whole(number: f64) -> u64 {
+    number as u64
+}
 
 impl Table {
     /// The columns of a plan, without rows. Those of the summary alone are not among them.
@@ -156,24 +191,24 @@ impl Table {
                 FieldKind::Whole { .. } => Cells::Whole(Vec::new()),
                 _ => Cells::Text(Vec::new()),
             };
-            column(format!("in_{}", one.symbol()), one.parameter.unit.label(), cells)
+            column(one.column(), one.parameter.unit.label(), cells)
         });
         let measures =
             kind.measures().iter().map(|one| column(one.key.to_owned(), one.unit.label(), Cells::Number(Vec::new())));
-        let plain = |name: &str, cells: Cells| column(name.to_owned(), "", cells);
+        let bare = |name: &str, cells: Cells| column(name.to_owned(), "", cells);
         let end = [
-            plain("state", Cells::Text(Vec::new())),
-            plain("feasible", Cells::Truth(Vec::new())),
-            plain("stop", Cells::Whole(Vec::new())),
-            plain("caution", Cells::Whole(Vec::new())),
-            plain("codes", Cells::Text(Vec::new())),
-            plain("reason", Cells::Text(Vec::new())),
-            plain("value", Cells::Number(Vec::new())),
-            plain("limit", Cells::Number(Vec::new())),
-            plain("margin", Cells::Number(Vec::new())),
-            plain("message", Cells::Text(Vec::new())),
+            bare(STATE, Cells::Text(Vec::new())),
+            bare(FEASIBLE, Cells::Truth(Vec::new())),
+            bare(STOP, Cells::Whole(Vec::new())),
+            bare(CAUTION, Cells::Whole(Vec::new())),
+            bare(CODES, Cells::Text(Vec::new())),
+            bare(REASON, Cells::Text(Vec::new())),
+            bare(VALUE, Cells::Number(Vec::new())),
+            bare(LIMIT, Cells::Number(Vec::new())),
+            bare(MARGIN, Cells::Number(Vec::new())),
+            bare(MESSAGE, Cells::Text(Vec::new())),
         ];
-        let first = plain("id", Cells::Whole(Vec::new()));
+        let first = bare(ID, Cells::Whole(Vec::new()));
         Self { columns: std::iter::once(first).chain(inputs).chain(measures).chain(end).collect() }
     }
 
@@ -194,6 +229,12 @@ impl Table {
     #[must_use]
     pub fn column(&self, name: &str) -> Option<&Cells> {
         self.columns.iter().find(|one| one.name == name).map(|one| &one.cells)
+    }
+
+    /// The indices of the designs, row by row.
+    pub fn ids(&self) -> impl Iterator<Item = u64> {
+        let ids = self.column(ID);
+        (0..self.rows()).filter_map(move |row| ids?.number(row)).map(whole)
     }
 
     /// Takes the rows of a table with the same columns over.

@@ -14,8 +14,7 @@ use super::sweep_charts::layered;
 use crate::finding::Grade;
 use crate::parameter::{FieldKind, Parameter};
 use crate::sweep::results::{Results, heading, state};
-use crate::sweep::table::{Cells, Table};
-use crate::table::Unit;
+use crate::sweep::table::{Cells, ID, STATE, Table};
 use crate::text::{Language, Text, t};
 
 /// The row of the headings, from 0; the units stand above it.
@@ -98,7 +97,7 @@ impl SweepBook<'_> {
         table: &Table,
         first: ColNum,
     ) -> Result<Vec<f64>, WriteError> {
-        let shown = table.columns.iter().filter(|one| one.name == "id" || filled(&one.cells));
+        let shown = table.columns.iter().filter(|one| one.name == ID || filled(&one.cells));
         let mut widths = Vec::new();
         for (at, column) in (first..).zip(shown) {
             let format = match &column.cells {
@@ -141,7 +140,7 @@ impl SweepBook<'_> {
 
     /// A text of a column in the words of the form: the rows hold the keys of choices.
     fn word(&self, name: &str, text: &str) -> String {
-        if name == "state" {
+        if name == STATE {
             return self.text(&state(text)).to_owned();
         }
         let Some(Parameter { kind: FieldKind::Choice(choices), .. }) = self.input(name) else { return text.to_owned() };
@@ -154,18 +153,15 @@ impl SweepBook<'_> {
 
     /// The input of a column.
     fn input(&self, name: &str) -> Option<&'static Parameter> {
-        let input = self.results.plan.inputs.iter().find(|one| name.strip_prefix("in_") == Some(&one.symbol()));
+        let input = self.results.plan.inputs.iter().find(|one| one.column() == name);
         input.map(|one| one.parameter)
     }
 
     /// How a column's numbers are shown.
     fn digits(&self, name: &str) -> &'static str {
-        let measure = self.results.kind.measures().iter().find(|one| one.key == name).map(|one| one.unit);
-        match (measure, self.input(name)) {
-            (Some(unit), _) => digits(unit),
-            // As it was typed.
-            (None, Some(Parameter { unit: Unit::None, .. })) | (None, _) => "General",
-        }
+        let measure = self.results.kind.measures().iter().find(|one| one.key == name);
+        // An input is shown as it was typed.
+        measure.map_or("General", |one| digits(one.unit))
     }
 
     fn write_top(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {

@@ -13,8 +13,10 @@ use super::page::Page;
 use super::style::{Styles, grade_fill};
 use super::sweep_book::{SweepBook, heading_width};
 use crate::finding::Grade;
+use crate::sweep::plan::Input;
 use crate::sweep::results::COLOURS;
-use crate::sweep::table::{Cells, FRONT, Table};
+use crate::sweep::row::State;
+use crate::sweep::table::{Cells, FEASIBLE, FRONT, ID, STATE, Table, plain};
 use crate::text::{Text, t};
 
 /// The most inputs and objectives that are charted against each other.
@@ -59,8 +61,7 @@ impl SweepBook<'_> {
         let mut row = FIRST_CHART;
         let objectives: Vec<&str> =
             self.results.plan.objectives.iter().map(|one| one.measure.key).take(CHARTED).collect();
-        let inputs: Vec<String> =
-            self.results.plan.inputs.iter().map(|one| format!("in_{}", one.symbol())).take(CHARTED).collect();
+        let inputs: Vec<String> = self.results.plan.inputs.iter().map(Input::column).take(CHARTED).collect();
         let numbers = |name: &str| self.results.all.column(name).is_some_and(|cells| !matches!(cells, Cells::Text(_)));
         let mut pairs: Vec<(String, &str)> = Vec::new();
         for (at, x) in objectives.iter().enumerate() {
@@ -134,23 +135,23 @@ impl SweepBook<'_> {
     /// The designs that are charted, kind by kind; those that are refused have no place in a chart.
     fn points(&self, names: Vec<String>) -> Points {
         let all = self.results.all;
-        let (top, front) = (self.results.top.column("id"), all.column(FRONT));
+        let (top, front) = (self.results.top.column(ID), all.column(FRONT));
         let best: BTreeSet<u64> =
             (0..self.results.top.rows()).filter_map(|row| top?.number(row)).map(f64::to_bits).collect();
         let kind = |row: usize| {
             let truth = |name: &str| all.column(name).is_some_and(|cells| cells.truth(row));
-            let id = all.column("id").and_then(|cells| cells.number(row));
+            let id = all.column(ID).and_then(|cells| cells.number(row));
             if front.is_some_and(|cells| cells.truth(row)) {
                 0
             } else if id.is_some_and(|id| best.contains(&id.to_bits())) {
                 1
             } else {
-                3 - usize::from(truth("feasible"))
+                3 - usize::from(truth(FEASIBLE))
             }
         };
-        let state = all.column("state");
+        let state = all.column(STATE);
         let mut rows: Vec<(usize, usize)> = (0..all.rows())
-            .filter(|row| state.and_then(|cells| cells.text(*row)) == Some("done"))
+            .filter(|row| state.and_then(|cells| cells.text(*row)) == Some(State::Done.word()))
             .map(|row| (kind(row), row))
             .collect();
         rows.sort_unstable();
@@ -160,9 +161,9 @@ impl SweepBook<'_> {
     /// The cells of the charts: index, then what is charted, kind by kind.
     fn write_points(&self, sheet: &mut Worksheet, styles: &Styles, points: &Points) -> Result<(), WriteError> {
         sheet.set_name(self.text(&POINTS))?.set_hidden(true);
-        let columns = std::iter::once("id").chain(points.names.iter().map(String::as_str));
+        let columns = std::iter::once(ID).chain(points.names.iter().map(String::as_str));
         for (column, name) in (0..).zip(columns) {
-            let heading = name.strip_prefix("in_").unwrap_or(name);
+            let heading = plain(name);
             write_text(sheet, 0, column, heading, &styles.number_header)?;
             sheet.set_column_width(column, heading_width(heading).max(8.0))?;
             let Some(cells) = self.results.all.column(name) else { continue };
@@ -215,8 +216,8 @@ impl SweepBook<'_> {
         }
         let unit = |name: &str| {
             let unit = self.results.all.columns.iter().find(|one| one.name == name).map_or("", |one| one.unit);
-            let plain = name.strip_prefix("in_").unwrap_or(name);
-            if unit.is_empty() { plain.to_owned() } else { format!("{plain} [{unit}]") }
+            let name = plain(name);
+            if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
         };
         let (across, up) = (unit(x), unit(y));
         let font = ChartFont::new().set_size(9).clone();
@@ -251,7 +252,7 @@ impl SweepBook<'_> {
     /// The columns of the parallel coordinates, one row a design, from 0 to 1; gives how many there are.
     fn write_curves(&self, sheet: &mut Worksheet, styles: &Styles, count: usize) -> Result<usize, WriteError> {
         sheet.set_name(self.text(&CURVES_SHEET))?.set_hidden(true);
-        let inputs = self.results.plan.inputs.iter().map(|one| format!("in_{}", one.symbol()));
+        let inputs = self.results.plan.inputs.iter().map(Input::column);
         let names: Vec<String> =
             inputs.chain(self.results.plan.objectives.iter().map(|one| one.measure.key.to_owned())).collect();
         let axes: Vec<(&String, &Cells, [f64; 2])> = names
@@ -260,7 +261,7 @@ impl SweepBook<'_> {
             .collect();
         let number = Format::new().set_num_format("0.000");
         for (column, (name, cells, [low, high])) in (1..).zip(&axes) {
-            let heading = name.strip_prefix("in_").unwrap_or(name);
+            let heading = plain(name);
             write_text(sheet, 0, column, heading, &styles.number_header)?;
             sheet.set_column_width(column, heading_width(heading).max(8.0))?;
             for (row, at) in (1..).zip(0..count) {
@@ -271,7 +272,7 @@ impl SweepBook<'_> {
             }
         }
         for (row, at) in (1..).zip(0..count) {
-            if let Some(id) = self.results.top.column("id").and_then(|cells| cells.number(at)) {
+            if let Some(id) = self.results.top.column(ID).and_then(|cells| cells.number(at)) {
                 sheet.write_number_with_format(row, 0, id, &styles.index)?;
             }
         }

@@ -47,11 +47,13 @@ fn setting(control: &str, given: &[(&'static str, &'static str)]) -> Setting {
             "--decimal-point" => {
                 assert!(["calculator", "micrometre"].contains(value), "{value}");
                 let calculator = *value == "calculator";
-                setting.point = Some(if calculator { DecimalPoint::Calculator } else { DecimalPoint::Micrometre });
+                setting.decimal_point =
+                    Some(if calculator { DecimalPoint::Calculator } else { DecimalPoint::Micrometre });
             }
             "--hole-r" => {
                 assert!(["absolute", "incremental"].contains(value), "{value}");
-                setting.plane = Some(if *value == "absolute" { HolePlane::Absolute } else { HolePlane::Incremental });
+                setting.hole_plane =
+                    Some(if *value == "absolute" { HolePlane::Absolute } else { HolePlane::Incremental });
             }
             "--rotary" => {
                 assert!(["linear", "rollover"].contains(value), "{value}");

@@ -104,7 +104,7 @@ pub fn program(bytes: &[u8]) -> Work {
     let mut work = Work::default();
     for dialect in control::ALL {
         let mut setting = Setting::new(dialect);
-        setting.point = Some(DecimalPoint::Calculator);
+        setting.decimal_point = Some(DecimalPoint::Calculator);
         setting.budget.repeated_blocks = 20_000;
         read(setting, bytes, &mut work);
     }

@@ -117,7 +117,7 @@ fn setting(group: &Group, program: &str, control: &str) -> Setting {
     setting.unit = if group.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
     setting.tools = group.tools.map(|tools| tool_table::parse(&read(tools), setting.unit).unwrap());
     setting.var_file = group.var(program).map_or_else(VarFile::default, |var| VarFile::parse(&read(&var)).unwrap());
-    setting.point = group.calculator.then_some(DecimalPoint::Calculator);
+    setting.decimal_point = group.calculator.then_some(DecimalPoint::Calculator);
     setting.keep_g92 = !group.forgets;
     setting.files = Box::new(Beside(tests(group.folder)));
     setting.budget.repeated_blocks = REPEATED;

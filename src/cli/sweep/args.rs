@@ -7,6 +7,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 
 use super::super::locale::language;
+use crate::limits::ASKED_CHUNKS;
 use crate::text::Language;
 
 /// Arguments of `sweep`.
@@ -48,7 +49,7 @@ pub(in crate::cli) struct Sweep {
     #[arg(long, value_name = "SCHEDULER", value_parser = PossibleValuesParser::new(["slurm"]))]
     pub(in crate::cli) submit: Option<String>,
     /// In how many chunks the plan is divided [default: one for each 1000 designs, at most 1000; for Slurm of five minutes each]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=ASKED_CHUNKS))]
     pub(in crate::cli) chunks: Option<u64>,
     /// Language of results and messages [default: the workbook's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]

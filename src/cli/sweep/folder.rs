@@ -145,8 +145,7 @@ impl<'a> Rows<'a> {
         let rows = self.rows_of(bytes, wanted).ok_or(())?;
         let range = self.study.plan.chunk(number, self.chunks);
         let whole = u64::try_from(rows.rows()).is_ok_and(|count| count == range.end - range.start);
-        let begins = rows.columns.first().and_then(|ids| ids.cells.number(0)).map(super::whole);
-        if whole && (range.is_empty() || begins == Some(range.start)) { Ok(Some(rows)) } else { Err(()) }
+        if whole && (range.is_empty() || rows.ids().next() == Some(range.start)) { Ok(Some(rows)) } else { Err(()) }
     }
 
     /// The rows of a file; none of one that is torn, damaged or of another plan. What the library for these files trips over in a
@@ -179,9 +178,8 @@ impl<'a> Rows<'a> {
         let rows = rows.and_then(|bytes| self.rows_of(bytes, &|_| true));
         let range = self.study.plan.chunk(number, self.chunks);
         let fits = |rows: &Table| {
-            let ids = rows.columns.first().map(|ids| &ids.cells);
-            let begins = ids.and_then(|ids| ids.number(0)).map(super::whole) == Some(range.start);
-            begins && u64::try_from(rows.rows()).is_ok_and(|count| count <= range.end - range.start)
+            rows.ids().next() == Some(range.start)
+                && u64::try_from(rows.rows()).is_ok_and(|count| count <= range.end - range.start)
         };
         rows.filter(fits).unwrap_or_else(|| self.table.emptied())
     }

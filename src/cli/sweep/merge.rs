@@ -34,7 +34,7 @@ use crate::sweep::results::{Built, Coded, Results};
 use crate::sweep::row::{of_design, says, told};
 use crate::sweep::rules::{FrontCut, NoneDone, RejectedWhole};
 use crate::sweep::sensitivity::{Shares, around, most};
-use crate::sweep::table::{Cells, Column, FRONT, Table};
+use crate::sweep::table::{CODES, Cells, Column, FEASIBLE, FRONT, ID, MARGIN, REASON, STATE, Table, VALUE};
 use crate::text::{Text, t};
 use crate::workbook::sweep_book::SweepBook;
 
@@ -45,7 +45,7 @@ fn take_in<'a>(plan: &'a Plan, rows: &Rows<'_>) -> Result<(Ranked, Shares<'a>, O
     let (mut ranking, mut shares) = (Ranking::new(plan, kept), Shares::new(plan));
     let mut indices = Indices::new(plan);
     let needed = |name: &str| {
-        ["id", "state", "feasible", "reason", "value", "margin"].contains(&name)
+        [ID, STATE, FEASIBLE, REASON, VALUE, MARGIN].contains(&name)
             || plan.objectives.iter().any(|one| one.measure.key == name)
     };
     for number in 0..rows.chunks() {
@@ -157,7 +157,7 @@ fn summary(
     let listed: Option<BTreeSet<u64>> = (study.plan.count > SWEEP_ROWS)
         .then(|| ranked.best.iter().map(|one| one.id).chain(on_front.iter().copied()).collect());
     let marked = |mut part: Table| {
-        let ids = ids(&part);
+        let ids: Vec<u64> = part.ids().collect();
         let marks = Cells::Truth(ids.iter().map(|id| Some(on_front.contains(id))).collect());
         part.columns.push(Column { name: FRONT.to_owned(), unit: "", cells: marks });
         (part, ids)
@@ -197,14 +197,9 @@ fn summary(
     }
     set.commit()?;
     // In the order of the top.
-    let places: BTreeMap<u64, usize> = ids(&best).into_iter().zip(0..).collect();
+    let places: BTreeMap<u64, usize> = best.ids().zip(0..).collect();
     let order: Vec<usize> = top.iter().filter_map(|id| places.get(id).copied()).collect();
     Ok((all, best.ordered(&order)))
-}
-
-fn ids(table: &Table) -> Vec<u64> {
-    let cells = table.column("id");
-    (0..table.rows()).filter_map(|row| cells.and_then(|cells| cells.number(row))).map(super::whole).collect()
 }
 
 /// Reasons with how many designs have each, and what each says of the first design with it: that an objective has no value, by how much a
@@ -244,18 +239,18 @@ fn coded(reasons: impl IntoIterator<Item = Reason>, study: &Study<'_>, rules: &[
 fn cautions(top: &Table, built: &[Option<Built>], study: &Study<'_>, rules: &[&Rule]) -> Vec<Coded> {
     let mut counts: BTreeMap<&str, Reason> = BTreeMap::new();
     let mut whole: BTreeMap<&str, Text> = BTreeMap::new();
-    let codes = top.column("codes");
-    for (row, (id, built)) in ids(top).into_iter().zip(built).enumerate() {
-        let of_row: BTreeSet<&str> = match built {
+    let codes = top.column(CODES);
+    for (row, (id, built)) in top.ids().zip(built).enumerate() {
+        let mut of_row: BTreeSet<&str> = BTreeSet::new();
+        match built {
             Some(built) => {
-                let found = built.findings.iter().filter(|one| one.grade == Grade::Caution);
-                found
-                    .inspect(|one| _ = whole.entry(one.code()).or_insert_with(|| says(id, one)))
-                    .map(Finding::code)
-                    .collect()
+                for found in built.findings.iter().filter(|one| one.grade == Grade::Caution) {
+                    whole.entry(found.code()).or_insert_with(|| says(id, found));
+                    of_row.insert(found.code());
+                }
             }
-            None => codes.and_then(|codes| codes.text(row)).into_iter().flat_map(|text| text.split(';')).collect(),
-        };
+            None => of_row.extend(codes.and_then(|codes| codes.text(row)).unwrap_or_default().split(';')),
+        }
         for code in of_row.into_iter().filter(|code| !code.is_empty()) {
             let first = || Reason { code: code.to_owned(), count: 0, first: id, value: None, margin: None };
             counts.entry(code).or_insert_with(first).count += 1;

@@ -19,11 +19,12 @@ use super::interrupt;
 use super::locale::spoken;
 use super::plan::beside;
 use super::terminal::Terminal;
+use super::verdict::Verdict;
 use super::{fault, finding, reading, refused};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::kind::Kind;
-use crate::limits::SWEEP_CHUNKS;
+use crate::limits::{ASKED_CHUNKS, SWEEP_CHUNKS};
 use crate::number::duration;
 use crate::parameter::Values;
 use crate::parameter::field::Fields;
@@ -33,6 +34,7 @@ use crate::sweep::form::NAME;
 use crate::sweep::plan::Plan;
 use crate::sweep::rules::{NoSweepSheet, WrongChunk};
 use crate::sweep::sensitivity::most;
+use crate::sweep::table::ID;
 use crate::text::{Language, Text, t};
 use crate::workbook::sweep_sheet;
 
@@ -101,8 +103,8 @@ fn study<'a>(arguments: &'a Sweep, kinds: &[&'a dyn Kind]) -> Result<Study<'a>, 
     let path = arguments.workbook.as_path();
     let unread = |refusal| (refusal, None);
     reading::settled([beside(path)]).map_err(unread)?;
-    let mut ending = super::verdict::Ending::new(path.to_owned());
-    let (bytes, filled) = reading::read(path, kinds, &mut ending).map_err(|refusal| (refusal, ending.language))?;
+    let mut verdict = Verdict::new(path.to_owned());
+    let (bytes, filled) = reading::read(path, kinds, &mut verdict).map_err(|refusal| (refusal, verdict.language))?;
     let language = Some(filled.values.language);
     let wrong = |refusal| (refusal, language);
     let Some(kind) = kinds.iter().find(|kind| kind.form().schema == filled.form.schema) else {
@@ -229,7 +231,7 @@ fn all(
         worked?;
     }
     // Whether all their columns can be read is seen when they are merged.
-    if !rows.missing(&|name| name == "id").is_empty() {
+    if !rows.missing(&|name| name == ID).is_empty() {
         return Err(rows.lacking());
     }
     merge::merge(arguments, study, kinds, &rows, interrupted, terminal)
@@ -242,7 +244,7 @@ fn all(
 fn chunk_of(text: &str) -> Result<(u64, u64), Refusal> {
     let parts = text.split_once('/').and_then(|(number, of)| Some((number.parse().ok()?, of.parse().ok()?)));
     parts
-        .filter(|(number, of): &(u64, u64)| number < of && *of <= 100_000)
+        .filter(|(number, of): &(u64, u64)| number < of && *of <= ASKED_CHUNKS)
         .ok_or_else(|| WrongChunk { text: printable(text) }.refused(Exit::CommandLine, Place::File))
 }
 
@@ -260,12 +262,6 @@ fn ranges(numbers: &[u64]) -> String {
 #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
 fn count(number: u64) -> f64 {
     number as f64
-}
-
-/// An index that was read as a number.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "indices are whole and far below 2^52")]
-const fn whole(number: f64) -> u64 {
-    number as u64
 }
 
 /// A path that does not depend on the current folder.

@@ -14,7 +14,7 @@ use crate::kind::Kind;
 use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::results::{Built, Coded};
 use crate::sweep::row::{codes, says, values};
-use crate::sweep::table::{Cells, Table};
+use crate::sweep::table::{CAUTION, CODES, Cells, Table};
 use crate::text::Text;
 use crate::workbook::results::Tables;
 use crate::workbook::template;
@@ -68,13 +68,13 @@ fn build_one(
         tables: Tables::Live,
     };
     let made = build::made(&item, &Settings::of(&asked, None, kinds, Arc::default()), &|| false);
-    if !matches!(made.ending.exit, Exit::Done | Exit::Refused) {
-        return Err(Refusal { exit: made.ending.exit, findings: made.ending.findings });
+    if !matches!(made.verdict.exit, Exit::Done | Exit::Refused) {
+        return Err(Refusal { exit: made.verdict.exit, findings: made.verdict.findings });
     }
-    let files = made.ending.files.iter().map(|file| file.name.to_string_lossy().into_owned());
+    let files = made.verdict.files.iter().map(|file| file.name.to_string_lossy().into_owned());
     let results = files.into_iter().find(|name| name.ends_with("-results.xlsx"));
     // What is found of the folder says nothing of the design.
-    let findings = made.outcome.map_or(made.ending.findings, |outcome| outcome.findings);
+    let findings = made.outcome.map_or(made.verdict.findings, |outcome| outcome.findings);
     let file = results.clone().unwrap_or_else(|| name.to_string_lossy().into_owned());
     Ok(Built { file: format!("top/{file}"), rejected: results.is_none(), findings })
 }
@@ -84,7 +84,7 @@ pub(super) fn judged_whole(best: &mut Table, built: &[Option<Built>]) {
     let whole = || built.iter().enumerate().filter_map(|(row, built)| Some((row, built.as_ref()?)));
     for column in &mut best.columns {
         match (column.name.as_str(), &mut column.cells) {
-            ("caution", Cells::Whole(cells)) => {
+            (CAUTION, Cells::Whole(cells)) => {
                 for (row, built) in whole() {
                     let cautions = built.findings.iter().filter(|one| one.grade == Grade::Caution).count();
                     if let Some(cell) = cells.get_mut(row) {
@@ -92,7 +92,7 @@ pub(super) fn judged_whole(best: &mut Table, built: &[Option<Built>]) {
                     }
                 }
             }
-            ("codes", Cells::Text(cells)) => {
+            (CODES, Cells::Text(cells)) => {
                 for (row, built) in whole() {
                     if let Some(cell) = cells.get_mut(row) {
                         *cell = Some(codes(&built.findings).join(";").into());

@@ -33,6 +33,26 @@ struct Plan {
     used: u32,
 }
 
+/// What stands in a block beside its motion code.
+struct Beside {
+    /// Whether there is any other code.
+    other: bool,
+    /// The code that is obeyed once.
+    at_once: Option<G>,
+    /// The code of the tool length.
+    length: Option<G>,
+    /// It takes the axis words as lengths of the tool.
+    given: bool,
+    /// Letters that are the time of a dwell.
+    dwell: u32,
+    /// Axis words.
+    axes: u32,
+    /// The axis words shift the system.
+    shifts: bool,
+    /// The axis words are for another code than the motion's.
+    takes_axes: bool,
+}
+
 impl Reader<'_, '_> {
     /// Executes the block in hand.
     pub(super) fn execute(&mut self) -> Result<()> {
@@ -175,20 +195,17 @@ impl Reader<'_, '_> {
     /// Which motion the block makes, and which letters its codes use.
     fn plan(&self) -> Result<Plan> {
         let block = &self.block;
-        let axes = block.present & AXIS_WORDS;
         let explicit = block.g(Group::Motion);
         let other = block.groups & !(1 << Group::Motion as u16) != 0 || block.has_machine_codes();
         let at_once = if other { block.g(Group::NonModal) } else { None };
-        let takes_axes = at_once.is_some_and(G::takes_axes);
         let length = if other { block.g(Group::ToolLength) } else { None };
-        let given = matches!(length, Some(G::ToolLengthGiven | G::ToolLengthAdded));
         // A dwell may carry its time on an axis letter.
         let dwell: u32 = if at_once == Some(G::Dwell) {
             self.memory.control.lexis.dwell.iter().map(|dwell| 1 << dwell.index()).sum::<u32>() & block.present
         } else {
             0
         };
-        let axes = axes & !dwell;
+        let axes = block.present & AXIS_WORDS & !dwell;
         if axes != 0
             && self.memory.control.lexis.dwell.iter().any(|word| 1 << word.index() & AXIS_WORDS != 0)
             && at_once == Some(G::Dwell)
@@ -196,14 +213,34 @@ impl Reader<'_, '_> {
             return Err(Refused::of(&DwellBesideAxes {}, &[block.g_column(Group::NonModal)]));
         }
         let shifts = self.shifts_system();
-        let takes_axes = takes_axes || shifts;
+        let takes_axes = at_once.is_some_and(G::takes_axes) || shifts;
         if dwell & (1 << letter::P) != 0
             && matches!(explicit, Some(G::Arc(_)))
             && self.memory.control.arcs.letters.mask() & (1 << letter::P) != 0
         {
             return Err(Refused::of(&DwellBesideArc {}, &[block.g_column(Group::NonModal)]));
         }
-        let motion = match explicit {
+        let given = matches!(length, Some(G::ToolLengthGiven | G::ToolLengthAdded));
+        let beside = Beside { other, at_once, length, given, dwell, axes, shifts, takes_axes };
+        let motion = self.planned_motion(&beside)?;
+        if axes == 0 && matches!(at_once, Some(G::LocalOffset | G::SetPosition)) {
+            return Err(Refused::of(&SetPositionWithoutAxes {}, &[block.g_column(Group::NonModal)]));
+        }
+        let by_rapid = self.memory.control.machine_move.by_itself()
+            && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
+        if at_once == Some(G::MachineCoordinates) && !by_rapid && !matches!(motion, Some(G::Rapid | G::Linear)) {
+            return Err(
+                Refused::of(&MachineMoveWithoutMotion {}, &[block.g_column(Group::NonModal)]).hanging_on(doubt::MOTION)
+            );
+        }
+        Ok(Plan { motion, used: self.letters_used(motion, &beside) })
+    }
+
+    /// The motion that the block makes: that of its own code, or the one in force where its words are for one.
+    fn planned_motion(&self, beside: &Beside) -> Result<Option<G>> {
+        let Beside { at_once, given, dwell, axes, takes_axes, .. } = *beside;
+        let block = &self.block;
+        Ok(match block.g(Group::Motion) {
             // G80 ends a cycle; the motion code that was in force before it is so again.
             Some(G::Cancel) if self.memory.control.cancel.restores() && axes != 0 && !takes_axes => {
                 Some(self.state.modal.under_cycle())
@@ -240,17 +277,12 @@ impl Reader<'_, '_> {
                 Some(self.state.modal.motion)
             }
             None => None,
-        };
-        if axes == 0 && matches!(at_once, Some(G::LocalOffset | G::SetPosition)) {
-            return Err(Refused::of(&SetPositionWithoutAxes {}, &[block.g_column(Group::NonModal)]));
-        }
-        let by_rapid = self.memory.control.machine_move.by_itself()
-            && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
-        if at_once == Some(G::MachineCoordinates) && !by_rapid && !matches!(motion, Some(G::Rapid | G::Linear)) {
-            return Err(
-                Refused::of(&MachineMoveWithoutMotion {}, &[block.g_column(Group::NonModal)]).hanging_on(doubt::MOTION)
-            );
-        }
+        })
+    }
+
+    /// Letters that the motion uses, and the codes beside it.
+    fn letters_used(&self, motion: Option<G>, beside: &Beside) -> u32 {
+        let Beside { other, at_once, length, given, dwell, shifts, takes_axes, .. } = *beside;
         let mut used = dwell;
         let turning = matches!(at_once, Some(G::Turning(_)));
         if shifts {
@@ -271,7 +303,7 @@ impl Reader<'_, '_> {
         if other {
             used |= self.words_of_codes(at_once, length);
         }
-        Ok(Plan { motion, used })
+        used
     }
 
     /// Letters that codes beside the motion use.

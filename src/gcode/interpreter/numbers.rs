@@ -4,10 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::finding::Raise;
 use crate::gcode::control::Lexis;
-use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::{Position, SourceText};
-use crate::gcode::interpreter::tape::Tape;
+use crate::gcode::interpreter::tape::lines;
 use crate::gcode::interpreter::{Reader, block_number};
 use crate::gcode::rules::flow::{BlockNumbersTooMany, BlockTwice};
 use crate::limits::BLOCK_NUMBERS;
@@ -41,15 +40,7 @@ impl Numbers {
     /// Looks through a file up to the second `%`.
     pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Result<Self> {
         let mut numbers = Self::default();
-        let mut tape = Tape::new(lexis);
-        let mut line = Vec::new();
-        let mut next = Position::START;
-        while let Some(behind) = source.line(next, &mut line)?
-            && !tape.ends(&line)
-        {
-            let at = next;
-            next = behind;
-            let mut cursor = Cursor::new(&line, lexis.comments);
+        lines(source, lexis, |at, behind, mut cursor| {
             cursor.accept_delete(true);
             if cursor.accept(b'o') {
                 // A bad number is refused when its line is executed.
@@ -71,7 +62,8 @@ impl Numbers {
                     return Err(Refused::ended(&BlockNumbersTooMany { most: BLOCK_NUMBERS }));
                 }
             }
-        }
+            Ok(())
+        })?;
         Ok(numbers)
     }
 

@@ -21,22 +21,34 @@ pub(super) enum Pending {
     Moves(Box<Moves>),
 }
 
-/// The holes of a block that are still to be made.
+/// The holes of a block that are still to be made. Lengths are mm; heights lie on the axis across the plane.
 #[derive(Clone, Debug)]
 pub(super) struct Holes {
+    /// The cycle.
     pub(super) cycle: Cycle,
+    /// How many holes are left.
     pub(super) left: i64,
+    /// None has been made.
     pub(super) first: bool,
+    /// From one hole to the next, in the plane.
     pub(super) step: [f64; 2],
+    /// Where the hole in hand is, in the plane; before the first one a step short of it.
     pub(super) at: [f64; 2],
+    /// The height of R.
     pub(super) r: f64,
+    /// The height of the bottom.
     pub(super) bottom: f64,
+    /// The height that the tool goes back to.
     pub(super) clear: f64,
+    /// The dwell at the bottom, s; 0 for none.
     pub(super) p: f64,
+    /// The depth of a peck; 0 in a cycle without.
     pub(super) q: f64,
-    /// G87: the offset in the plane, and the height of the upper face.
+    /// G87: how far aside the tool enters, in the plane.
     pub(super) offset: [f64; 2],
+    /// G87: the height of the upper face.
     pub(super) middle: f64,
+    /// The feed in force.
     pub(super) feed: Feed,
 }
 

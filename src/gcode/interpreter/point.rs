@@ -67,7 +67,7 @@ impl Reader<'_, '_> {
     /// By what a number without a decimal point is divided.
     fn unpointed(&mut self, word: &str, column: usize, feed: bool) -> Result<f64> {
         let dwell = self.block.g(Group::NonModal) == Some(G::Dwell);
-        let by = match self.memory.setting.point {
+        let by = match self.memory.setting.decimal_point {
             None => {
                 let (es, en) = match self.inch() {
                     _ if dwell => ("s o ms", "s or ms"),
@@ -89,7 +89,7 @@ impl Reader<'_, '_> {
             }
         };
         let spot = self.block.spot;
-        let calculator = self.memory.setting.point == Some(DecimalPoint::Calculator);
+        let calculator = self.memory.setting.decimal_point == Some(DecimalPoint::Calculator);
         let (es, en) = match (calculator, self.inch()) {
             _ if dwell && calculator => ("leídos como s", "read as s"),
             _ if dwell => ("leídos como ms", "read as ms"),

@@ -16,29 +16,39 @@ use crate::text::{Text, t};
 pub(super) struct Remarks {
     /// How often each was seen, and the text that its line stands in.
     list: Vec<(u64, usize, Finding)>,
-    turns: Option<Turns>,
-    dwells: Option<Dwells>,
+    /// Blocks at feed that turn a rotary axis by more than half a turn, degrees.
+    turns: Option<Greatest>,
+    /// Dwells beyond a minute of a word that counts seconds, s.
+    dwells: Option<Greatest>,
     /// The lines, each in its text, that cycles have read as blocks of their contour, and whether the one in hand is of them.
     contours: BTreeSet<(usize, usize)>,
     again: bool,
 }
 
-/// Blocks at feed that turn a rotary axis by more than half a turn.
+/// Blocks that a program has several of, told once with the greatest of them.
 #[derive(Debug)]
-struct Turns {
+struct Greatest {
     count: u64,
     first: Spot,
-    /// Letter, degrees and line of the greatest.
+    /// Letter, size and line of the greatest.
     greatest: (char, f64, usize),
 }
 
-/// Dwells beyond a minute of a word that counts seconds.
-#[derive(Debug)]
-struct Dwells {
-    count: u64,
-    first: Spot,
-    /// Letter, seconds and line of the longest.
-    longest: (char, f64, usize),
+impl Greatest {
+    /// Takes a block in. The first of the greatest stays.
+    fn take(of: &mut Option<Self>, spot: Spot, letter: char, size: f64) {
+        let here = (letter, size, spot.line);
+        let all = of.get_or_insert(Self { count: 0, first: spot, greatest: here });
+        all.count += 1;
+        if size.abs() > all.greatest.1.abs() {
+            all.greatest = here;
+        }
+    }
+
+    /// Where the first stands.
+    fn place(&self, library: &Library<'_>) -> Place {
+        place(library.file(self.first.text).map(String::as_str), self.first.line, Vec::new())
+    }
 }
 
 impl Remarks {
@@ -80,22 +90,12 @@ impl Remarks {
 
     /// Remarks a motion at feed that turns an axis by more than half a turn.
     pub(super) fn turned(&mut self, spot: Spot, axis: char, degrees: f64) {
-        let line = spot.line;
-        let turns = self.turns.get_or_insert(Turns { count: 0, first: spot, greatest: (axis, degrees, line) });
-        turns.count += 1;
-        if degrees.abs() > turns.greatest.1.abs() {
-            turns.greatest = (axis, degrees, line);
-        }
+        Greatest::take(&mut self.turns, spot, axis, degrees);
     }
 
     /// Remarks a dwell that is told, by a word that counts seconds.
     pub(super) fn dwelt(&mut self, spot: Spot, letter: char, seconds: f64) {
-        let longest = (letter, seconds, spot.line);
-        let dwells = self.dwells.get_or_insert(Dwells { count: 0, first: spot, longest });
-        dwells.count += 1;
-        if seconds > dwells.longest.1 {
-            dwells.longest = longest;
-        }
+        Greatest::take(&mut self.dwells, spot, letter, seconds);
     }
 
     /// The remarks as findings, gravest first, with how often each was seen.
@@ -115,39 +115,34 @@ impl Remarks {
                 finding
             })
             .collect();
-        findings.extend(self.turns.as_ref().map(|turns| turns.finding(file(turns.first.text))));
-        findings.extend(self.dwells.as_ref().map(|dwells| dwells.finding(file(dwells.first.text))));
+        findings.extend(self.turns.as_ref().map(|turns| half_turn(turns).at(turns.place(library))));
+        findings.extend(self.dwells.as_ref().map(|dwells| long_dwell(dwells).at(dwells.place(library))));
         findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
         findings
     }
 }
 
-impl Turns {
-    fn finding(&self, file: Option<&str>) -> Finding {
-        let (axis, degrees, line) = self.greatest;
-        let more = match self.count {
-            1 => t("", ""),
-            count => Text::new(
-                format!("; {count} bloques así, este es el mayor, en la línea {line}"),
-                format!("; {count} such blocks, the largest in line {line}"),
-            ),
-        };
-        let degrees = Size::degrees(degrees, 3);
-        HalfTurn { axis, degrees, count: self.count, line, more }.at(place(file, self.first.line, Vec::new()))
-    }
+fn half_turn(turns: &Greatest) -> HalfTurn {
+    let (axis, degrees, line) = turns.greatest;
+    let more = match turns.count {
+        1 => t("", ""),
+        count => Text::new(
+            format!("; {count} bloques así, este es el mayor, en la línea {line}"),
+            format!("; {count} such blocks, the largest in line {line}"),
+        ),
+    };
+    HalfTurn { axis, degrees: Size::degrees(degrees, 3), count: turns.count, line, more }
 }
 
-impl Dwells {
-    fn finding(&self, file: Option<&str>) -> Finding {
-        let (letter, seconds, line) = self.longest;
-        let more = match self.count {
-            1 => t("", ""),
-            count => Text::new(
-                format!("; {count} esperas así, esta es la mayor, en la línea {line}"),
-                format!("; {count} such dwells, the longest in line {line}"),
-            ),
-        };
-        let time = Size { value: seconds, unit: "s", decimals: 3 };
-        LongDwell { letter, time, count: self.count, line, more }.at(place(file, self.first.line, Vec::new()))
-    }
+fn long_dwell(dwells: &Greatest) -> LongDwell {
+    let (letter, seconds, line) = dwells.greatest;
+    let more = match dwells.count {
+        1 => t("", ""),
+        count => Text::new(
+            format!("; {count} esperas así, esta es la mayor, en la línea {line}"),
+            format!("; {count} such dwells, the longest in line {line}"),
+        ),
+    };
+    let time = Size { value: seconds, unit: "s", decimals: 3 };
+    LongDwell { letter, time, count: dwells.count, line, more }
 }

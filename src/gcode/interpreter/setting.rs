@@ -103,9 +103,9 @@ pub struct Setting {
     /// The places of a turret, where they are known beside the table, whose numbers are then those of the offsets alone.
     pub places: Option<BTreeSet<u32>>,
     /// What a dimension without a decimal point is; where it is not known a lathe program that has one is refused.
-    pub point: Option<DecimalPoint>,
+    pub decimal_point: Option<DecimalPoint>,
     /// What R of a lathe's drilling cycles is; where it is not known it is taken as absolute, and said so.
-    pub plane: Option<HolePlane>,
+    pub hole_plane: Option<HolePlane>,
     /// What an absolute word of a rotary axis means.
     pub rotary: RotaryMode,
     /// Blocks that begin with `/` are skipped.
@@ -132,8 +132,8 @@ impl Setting {
             tools: None,
             headed: BTreeSet::new(),
             places: None,
-            point: None,
-            plane: None,
+            decimal_point: None,
+            hole_plane: None,
             rotary: control.rotary.delivered,
             block_delete: false,
             keep_g92: true,

@@ -11,7 +11,7 @@ use crate::gcode::control::Lexis;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::{Position, SourceText};
-use crate::gcode::interpreter::tape::Tape;
+use crate::gcode::interpreter::tape::lines;
 use crate::gcode::interpreter::{block_number, pass_fraction};
 use crate::gcode::rules::flow::{
     ClauseBehindElse, CommentInOWord, LabelMissing, LabelReused, LabelTwice, NotClosed, OWordUnknown, OWordsTooMany,
@@ -199,30 +199,20 @@ impl Structure {
     pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Result<Self> {
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();
-        let mut tape = Tape::new(lexis);
-        let mut line = Vec::new();
-        let mut next = Position::START;
-        while let Some(behind) = source.line(next, &mut line)?
-            && !tape.ends(&line)
-        {
-            let at = next;
-            next = behind;
-            let mut cursor = Cursor::new(&line, lexis.comments);
-            if cursor.peek() == b'/' {
-                cursor.pass();
-            }
+        lines(source, lexis, |at, behind, mut cursor| {
+            cursor.accept_delete(false);
             if cursor.accept(b'n') {
                 if block_number(&mut cursor).is_err() {
-                    continue;
+                    return Ok(());
                 }
                 pass_fraction(&mut cursor);
             }
             if !cursor.accept(b'o') {
-                continue;
+                return Ok(());
             }
             let place = cursor.column();
             // What else is wrong inside a line is refused when it is executed.
-            let Ok(Some(label)) = label(&mut cursor) else { continue };
+            let Ok(Some(label)) = label(&mut cursor) else { return Ok(()) };
             let behind_label = cursor.column();
             let Some(word) = word(&mut cursor) else {
                 return Err(refused_at(behind.lines, &[behind_label], &OWordUnknown {}));
@@ -237,7 +227,8 @@ impl Structure {
             if structure.words.len() > O_WORDS {
                 return Err(Refused::ended(&OWordsTooMany { most: O_WORDS }));
             }
-        }
+            Ok(())
+        })?;
         if let Some(mark) = open.last().and_then(|&index| structure.words.get(index)) {
             let (label, word, close) = (shown(&mark.label), mark.word.name(), mark.word.closed_by());
             return Err(refused(mark.at.lines + 1, &NotClosed { label, word, close }));

@@ -2,10 +2,12 @@
 
 use crate::gcode::control::{Comments, Lexis, Percent};
 use crate::gcode::interpreter::cursor::Cursor;
+use crate::gcode::interpreter::refused::Result;
+use crate::gcode::interpreter::source::{Position, SourceText};
 
 /// The lines of a file as they come by.
 #[derive(Debug)]
-pub(super) struct Tape {
+struct Tape {
     comments: Comments,
     percent: Percent,
     /// A line of the program has come by.
@@ -29,15 +31,37 @@ pub(super) fn titled(line: &[u8]) -> bool {
     })
 }
 
+/// Goes over the lines of a file up to the second `%`: each with where it begins and where the next one does, before its first
+/// character.
+///
+/// # Errors
+/// Where the file cannot be read, and the first that `each` gives.
+pub(super) fn lines(
+    source: &mut SourceText<'_>,
+    lexis: &Lexis,
+    mut each: impl FnMut(Position, Position, Cursor<'_>) -> Result<()>,
+) -> Result<()> {
+    let mut tape = Tape::new(lexis);
+    let mut line = Vec::new();
+    let mut at = Position::START;
+    while let Some(behind) = source.line(at, &mut line)?
+        && !tape.ends(&line)
+    {
+        each(at, behind, Cursor::new(&line, lexis.comments))?;
+        at = behind;
+    }
+    Ok(())
+}
+
 impl Tape {
     /// The beginning of a file.
-    pub(super) const fn new(lexis: &Lexis) -> Self {
+    const fn new(lexis: &Lexis) -> Self {
         Self { comments: lexis.comments, percent: lexis.percent, begun: false, opened: false }
     }
 
     /// True where the text ends with this line.
     #[deny(clippy::wildcard_enum_match_arm)]
-    pub(super) fn ends(&mut self, line: &[u8]) -> bool {
+    fn ends(&mut self, line: &[u8]) -> bool {
         let line = line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line);
         let mut cursor = Cursor::new(line, self.comments);
         let percent =

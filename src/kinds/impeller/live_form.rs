@@ -1,6 +1,7 @@
 //! The live form of the impeller: its closed limits, and the blades in plan.
 
 use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, Wrong};
+use crate::kinds::live_form::feed_needed;
 use crate::table::{Formula, Unit};
 use crate::text::t;
 
@@ -196,25 +197,22 @@ fn program() -> Vec<LiveRow> {
             "feed_F",
         ),
         given("S", "live_S", t("Giro del husillo", "Spindle speed"), "speed_S").unit(Unit::RevolutionPerMinute),
-        LiveRow::length("style", "live_style", t("Estilo de los programas", "Style of the programs"), "style&\"\"")
-            .always()
-            .unit(Unit::None)
-            .wrong(
-                format!("AND({CLEAR},TRIM(style)=\"annex\")"),
-                t("clear necesita style = full", "clear needs style = full"),
-                "style",
-            )
-            .wrong(
-                "AND(TRIM(style)=\"annex\",TRIM(dialect)=\"linuxcnc\")",
-                t("annex no lleva avance, y LinuxCNC lo necesita", "annex has no feed, and LinuxCNC needs one"),
-                "style",
-            )
-            // Left empty, the axes count as those of the control do.
-            .wrong(
-                "AND(TRIM(style)=\"full\",TRIM(distance)=\"G90\",OR(TRIM(rotary_axes)=\"rollover\",AND(LEN(TRIM(rotary_axes))=0,LEFT(TRIM(dialect),10)=\"fagor-8055\")))",
-                t("con G90 y ejes rollover B y C darían la vuelta", "G90 with rollover axes turns B and C the long way"),
-                "distance",
-            ),
+        feed_needed(
+            LiveRow::length("style", "live_style", t("Estilo de los programas", "Style of the programs"), "style&\"\"")
+                .always()
+                .unit(Unit::None)
+                .wrong(
+                    format!("AND({CLEAR},TRIM(style)=\"annex\")"),
+                    t("clear necesita style = full", "clear needs style = full"),
+                    "style",
+                ),
+        )
+        // Left empty, the axes count as those of the control do.
+        .wrong(
+            "AND(TRIM(style)=\"full\",TRIM(distance)=\"G90\",OR(TRIM(rotary_axes)=\"rollover\",AND(LEN(TRIM(rotary_axes))=0,LEFT(TRIM(dialect),10)=\"fagor-8055\")))",
+            t("con G90 y ejes rollover B y C darían la vuelta", "G90 with rollover axes turns B and C the long way"),
+            "distance",
+        ),
     ]
 }
 
@@ -400,5 +398,17 @@ fn view() -> LiveView {
             LiveCurve { columns: [8, 9], look: LiveLook::Dashed },
             LiveCurve { columns: [6, 7], look: LiveLook::Part },
         ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::control::{MILLING, RotaryMode};
+
+    #[test]
+    fn the_name_in_the_limit_of_rollover_axes_is_that_of_the_controls_that_have_them() {
+        let named = MILLING.map(|control| control.name).into_iter().filter(|name| name.starts_with("fagor-8055"));
+        let rollover = MILLING.into_iter().filter(|control| control.rotary.delivered == RotaryMode::Rollover);
+        assert_eq!(named.collect::<Vec<_>>(), rollover.map(|control| control.name).collect::<Vec<_>>());
     }
 }

@@ -38,7 +38,7 @@ pub struct Given {
     /// The control's dialect.
     pub control: &'static Control,
     /// How the control reads a dimension without a point.
-    pub point: Option<DecimalPoint>,
+    pub decimal_point: Option<DecimalPoint>,
     /// Blocks with `/` are skipped.
     pub block_delete: bool,
     /// The shift of the part in the second set-up, mm.
@@ -50,7 +50,7 @@ pub struct Given {
     /// The offset of the tool in the first place.
     first_offset: u32,
     /// What R of the drilling cycles means; `None` if the form does not say.
-    pub plane: Option<HolePlane>,
+    pub hole_plane: Option<HolePlane>,
     /// True if the reference point is given; the control's machine coordinates then count from it.
     pub referred: bool,
     /// The zeros W2 to W6, `[X as a radius, Z]` from M, if they are given.
@@ -170,7 +170,7 @@ impl Given {
     /// Every contradiction, each with its cells.
     pub fn of(fields: &Fields) -> Result<Self, Vec<Finding>> {
         let mut findings = contradictions(fields);
-        let (control, point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
+        let (control, decimal_point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
         let tolerance = fields.get(&form::EPS);
         let behind = fields.get(&form::TURRET) == Side::Rear;
         let (tools, offsets) = turret(fields, (tolerance, behind), &mut findings);
@@ -203,11 +203,11 @@ impl Given {
         Ok(Self {
             setup: Setup { tolerance, ..Setup::new(machine(fields), stock, Turret { tools, body }) },
             control,
-            point,
+            decimal_point,
             block_delete: fields.get(&form::BLOCK_DELETE),
             second: fields.get(&form::Z_S).unwrap_or_default(),
             own,
-            plane: fields.get(&form::HOLE_R),
+            hole_plane: fields.get(&form::HOLE_R),
             referred: REFERENCE.into_iter().all(|one| fields.get(one).is_some()),
             offsets,
             first_offset,
@@ -262,8 +262,8 @@ impl Given {
         }
         setting.tools = Some(self.offsets.clone());
         setting.places = Some(self.setup.turret.tools.keys().copied().collect());
-        setting.point = setting.point.or(self.point);
-        setting.plane = setting.plane.or(self.plane);
+        setting.decimal_point = setting.decimal_point.or(self.decimal_point);
+        setting.hole_plane = setting.hole_plane.or(self.hole_plane);
         setting.block_delete |= self.block_delete;
     }
 
@@ -310,8 +310,8 @@ impl Given {
 /// file, each such dimension is rejected by itself.
 #[must_use]
 pub fn without_rule(fields: &Fields) -> Option<Finding> {
-    let (control, point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
-    let missing = point.is_none() && control.lexis.point.by_setting();
+    let (control, decimal_point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
+    let missing = decimal_point.is_none() && control.lexis.point.by_setting();
     missing.then(|| fields.locate(PointRuleMissing {}.at(at([form::POINT.key()]))))
 }
 

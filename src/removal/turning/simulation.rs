@@ -21,9 +21,16 @@ use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::gcode::in_force::{InForce, Speed};
 use crate::gcode::motion::{Feed, Motion, MotionKind};
 use crate::geometry::exact::convex::Convex;
-use crate::geometry::exact::grid::Point;
+use crate::geometry::exact::grid::{LIMIT, Point, UNITS};
 use crate::geometry::exact::region::{Labelled, Ring};
 use crate::machine::axis::{Axis, Pose};
+
+/// The tolerances of arcs that can be followed, mm.
+const TOLERANCE: [f64; 2] = [1e-5, 0.1];
+/// How far from the middle of the stock a fixture is followed, mm: to just within the grid, whose limit is 1073.74 mm. Neither part
+/// nor tool is beyond it.
+const FAR: f64 = 1070.0;
+const _: () = assert!(FAR * UNITS < LIMIT as f64);
 
 /// A simulation under way.
 #[derive(Clone, Debug)]
@@ -79,10 +86,11 @@ impl Simulation {
 
     fn begun(setup: Setup, labels: &[Vec<u32>], chain: Chain) -> Result<Self, Refusal> {
         let mut faults = setup.stock.faults();
-        if !(1e-5..=0.1).contains(&setup.tolerance) {
+        let [finest, coarsest] = TOLERANCE;
+        if !(finest..=coarsest).contains(&setup.tolerance) {
             faults.push(ArcTolerance {}.at(Place::File));
         }
-        let tolerance = setup.tolerance.clamp(1e-5, 0.1);
+        let tolerance = setup.tolerance.clamp(finest, coarsest);
         let mut tools = BTreeMap::new();
         for (&place, tool) in &setup.turret.tools {
             match tool.outline(tolerance, setup.lathe.turret_behind) {
@@ -107,7 +115,7 @@ impl Simulation {
         };
         let fixtures = (setup.fixtures().into_iter())
             .filter_map(|(fixture, ring)| {
-                let near = |at: f64| at.clamp(-1070.0, 1070.0);
+                let near = |at: f64| at.clamp(-FAR, FAR);
                 let ring: Vec<_> = ring.iter().map(|&[z, r]| [near(z - middle), near(r)]).collect();
                 Some((fixture, Convex::hull_mm(&ring)?))
             })

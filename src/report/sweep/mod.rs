@@ -16,7 +16,8 @@ use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value, Values, title_block};
 use crate::sweep::plan::{Input, Levels, Method, Spread};
 use crate::sweep::results::{Built, COLOURS, Coded, Results};
-use crate::sweep::table::{Cells, Column, FRONT};
+use crate::sweep::row::State;
+use crate::sweep::table::{CAUTION, CODES, Cells, Column, FEASIBLE, FRONT, ID, STATE, plain};
 use crate::text::{Language, Text, t};
 use crate::typeset;
 use crate::typeset::characters::Words;
@@ -369,10 +370,10 @@ impl Setter<'_> {
         let of = u64::try_from(self.results.tried().0).unwrap_or_default();
         chapter.tables.extend(self.codes(self.results.rejected, &t("rechazado por", "rejected for"), of));
         let shown = rows.min(ROWS);
-        let filled = |column: &&Column| column.name == "id" || (0..rows).any(|row| has(&column.cells, row));
+        let filled = |column: &&Column| column.name == ID || (0..rows).any(|row| has(&column.cells, row));
         let mut columns: Vec<&Column> = brief.columns.iter().filter(filled).collect();
         // The mark of the front beside the index.
-        columns.sort_by_key(|one| (one.name != "id", one.name != FRONT));
+        columns.sort_by_key(|one| (one.name != ID, one.name != FRONT));
         let Some((first, others)) = columns.split_first() else { return chapter };
         for part in others.chunks(ACROSS) {
             let of_part: Vec<&Column> = std::iter::once(*first).chain(part.iter().copied()).collect();
@@ -399,12 +400,12 @@ impl Setter<'_> {
     fn column(&mut self, column: &Column) -> Heading {
         let name = match column.name.as_str() {
             FRONT => t("frente", "front"),
-            "caution" => t("precauciones", "cautions"),
-            "codes" => t("códigos", "codes"),
+            CAUTION => t("precauciones", "cautions"),
+            CODES => t("códigos", "codes"),
             name => Text::new(plain(name).to_owned(), plain(name).to_owned()),
         };
         let number = matches!(column.cells, Cells::Number(_) | Cells::Whole(_));
-        Heading { wide: column.name == "codes", ..self.heading(&name, column.unit, number) }
+        Heading { wide: column.name == CODES, ..self.heading(&name, column.unit, number) }
     }
 
     fn cell(&mut self, column: &Column, row: usize) -> String {
@@ -412,7 +413,7 @@ impl Setter<'_> {
             Cells::Truth(_) => if column.cells.truth(row) { "●" } else { "" }.to_owned(),
             Cells::Text(_) => {
                 let text = column.cells.text(row).unwrap_or_default().to_owned();
-                let input = self.results.plan.inputs.iter().find(|one| one.symbol() == plain(&column.name));
+                let input = self.results.plan.inputs.iter().find(|one| one.column() == column.name);
                 match input.map(|one| &one.parameter.kind) {
                     Some(FieldKind::Choice(choices)) => choices
                         .iter()
@@ -446,7 +447,7 @@ impl Setter<'_> {
             pairs.extend(keys[at + 1..].iter().map(|y| ((*x).to_owned(), *y)));
         }
         if let [only] = keys.as_slice() {
-            pairs.extend(plan.inputs.iter().map(|one| (format!("in_{}", one.symbol()), *only)));
+            pairs.extend(plan.inputs.iter().map(|one| (one.column(), *only)));
         }
         for (x, y) in pairs {
             if chapter.figures.len() < FIGURES {
@@ -457,11 +458,11 @@ impl Setter<'_> {
 
     fn figure(&mut self, x: &str, y: &str) -> Option<Figure> {
         let Results { all, top, .. } = *self.results;
-        let best: BTreeSet<u64> = ids(top).collect();
-        let state = all.column("state")?;
-        let done = |row: usize| state.text(row) == Some("done");
+        let best: BTreeSet<u64> = top.ids().collect();
+        let state = all.column(STATE)?;
+        let done = |row: usize| state.text(row) == Some(State::Done.word());
         let (across, up, front) = (all.column(x)?, all.column(y)?, all.column(FRONT)?);
-        let feasible = all.column("feasible")?;
+        let feasible = all.column(FEASIBLE)?;
         // What is drawn last lies on top.
         let [front_colour, best_colour, feasible_colour, broken_colour] = COLOURS;
         let kinds = [
@@ -471,7 +472,7 @@ impl Setter<'_> {
             (front_colour, RADII[1], t("el frente", "the front")),
         ];
         let mut clouds = kinds.each_ref().map(|(colour, radius, _)| Dots { colour, radius: *radius, at: Vec::new() });
-        for (row, id) in ids(all).enumerate() {
+        for (row, id) in all.ids().enumerate() {
             let kind = match (front.truth(row), best.contains(&id)) {
                 (true, _) => 3,
                 (false, true) => 2,
@@ -545,19 +546,6 @@ impl Setter<'_> {
             ..Chapter::default()
         }
     }
-}
-
-/// The name of a column without the mark of an input.
-fn plain(name: &str) -> &str {
-    name.strip_prefix("in_").unwrap_or(name)
-}
-
-/// The indices of a table's designs.
-fn ids(table: &crate::sweep::table::Table) -> impl Iterator<Item = u64> {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "indices are whole and far below 2^52")]
-    let id = |number: f64| number as u64;
-    let cells = table.column("id");
-    (0..table.rows()).filter_map(move |row| cells?.number(row)).map(id)
 }
 
 /// True where a cell holds something to be shown.

@@ -111,7 +111,7 @@ fn a_cycle_whose_rejection_follows_from_another_is_not_made_either() {
 fn the_contour_of_a_cycle_rejected_for_a_word_is_no_way_of_the_tool() {
     for cycle in ["G71 P10 Q20 D2000 U0.4", "G71 D2000 P10 Q20 U0.4", "D2000 G73 Q20 P10 (P1 Q2)"] {
         let text = format!("G0 X54. Z2.\n{cycle}\n{}\nG70 P10 Q20\nG0 X60.\nM30\n", CONTOUR.replace('|', "\n"));
-        let setting = Setting { point: Some(DecimalPoint::Calculator), ..Setting::new(&FANUC_LATHE_A) };
+        let setting = Setting { decimal_point: Some(DecimalPoint::Calculator), ..Setting::new(&FANUC_LATHE_A) };
         let read: Vec<_> = Interpreter::over(text.as_bytes(), setting).collect();
         let motions: Vec<_> = read.iter().filter_map(|item| item.as_ref().ok()).map(|motion| motion.line).collect();
         let faults: Vec<_> =

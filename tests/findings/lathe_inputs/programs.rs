@@ -374,7 +374,7 @@ fn a_refused_cycle_is_one_fault_and_nothing_after_it_is_made() {
 fn the_contour_of_a_refused_cycle_is_no_way_of_the_tool() {
     let text = "G0 X54. Z2.\nG71 U2. R0.5\nG71 P10 Q20 U0.5 F0.2\nN10 G0 X20.\nG1 Z-20. F0.1\nX30. Z-10.\nN20 Z-30.\n\
         G70 P10 Q20\nG0 X60.\nM30\n";
-    let setting = Setting { point: Some(DecimalPoint::Calculator), ..Setting::new(&FANUC_LATHE_A) };
+    let setting = Setting { decimal_point: Some(DecimalPoint::Calculator), ..Setting::new(&FANUC_LATHE_A) };
     let read: Vec<_> = Interpreter::over(text.as_bytes(), setting).collect();
     let motions: Vec<_> = read.iter().filter_map(|item| item.as_ref().ok()).map(|motion| motion.line).collect();
     let faults: Vec<_> =

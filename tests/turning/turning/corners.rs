@@ -110,7 +110,7 @@ fn a_corner_is_no_block_without_motion_for_the_viewer() {
 #[test]
 fn a_corner_without_a_decimal_point_is_scaled_as_its_control_has_it() {
     for (point, size) in [(DecimalPoint::Calculator, 2.0), (DecimalPoint::Micrometre, 0.002)] {
-        let with = rodete::gcode::interpreter::Setting { point: Some(point), ..setting() };
+        let with = rodete::gcode::interpreter::Setting { decimal_point: Some(point), ..setting() };
         let read = read_with("T0101 M3 S1000 F0.2\nG0 X50. Z5.\nG1 Z-10. ,C2\nX70.\nM30\n", with);
         assert!(read.faults.is_empty(), "{:?}", read.faults);
         let z = read.motions[1].to.0[2];

@@ -7,7 +7,7 @@ use super::lines::{Read, line, read_with, refusal, refusal_with, remarked, setti
 
 fn read(program: &str, point: DecimalPoint) -> Read {
     let mut setting = setting();
-    setting.point = Some(point);
+    setting.decimal_point = Some(point);
     let read = read_with(&format!("{program}\nM30\n"), setting);
     assert!(read.faults.is_empty(), "{program}\n{:?}", read.faults);
     read
@@ -97,7 +97,7 @@ fn a_number_with_blanks_is_told_in_a_contour_too() {
 #[test]
 fn a_feed_per_revolution_without_a_point_is_refused_where_the_control_counts_increments() {
     let mut setting = setting();
-    setting.point = Some(DecimalPoint::Micrometre);
+    setting.decimal_point = Some(DecimalPoint::Micrometre);
     let refused = refusal_with("G0 X0\nG1 Z-1. F2\nM30\n", setting);
     assert!(refused.starts_with("2:9 F2 has no decimal point: the unit of a feed per revolution"), "{refused}");
     assert_eq!(lines("G0 X0 Z0\nG1 Z-1. F2", DecimalPoint::Calculator), ["G0 X0 Z0", "G1 X0 Z-1 F2"]);

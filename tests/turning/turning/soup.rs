@@ -49,7 +49,7 @@ proptest! {
             contour.join("\n"),
         );
         let mut setting = setting();
-        setting.point = point;
+        setting.decimal_point = point;
         setting.budget.repeated_blocks = 300;
         let sub = "G0 W1.\nM98 P5\nM99\n".to_owned();
         setting.files = Box::new(Folder([("5".to_owned(), sub)].into()));

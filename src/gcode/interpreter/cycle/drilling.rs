@@ -14,7 +14,7 @@ use crate::finding::Size;
 use crate::gcode::code::{Cycle, G};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::cycle::{PECK_CLEARANCE, missing};
+use crate::gcode::interpreter::cycle::{NO_PECK, PECK_CLEARANCE, missing};
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::setting::HolePlane;
 use crate::gcode::turning::rules::{
@@ -32,7 +32,7 @@ impl Reader<'_, '_> {
         let again = matches!(self.state.modal.motion, G::Cycle(_));
         let (unit, sticky) = (self.state.modal.unit, self.state.modal.sticky);
         let r = match self.block.get(letter::R) {
-            Some(R) => match self.memory.setting.plane {
+            Some(R) => match self.memory.setting.hole_plane {
                 Some(HolePlane::Incremental) => self.state.at.get(Axis::Z) + unit.to_mm(R),
                 Some(HolePlane::Absolute) => unit.to_mm(R),
                 None => {
@@ -95,8 +95,7 @@ impl Reader<'_, '_> {
         go(Way::Rapid, [x, self.state.at.get(Axis::Z)]);
         go(Way::Rapid, [x, r]);
         let mut depth = r - q;
-        // What rounding alone has left is no peck.
-        while pecks && depth > bottom + 1e-9 {
+        while pecks && depth > bottom + NO_PECK {
             go(Way::Feed(None), [x, depth]);
             go(Way::Rapid, [x, r]);
             go(Way::Rapid, [x, (depth + PECK_CLEARANCE).min(r)]);

@@ -21,10 +21,12 @@ use crate::gcode::turning::rules::{
     TooManyPecks,
 };
 use crate::limits::{BLOCK_HOLES, PECKS};
-use crate::machine::axis::Pose;
+use crate::machine::axis::{Axis, Pose};
 
 /// How far above the last depth a peck begins again; mm (0.010 inch).
 pub(super) const PECK_CLEARANCE: f64 = 0.254;
+/// What rounding alone has left above the bottom is no peck; mm.
+pub(super) const NO_PECK: f64 = 1e-9;
 
 pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Refused> {
     let number = cycle.number();
@@ -75,8 +77,7 @@ impl Reader<'_, '_> {
         };
         let current = self.state.at.get(across);
         let initial = *self.state.modal.sticky.initial.get_or_insert(current);
-        let plane_word =
-            |axis: crate::machine::axis::Axis| self.block.get(AXES[axis as usize]).map(|word| unit.to_mm(word));
+        let plane_word = |axis: Axis| self.block.get(AXES[axis as usize]).map(|word| unit.to_mm(word));
         let start = [self.state.at.get(first), self.state.at.get(second)];
         let (r, bottom, at, step) = if self.state.modal.incremental {
             let r = r_word + initial;
@@ -180,7 +181,7 @@ impl Reader<'_, '_> {
                 }
                 let [i, j, k] = self.state.modal.sticky.ijk;
                 // I, J, K belong to X, Y, Z in every plane.
-                let of = |axis: crate::machine::axis::Axis| [i, j, k].get(axis as usize).copied().unwrap_or(0.0);
+                let of = |axis: Axis| [i, j, k].get(axis as usize).copied().unwrap_or(0.0);
                 let [first, second, across] = self.state.modal.plane.axes();
                 run.offset = [of(first), of(second)];
                 run.middle = if self.state.modal.incremental { run.bottom + of(across) } else { of(across) };
@@ -244,8 +245,7 @@ impl Reader<'_, '_> {
             }
             Cycle::Peck | Cycle::ChipBreak => {
                 let mut depth = run.r - run.q;
-                // What rounding alone has left is no peck.
-                while depth > run.bottom + 1e-9 {
+                while depth > run.bottom + NO_PECK {
                     self.cut(at(depth), run.feed);
                     if run.cycle == Cycle::Peck {
                         self.emit(MotionKind::Rapid, at(run.r), None);

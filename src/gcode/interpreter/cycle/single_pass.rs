@@ -123,22 +123,19 @@ impl Reader<'_, '_> {
         }
         let (mut end, taper) = before.unwrap_or_default();
         let missing = match (before, named) {
-            (None, [false, false]) => Some("X y Z|X and Z"),
-            (None, [false, true]) => Some("X|X"),
-            (None, [true, false]) => Some("Z|Z"),
-            (Some(_), [false, false]) if !self.block.has(letter::R) => Some("X, Z o R|X, Z or R"),
+            (None, [false, false]) => Some(t("X y Z", "X and Z")),
+            (None, [false, true]) => Some(t("X", "X")),
+            (None, [true, false]) => Some(t("Z", "Z")),
+            (Some(_), [false, false]) if !self.block.has(letter::R) => Some(t("X, Z o R", "X, Z or R")),
             _ => None,
         };
         let limit = pass == SinglePassCycle::Thread && self.block.has(letter::S) && !self.block.has(letter::F);
         if limit && named == [false, false] {
             return Err(Refused::of(&SpeedLimitWithPass {}, &[self.block.g_column(Group::Motion)]));
         }
-        if let Some((es, en)) = missing.and_then(|missing| missing.split_once('|')) {
-            return Err(Refused::of(
-                &PassEndMissing { words: t(es, en), cycle: number },
-                &[self.block.g_column(Group::Motion)],
-            )
-            .hanging_on(doubt::MOTION));
+        if let Some(words) = missing {
+            return Err(Refused::of(&PassEndMissing { words, cycle: number }, &[self.block.g_column(Group::Motion)])
+                .hanging_on(doubt::MOTION));
         }
         let to = self.end_point();
         let at = [to.get(Axis::X), to.get(Axis::Z)];

@@ -1,6 +1,7 @@
 //! The live form of the branch: its sizes, its closed limits, and the template on the development.
 
 use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
+use crate::kinds::live_form::feed_needed;
 use crate::kinds::pipe::insert::enveloped;
 use crate::kinds::pipe::live_form::{BRANCH, found, rows as pipes, sizes, thick};
 use crate::table::{Formula, Unit};
@@ -104,18 +105,15 @@ fn rows() -> Vec<LiveRow> {
                 t("style = full necesita F", "style = full needs F"),
                 "feed_F",
             ),
-        LiveRow::length("style", "live_style", t("Estilo del programa", "Style of the program"), "style&\"\"")
-            .unit(Unit::None)
-            .wrong(
-                "AND(TRIM(style)=\"annex\",OR(TRIM(mode)=\"rotary\",TRIM(mode)=\"giratorio\"))",
-                t("annex es en chapa plana", "annex is on flat sheet"),
-                "style",
-            )
-            .wrong(
-                "AND(TRIM(style)=\"annex\",TRIM(dialect)=\"linuxcnc\")",
-                t("annex no lleva avance, y LinuxCNC lo necesita", "annex has no feed, and LinuxCNC needs one"),
-                "style",
-            ),
+        feed_needed(
+            LiveRow::length("style", "live_style", t("Estilo del programa", "Style of the program"), "style&\"\"")
+                .unit(Unit::None)
+                .wrong(
+                    "AND(TRIM(style)=\"annex\",OR(TRIM(mode)=\"rotary\",TRIM(mode)=\"giratorio\"))",
+                    t("annex es en chapa plana", "annex is on flat sheet"),
+                    "style",
+                ),
+        ),
         LiveRow::length("kerf", "live_kerf", t("Ancho de corte", "Kerf"), "IF(ISNUMBER(kerf),kerf,\"\")").wrong(
             "AND(TRIM(style)=\"full\",OR(TRIM(mode)=\"rotary\",TRIM(mode)=\"giratorio\"),ISNUMBER(kerf),kerf>live_branch_D/2-live_branch_t)",
             t("mayor que el radio interior del injerto", "larger than the inside radius of the branch"),
