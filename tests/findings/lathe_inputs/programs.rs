@@ -121,15 +121,15 @@ fn what_the_control_does_not_know_is_refused_and_never_skipped() {
             3,
             "stop 6:10 G74 with K: the cycle is written in one block",
         ),
-        case("taper with I", "G92 X50. Z-20. I-1. F2.", 3, "stop 6:14 G92 with I: other controls write the taper so"),
-        case("taper with K", "G94 X40. Z-2. K-1. F.1", 3, "stop 6:13 G94 with K: other controls write the taper so"),
+        case("taper with I", "G92 X50. Z-20. I-1. F2.", 3, "stop 6:16 G92 with I: other controls write the taper so"),
+        case("taper with K", "G94 X40. Z-2. K-1. F.1", 3, "stop 6:15 G94 with K: other controls write the taper so"),
         case(
             "thread at once",
             "G97 S500|G76 P020060 Q50 R.05|G76 X47. Z-9. P1000 Q3000 F1.5",
             0,
-            "caution 8:23 G76 cuts the thread in one pass: the first one goes in by 3 mm, and the height is 1 mm",
+            "caution 8:21 G76 cuts the thread in one pass: the first one goes in by 3 mm, and the height is 1 mm",
         ),
-        case("zero where it stands", "G50 X40. Z2.", 0, "caution  the program gives coordinates to the place"),
+        case("zero where it stands", "G50 X40. Z2.", 0, "caution file the program gives coordinates to the place"),
     ]);
 }
 
