@@ -126,7 +126,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
         Ok(items) => items,
         Err(refusal) => return refused(&refusal, language, terminal),
     };
-    let interrupted = interrupt::listen();
+    let interrupted = interrupt::listen(language);
     let mut sink = Sink::new(BUILD, outputs.lang, arguments.json);
     let folder = match outputs.output.as_deref().map(Folder::open).transpose() {
         Ok(folder) => folder,

@@ -42,7 +42,7 @@ pub(super) fn run(arguments: &Compare, kinds: &[&dyn Kind], terminal: &mut Termi
     if let Err(refusal) = asked {
         return refused(&refusal, spoken(arguments.lang, None), terminal);
     }
-    let interrupted = interrupt::listen();
+    let interrupted = interrupt::listen(spoken(arguments.lang, None));
     let sides = [&arguments.one, &arguments.other].map(|path| computed(path, kinds));
     let language = spoken(arguments.lang, sides[0].verdict.language);
     let mut exit = Exit::Done;

@@ -11,14 +11,19 @@ use std::time::Duration;
 use super::verdict::code;
 use crate::finding::Exit;
 use crate::store;
+use crate::text::{Language, Text, t};
 
 /// Reports whose child process has not ended yet.
 static CHILDREN: AtomicUsize = AtomicUsize::new(0);
 
 /// Ends the process with exit code 130 when it is interrupted; gives a flag that becomes true then, for whoever waits
 /// for a child process. Where the system offers no such signal, nothing changes.
-pub(super) fn listen() -> Arc<AtomicBool> {
-    listen_saying("interrupted: unfinished files are removed, finished sets stay")
+pub(super) fn listen(language: Language) -> Arc<AtomicBool> {
+    static TOLD: Text = t(
+        "interrumpido: los archivos a medias se borran; los juegos completos se quedan",
+        "interrupted: unfinished files are removed, finished sets stay",
+    );
+    listen_saying(TOLD.get(language))
 }
 
 /// The same, with what is said at the end.

@@ -156,7 +156,7 @@ fn check(arguments: &Check, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exi
     if let Err(refusal) = plan::twice(&arguments.workbooks) {
         return refused(&refusal, language, terminal);
     }
-    interrupt::listen();
+    interrupt::listen(language);
     let mut sink = Sink::new(CHECK, arguments.lang, arguments.json);
     let work = |workbook: &PathBuf| reading::check(workbook, kinds);
     side_by_side::run(&arguments.workbooks, work, terminal, |verdict, terminal| sink.take(verdict, terminal));

@@ -21,8 +21,8 @@ use crate::workbook::{self, sweep_sheet, template};
 
 /// Writes the workbook and says what to do next.
 pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
-    super::interrupt::listen();
     let language = spoken(arguments.lang, None);
+    super::interrupt::listen(language);
     match write(arguments, language, kinds) {
         Ok((written, told)) => {
             finding::general(&told, language, terminal);

@@ -33,7 +33,7 @@ pub(super) fn run(arguments: &Offsets, terminal: &mut Terminal) -> Exit {
         Ok(edits) => edits,
         Err(refusal) => return refused(&refusal, language, terminal),
     };
-    interrupt::listen();
+    interrupt::listen(language);
     let mut view = View { unit, file: None, preamble: Vec::new(), sheet: None };
     let verdict = reading::verdict(&arguments.file, |verdict| work(arguments, &edits, unit, &mut view, verdict));
     let exit = verdict.exit;
@@ -143,7 +143,7 @@ fn write(
     let out = arguments.workbook.as_deref().filter(|_| way == Some(Way::Out));
     let inputs: Vec<&Path> = arguments.workbook.as_deref().filter(|_| way == Some(Way::In)).into_iter().collect();
     let folder_of = |path: &Path| Folder::open(path.parent().unwrap_or(Path::new("")));
-    let language = arguments.lang.unwrap_or_default();
+    let language = spoken(arguments.lang, None);
     let origin = printable(&name.to_string_lossy());
     let beside = changes && out.is_some_and(|out| out.parent() == path.parent());
     let (folder, elsewhere) = (

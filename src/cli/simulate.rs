@@ -23,7 +23,7 @@ use crate::workbook::{self, Input};
 
 /// Follows the program and says what it comes to.
 pub(super) fn run(arguments: &Simulate, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
-    interrupt::listen();
+    interrupt::listen(spoken(arguments.lang, None));
     let mut followed = None;
     let verdict = reading::verdict(&arguments.program, |verdict| {
         followed = Some(simulate(arguments, kinds, verdict)?);
@@ -56,7 +56,6 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Verdict) ->
     let folder = arguments.output.as_deref().map(Folder::open).transpose()?;
     verdict.findings.extend(folder.iter().filter_map(Folder::settled).cloned());
     verdict.findings.extend(reading::settled(arguments.tools.as_deref().map(plan::beside))?);
-    let language = arguments.lang.unwrap_or_default();
     let wanted = Wanted {
         program: path,
         bytes: &bytes,
@@ -66,9 +65,10 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Verdict) ->
         block_delete: arguments.block_delete,
         stock: arguments.stock,
         tools: arguments.tools.as_deref(),
-        language,
+        language: spoken(arguments.lang, None),
     };
     let mut followed = follow(&wanted, verdict, Wants { scene: folder.is_some(), ..Wants::default() })?;
+    let language = spoken(arguments.lang, verdict.language);
     if let (Some(folder), Some(output)) = (&folder, &arguments.output) {
         let inputs: Vec<&Path> = std::iter::once(path).chain(&arguments.tools).map(PathBuf::as_path).collect();
         let mut set = Set::new(folder, &inputs, Existing::Replace);

@@ -61,7 +61,7 @@ pub(super) struct Wanted<'a> {
     pub(super) stock: Option<Stock>,
     /// The lathe workbook; `None`: the example.
     pub(super) tools: Option<&'a Path>,
-    /// The language of the outputs.
+    /// The language of the example machine, where no workbook is named.
     pub(super) language: Language,
 }
 

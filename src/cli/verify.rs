@@ -85,7 +85,7 @@ pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
     if let Err(refusal) = plan::twice(&arguments.programs) {
         return refused(&refusal, language, terminal);
     }
-    interrupt::listen();
+    interrupt::listen(language);
     let shared = match Shared::new(&arguments.control) {
         Ok(shared) => shared,
         Err(refusal) if arguments.json => {

@@ -22,13 +22,13 @@ use crate::scene::kept;
 use crate::scene::program::Program;
 use crate::scene::{Remark, Scene, Shape, ShownTool};
 use crate::store::{self, Existing, Folder, Set, WrittenFile};
-use crate::text::{Language, Text};
+use crate::text::Text;
 use crate::view;
 use crate::workbook;
 
 /// Writes the file and says where it is.
 pub(super) fn run(arguments: &View, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
-    interrupt::listen();
+    interrupt::listen(spoken(arguments.lang, None));
     let mut verdict = Verdict::new(arguments.input.clone());
     let written = match shown(arguments, kinds, &mut verdict) {
         Ok(written) => written,
@@ -133,7 +133,6 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
 fn of_turning(arguments: &View, title: String, verdict: &mut Verdict) -> Result<Option<Scene>, Refusal> {
     let (input, control) = (&arguments.input, &arguments.control);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
-    let language = arguments.lang.unwrap_or_default();
     let wanted = Wanted {
         program: input,
         bytes: &bytes,
@@ -143,9 +142,10 @@ fn of_turning(arguments: &View, title: String, verdict: &mut Verdict) -> Result<
         block_delete: control.block_delete,
         stock: arguments.stock,
         tools: control.tools.as_deref(),
-        language,
+        language: spoken(arguments.lang, None),
     };
     let scene = follow(&wanted, verdict, Wants { scene: true, ..Wants::default() })?.outcome.scene.transpose()?;
+    let language = spoken(arguments.lang, verdict.language);
     Ok(scene.map(|scene| scene.titled(title, language)))
 }
 
@@ -198,7 +198,7 @@ fn of_program(
         program.remarks.push(Remark::from(&note));
         verdict.findings.push(note);
     }
-    let language = arguments.lang.unwrap_or(Language::En);
+    let language = spoken(arguments.lang, None);
     Ok(Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: vec![program] })
 }
 

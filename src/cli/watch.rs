@@ -89,7 +89,7 @@ pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Termina
     if let Some(refusal) = items.iter().find_map(|item| workbook::open(&item.workbook).err()) {
         return refused(&refusal, language, terminal);
     }
-    let interrupted = interrupt::listen();
+    let interrupted = interrupt::listen(language);
     let folder = match outputs.output.as_deref().map(Folder::open).transpose() {
         Ok(folder) => folder,
         Err(refusal) => return refused(&refusal, language, terminal),

@@ -29,7 +29,7 @@ pub static RAPID_LINEAR: Field<f64, Optional> = Field::real(
     [1.0, 200_000.0],
     t("Avance rápido de los ejes lineales", "Rapid rate of the linear axes"),
     t(
-        "El del eje más lento. Vacío: los tiempos no cuentan los rápidos",
+        "El del eje más lento. Vacía: los tiempos no cuentan los rápidos",
         "That of the slowest axis. Empty: the times do not count rapids",
     ),
 );
@@ -42,7 +42,7 @@ pub static RAPID_ROTARY: Field<f64, Optional> = Field::real(
     [1.0, 1_000_000.0],
     t("Avance rápido de los ejes giratorios", "Rapid rate of the rotary axes"),
     t(
-        "El del eje más lento. 10 rpm son 3600 °/min. Vacío: los tiempos no cuentan los rápidos",
+        "El del eje más lento. 10 rpm son 3600 °/min. Vacía: los tiempos no cuentan los rápidos",
         "That of the slowest axis. 10 rpm are 3600 °/min. Empty: the times do not count rapids",
     ),
 );
@@ -54,7 +54,7 @@ pub static TOOL_CHANGE: Field<f64, Optional> = Field::real(
     Unit::Second,
     [0.0, 600.0],
     t("Cambio de herramienta", "Change of the tool"),
-    t("De viruta a viruta. Vacío: no se cuenta", "Chip to chip. Empty: not counted"),
+    t("De viruta a viruta. Vacía: no se cuenta", "Chip to chip. Empty: not counted"),
 );
 
 /// The rates of rapid motions, as forms of programs ask for them.

@@ -190,11 +190,14 @@ impl Program {
         before.into_iter().any(|part| matches!(part, Part::Block(words) if words.iter().any(size)))
     }
 
-    /// The line, counted from 1, of the block that takes the tool away, which stands before every move; `None` where there
+    /// The block that takes the tool away, which stands before every move, and its line, counted from 1; `None` where there
     /// is none.
     #[must_use]
-    pub fn away(&self) -> Option<usize> {
-        self.parts.iter().position(|part| matches!(part, Part::Away(_))).map(|before| before + 1)
+    pub fn away(&self) -> Option<(usize, &Retract)> {
+        (1..).zip(&self.parts).find_map(|(line, part)| match part {
+            Part::Away(retract) => Some((line, retract)),
+            _ => None,
+        })
     }
 
     /// How many blocks there are: lines that may carry a number.

@@ -28,6 +28,7 @@ use crate::gcode::program::{Program, Style};
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Limits, Measure, Suggested};
 use crate::number::grid::OutOfFormat;
+use crate::number::{duration, least_duration};
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form, at};
 use crate::proof::account::Account;
@@ -239,6 +240,14 @@ impl Proved {
             None if self.account.untimed || self.account.seconds <= 0.0 => (Timed::Unknown, None),
             None => (Timed::Feed, Some(self.account.seconds)),
         }
+    }
+
+    /// The same with the time in words, empty where nothing is known; a least time is rounded down.
+    #[must_use]
+    pub fn time_in_words(&self) -> (Timed, String) {
+        let (timed, seconds) = self.time();
+        let spelt = if timed == Timed::Feed { duration } else { least_duration };
+        (timed, seconds.map(spelt).unwrap_or_default())
     }
 }
 

@@ -30,23 +30,47 @@ pub fn decimal(number: f64) -> String {
     }
 }
 
-/// A time in seconds as `1 h 02 min 03.4 s`, rounded down to the tenth, below a minute to the hundredth, for what stands as a least time
-/// must not be above it; empty for a time that is none.
+/// A time in seconds as `1 h 02 min 03.4 s`, to the tenth, below a minute to the hundredth; empty for a time that is none.
 #[must_use]
 pub fn duration(seconds: f64) -> String {
+    spelt(seconds, f64::round)
+}
+
+/// The same rounded down, for what stands as a least time must not be above it.
+#[must_use]
+pub fn least_duration(seconds: f64) -> String {
+    spelt(seconds, |parts| (parts + 1e-6).floor())
+}
+
+fn spelt(seconds: f64, to_whole: fn(f64) -> f64) -> String {
     if !seconds.is_finite() || seconds < 0.0 {
         return String::new();
     }
     // Text is the one way from a float to a whole number that cannot wrap.
-    let Ok(hundredths) = format!("{:.0}", (seconds * 100.0 + 1e-6).floor()).parse::<u64>() else {
-        return String::new();
-    };
-    let (total, tenth) = (hundredths / 100, hundredths / 10 % 10);
+    let parts = |parts: f64| format!("{:.0}", to_whole(seconds * parts)).parse::<u64>();
+    let (Ok(hundredths), Ok(tenths)) = (parts(100.0), parts(10.0)) else { return String::new() };
+    if hundredths < 6000 {
+        return format!("{}.{:02} s", hundredths / 100, hundredths % 100);
+    }
+    let (total, tenth) = (tenths / 10, tenths % 10);
     match (total / 3600, total / 60 % 60, total % 60) {
-        (0, 0, second) => format!("{second}.{:02} s", hundredths % 100),
         (0, minute, second) => format!("{minute} min {second:02}.{tenth} s"),
         (hour, minute, second) => format!("{hour} h {minute:02} min {second:02}.{tenth} s"),
     }
+}
+
+/// A whole number in groups of three, separated by narrow spaces.
+#[must_use]
+pub fn grouped(value: u64) -> String {
+    let digits = value.to_string();
+    let mut out = String::with_capacity(digits.len() * 2);
+    for (at, digit) in digits.char_indices() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            out.push('\u{202F}');
+        }
+        out.push(digit);
+    }
+    out
 }
 
 /// The greater of two numbers, the first of which is one: [`f64::max`] asks that of both, and takes six instructions for one.
@@ -63,16 +87,27 @@ pub const fn lesser(one: f64, other: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{decimal, duration, shown};
+    use super::{decimal, duration, grouped, least_duration, shown};
 
     #[test]
     fn times_are_readable() {
         assert_eq!(duration(3.2), "3.20 s");
-        assert_eq!(duration(59.969), "59.96 s");
+        assert_eq!(duration(7.308), "7.31 s");
+        assert_eq!(duration(59.969), "59.97 s");
+        assert_eq!(duration(59.996), "1 min 00.0 s");
         assert_eq!(duration(64.1), "1 min 04.1 s");
-        assert_eq!(duration(125.04), "2 min 05.0 s");
+        assert_eq!(duration(125.07), "2 min 05.1 s");
         assert_eq!(duration(3725.0), "1 h 02 min 05.0 s");
         assert_eq!(duration(f64::NAN), "");
+    }
+
+    #[test]
+    fn a_least_time_is_never_above_the_time() {
+        assert_eq!(least_duration(7.308), "7.30 s");
+        assert_eq!(least_duration(59.999), "59.99 s");
+        assert_eq!(least_duration(3.2), "3.20 s");
+        assert_eq!(least_duration(125.09), "2 min 05.0 s");
+        assert_eq!(least_duration(-1.0), "");
     }
 
     #[test]
@@ -81,6 +116,12 @@ mod tests {
             assert_eq!(shown(value, 3), text);
         }
         assert_eq!(shown(100.0, 0), "100");
+    }
+
+    #[test]
+    fn large_whole_numbers_are_in_groups_of_three() {
+        assert_eq!(grouped(1_234_567), "1\u{202F}234\u{202F}567");
+        assert_eq!(grouped(12), "12");
     }
 
     #[test]

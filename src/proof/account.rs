@@ -157,7 +157,7 @@ impl Account {
                 let moved = |axis: &Axis| motion.from.get(*axis) != motion.to.get(*axis);
                 self.positioned.extend(Axis::ALL.into_iter().filter(moved).map(|axis| (axis, motion.to.get(axis))));
             }
-            Stage::Positioning | Stage::Planned(_) | Stage::Unplanned => {
+            Stage::Away | Stage::Positioning | Stage::Planned(_) | Stage::Unplanned => {
                 if !self.began && matches!(stage, Stage::Planned(_)) {
                     // Where the plan begins is a position of the program, whether it goes there itself or not.
                     self.reach(&motion.from);
@@ -175,7 +175,7 @@ impl Account {
     /// the first feed.
     const fn on_its_way(&self, step: &Step<'_>) -> bool {
         match step.stage {
-            Stage::Positioning => true,
+            Stage::Positioning | Stage::Away => true,
             Stage::Unplanned => !self.began && matches!(step.motion.kind, MotionKind::Rapid),
             Stage::Still | Stage::Planned(_) => false,
         }

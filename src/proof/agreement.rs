@@ -167,7 +167,7 @@ impl Judge for Agreement {
             return;
         }
         let what = match &step.stage {
-            Stage::Still => return,
+            Stage::Still | Stage::Away => return,
             Stage::Positioning => {
                 self.positioned += 1;
                 return;

@@ -70,9 +70,16 @@ pub struct Planned<'a> {
 enum Begin {
     /// At its first position. A program that does not find it itself begins wherever the machine stands, and is moved there;
     /// the line that takes the tool away is none of the plan's.
-    Position { start: Pose, found: bool, away: Option<usize> },
+    Position { start: Pose, found: bool, away: Option<(usize, Frame)> },
     /// With the first motion that is not rapid.
     Pierce,
+}
+
+/// What the block that takes the tool away counts from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Frame {
+    Machine,
+    Program,
 }
 
 /// What a program is meant to do, move by move.
@@ -108,7 +115,10 @@ impl<'a> Plan<'a> {
                 path: Some((planned.path, planned.step)),
             }
         });
-        let (start, found, away) = (Pose::from(program.start), program.finds_its_start(), program.away());
+        let (start, found) = (Pose::from(program.start), program.finds_its_start());
+        let away = program
+            .away()
+            .map(|(line, retract)| (line, if retract.by_machine() { Frame::Machine } else { Frame::Program }));
         let moves: Box<dyn Iterator<Item = Planned<'a>> + 'a> = Box::new(moves);
         Self { begin: Begin::Position { start, found, away }, moves: moves.peekable() }
     }
@@ -133,8 +143,11 @@ impl<'a> Plan<'a> {
 #[derive(Clone, Copy, Debug)]
 #[expect(clippy::large_enum_variant, reason = "one at a time, and most are of the largest")]
 pub enum Stage<'a> {
-    /// It goes nowhere, or takes the tool away first of all: a dwell, a rapid move to where the machine stands.
+    /// It goes nowhere, or takes the tool away first of all to a place of the machine: a dwell, a rapid move to where the machine
+    /// stands.
     Still,
+    /// It takes the tool away first of all, in program coordinates.
+    Away,
     /// It brings the machine to the start: where it comes from is not known.
     Positioning,
     /// It answers to this move.
@@ -164,7 +177,7 @@ impl Step<'_> {
     /// Where a judge that watches positions must look: the end, and the beginning where it is known.
     pub fn ends(&self) -> impl Iterator<Item = &Pose> {
         let (from, to) = match self.stage {
-            Stage::Still => (false, false),
+            Stage::Still | Stage::Away => (false, false),
             Stage::Positioning => (false, true),
             Stage::Planned(_) | Stage::Unplanned => (true, true),
         };
@@ -221,8 +234,11 @@ impl<'a> Steps<'a> {
         }
         let still = rapid && same(&motion.from, &motion.to);
         match self.plan.begin {
-            // Where the tool is taken away to may be a place of the machine: it is none of the program's positions.
-            Begin::Position { away, .. } if still || away == Some(motion.line) => return Stage::Still,
+            Begin::Position { away: Some((line, frame)), .. } if line == motion.line => {
+                // A place of the machine is none of the program's positions.
+                return if frame == Frame::Machine || still { Stage::Still } else { Stage::Away };
+            }
+            Begin::Position { .. } if still => return Stage::Still,
             Begin::Position { start, .. } => {
                 let before = self.plan.moves.peek().and_then(|planned| planned.line);
                 let before = before.is_some_and(|line| motion.line < line);

@@ -309,7 +309,7 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
         summary.blocks = program.parts.len() as u64;
     }
     let path = account.feed_path + account.rapid_path;
-    let (timed, seconds) = proved.time();
+    let (timed, time) = proved.time_in_words();
     Ok(Listed {
         key: program.key,
         title: words.text(&program.title),
@@ -324,7 +324,7 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
         path: if path > 0.0 { number::fixed(path, 1) } else { String::new() },
         start: start(program),
         timed,
-        time: seconds.map(crate::number::duration).unwrap_or_default(),
+        time,
         extents: extents(proved),
     })
 }

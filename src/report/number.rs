@@ -1,5 +1,6 @@
 //! Numbers as the report prints them: fixed decimals, a point, a true minus sign and never a minus zero.
 
+pub(super) use crate::number::grouped;
 use crate::table::Unit;
 
 /// U+2212: as wide as a digit, so that columns of numbers align.
@@ -83,22 +84,9 @@ pub(super) fn needed(values: impl Iterator<Item = f64>, most: usize, all: bool) 
     (if all { most } else { part }).min(WIDEST.saturating_sub(whole))
 }
 
-/// A whole number in groups of three, separated by narrow spaces.
-pub(super) fn grouped(value: u64) -> String {
-    let digits = value.to_string();
-    let mut out = String::with_capacity(digits.len() * 2);
-    for (at, digit) in digits.char_indices() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            out.push('\u{202F}');
-        }
-        out.push(digit);
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{fixed, given, grouped, needed, quantity, trimmed};
+    use super::{fixed, given, needed, quantity, trimmed};
     use crate::table::Unit;
 
     #[test]
@@ -132,11 +120,5 @@ mod tests {
         assert_eq!(of(&[60.0, 40.0], 4, true), 4);
         assert_eq!(of(&[-202_163.201_432], 6, true), 3);
         assert_eq!(of(&[], 4, false), 0);
-    }
-
-    #[test]
-    fn counts_are_readable() {
-        assert_eq!(grouped(1_234_567), "1\u{202F}234\u{202F}567");
-        assert_eq!(grouped(12), "12");
     }
 }

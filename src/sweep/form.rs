@@ -99,7 +99,7 @@ pub static STEP: Field<f64, Optional> = Field::real(
     Unit::One,
     REACH,
     t("Paso", "Step"),
-    t("Vacío: el intervalo se muestrea", "Empty: the range is sampled"),
+    t("Vacía: el intervalo se muestrea", "Empty: the range is sampled"),
 );
 /// Values, parted by semicolons.
 pub static VALUES: Field<String, Optional> = Field::line(

@@ -4,6 +4,7 @@ use crate::finding::{Finding, Grade};
 use crate::kind::Kind;
 use crate::kind::measure::Level;
 use crate::parameter::field::Chosen;
+use crate::sweep::form::LEVEL;
 use crate::sweep::indices::LEAST;
 use crate::sweep::plan::{INPUT, Plan};
 use crate::sweep::ranking::Counts;
@@ -12,7 +13,7 @@ use crate::sweep::sensitivity::{Effect, LOOKS, NoRoom, SHARES_LEAST};
 use crate::sweep::table::{
     CAUTION, CODES, FEASIBLE, FRONT, ID, LIMIT, MARGIN, MESSAGE, REASON, STATE, STOP, Table, VALUE,
 };
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 
 /// The colours of designs in the charts of the workbook and of the report: those of the front, others of the best, other feasible ones,
 /// and those that break a constraint.
@@ -167,7 +168,8 @@ impl Results<'_> {
     /// The same in full, and where a whole build knows more.
     #[must_use]
     pub fn judged(&self) -> Text {
-        let (level, by) = (self.plan.level.key(), self.judged_by());
+        let by = self.judged_by();
+        let level = |language| LEVEL.row.label(self.plan.level.key(), language);
         let [es, en] = match self.plan.level {
             Level::Limits => [
                 ", y un diseño que aquí vale puede rechazarse al generarlo entero",
@@ -176,8 +178,8 @@ impl Results<'_> {
             Level::Program => ["", ""],
         };
         Text::new(
-            format!("Juzgado con level = {level}, {}{es}.", by.es),
-            format!("Judged with level = {level}, {}{en}.", by.en),
+            format!("Juzgado con level = {}, {}{es}.", level(Language::Es), by.es),
+            format!("Judged with level = {}, {}{en}.", level(Language::En), by.en),
         )
     }
 

@@ -84,13 +84,13 @@ rules! {
     "D0113" DistributionWithoutRange Stop { symbol: Key }
         es "{symbol} tiene una distribución, pero no un intervalo que se muestree"
         en "{symbol} has a distribution, but no range that is sampled"
-        remedy "quite la distribución; o quite el paso y elija latin o sobol", "remove the distribution; or remove the step and choose latin or sobol";
+        remedy "quite la distribución; o quite el paso y elija latino o sobol", "remove the distribution; or remove the step and choose latin or sobol";
         why "Con paso o con valores, cada uno cuenta lo mismo.", "With a step or with values each counts the same.";
         example book!("impeller", "SWEEP!F16" = "uniform");
     "D0114" StepNeeded Stop { symbol: Key }
         es "con method = factorial, {symbol} necesita un paso o una lista de valores"
         en "with method = factorial, {symbol} needs a step or a list of values"
-        remedy "dé un paso, o elija latin o sobol", "give a step, or choose latin or sobol";
+        remedy "dé un paso, o elija latino o sobol", "give a step, or choose latin or sobol";
         why "Un plan factorial combina niveles, y un intervalo sin paso no tiene ninguno.", "A factorial plan combines levels, and a range without a step has none.";
         example book!("impeller", "SWEEP!D16" = "");
     "D0115" SamplesNeeded Stop { method: &'static str }
@@ -108,7 +108,7 @@ rules! {
     "D0117" TooManySampled Stop { count: usize, method: &'static str, most: usize }
         es "varían {count} entradas; {method} admite {most}"
         en "{count} inputs vary; {method} allows {most}"
-        remedy "elija latin, o varíe menos entradas", "choose latin, or vary fewer inputs";
+        remedy "elija latino, o varíe menos entradas", "choose latin, or vary fewer inputs";
         why "La sucesión de Sobol tiene aquí esas dimensiones.", "The sequence of Sobol has so many dimensions here.";
         example Example::Made { key: "sweep-many-inputs", how: t("method = saltelli con 21 entradas", "method = saltelli with 21 inputs") };
     "D0118" ObjectiveUnread Stop { text: String }
@@ -124,10 +124,10 @@ rules! {
         why "Objetivos y restricciones se refieren a lo que rodete calcula de cada diseño.", "Objectives and constraints refer to what rodete computes of each design.";
         example book!("impeller", "SWEEP!C10" = "cost min");
     "D0120" MeasureAboveLevel Stop { key: &'static str }
-        es "{key} solo se conoce cuando los programas se releen, y level es limits"
+        es "{key} solo se conoce cuando los programas se releen, y level es límites"
         en "{key} is known only after programs are read back, and level is limits"
-        remedy "ponga level = program, o elija otra magnitud", "set level = program, or choose another measure";
-        why "Con level = limits rodete no relee ningún programa.", "With level = limits rodete reads no program back.";
+        remedy "ponga level = programa, o elija otra magnitud", "set level = program, or choose another measure";
+        why "Con level = límites rodete no relee ningún programa.", "With level = limits rodete reads no program back.";
         example book!("impeller", "SWEEP!C9" = "limits");
     "D0121" ConstraintUnread Stop { text: String }
         es "«{text}» no es una restricción"
@@ -136,13 +136,13 @@ rules! {
         why "Una restricción es un límite para lo que rodete calcula de cada diseño.", "A constraint is a limit for what rodete computes of each design.";
         example book!("impeller", "SWEEP!C11" = "clearance_mm = 0.5");
     "D0122" NoDesignsSheet Stop { sheet: Text }
-        es "con method = list falta la hoja {sheet}, con un diseño en cada fila"
+        es "con method = lista falta la hoja {sheet}, con un diseño en cada fila"
         en "with method = list, the sheet {sheet} is missing, with one design in each row"
         remedy "añada la hoja: en su primera fila los símbolos, debajo los valores", "add the sheet: symbols in its first row, values below";
         why "Una lista dice cada diseño por separado.", "A list states each design by itself.";
         example book!("impeller", "SWEEP!C6" = "list");
     "D0123" ListAndInputs Caution { sheet: Text }
-        es "con method = list no se leen las entradas de la hoja {sheet}"
+        es "con method = lista no se leen las entradas de la hoja {sheet}"
         en "with method = list, the inputs on the sheet {sheet} are not read"
         remedy "bórrelas, o elija otro método", "delete them, or choose another method";
         why "Los diseños son los de la hoja de la lista.", "The designs are those on the sheet of the list.";
@@ -198,7 +198,7 @@ rules! {
     "D0132" SamplesUnread Caution { method: &'static str }
         es "con method = {method} no se lee samples"
         en "with method = {method}, samples is not read"
-        remedy "vacíe la celda, o elija latin, sobol o saltelli", "empty the cell, or choose latin, sobol or saltelli";
+        remedy "vacíe la celda, o elija latino, sobol o saltelli", "empty the cell, or choose latin, sobol or saltelli";
         why "Cuántos diseños hay se sigue de los niveles, o de la lista.", "How many designs there are follows from the levels, or from the list.";
         example book!("impeller", "SWEEP!C7" = "64");
     "D0133" LastBeforeTo Caution { symbol: Key, last: Typed, to: Typed }
@@ -208,9 +208,9 @@ rules! {
         why "Los niveles son desde y un número entero de pasos.", "The levels are from, and a whole number of steps.";
         example book!("impeller", "SWEEP!D16" = "2");
     "D0134" LevelWithoutMeasures Stop {}
-        es "con level = limits este libro no tiene ninguna magnitud"
+        es "con level = límites este libro no tiene ninguna magnitud"
         en "with level = limits, this workbook has no measure"
-        remedy "ponga level = program, o vacíe objectives y constraints", "set level = program, or empty objectives and constraints";
+        remedy "ponga level = programa, o vacíe objectives y constraints", "set level = program, or empty objectives and constraints";
         why "De un programa que ya está escrito no se sabe nada antes de leerlo.", "Of a program that is written already nothing is known before it is read.";
         example book!("lathe", "SWEEP!C9" = "limits");
 
@@ -265,9 +265,9 @@ rules! {
     "D0209" RejectedWhole Caution { rejected: usize, built: usize, code: String, path: String }
         es "rodete rechaza {rejected} de los {built} mejores diseños al generarlos enteros; el motivo más frecuente es {code}"
         en "rodete rejects {rejected} of the {built} best designs when it builds them whole; the most frequent reason is {code}"
-        remedy "con level = limits, ponga level = program, que los rechaza antes de elegir los mejores; la hoja MEJORES de {path} dice por qué cada uno", "with level = limits, set level = program, which rejects them before the best are chosen; the sheet TOP of {path} says why each one";
-        why "Con level = limits rodete no relee ningún programa: no ve lo que solo un programa muestra, tampoco si corta otro álabe.", "With level = limits rodete reads no program back: it does not see what only a program shows, not even a cut into another blade.";
-        example Example::Made { key: "sweep-rejected-whole", how: t("un barrido con level = limits de álabes tan gruesos que la herramienta corta el vecino", "a sweep with level = limits of blades so thick that the tool cuts the neighbour") };
+        remedy "con level = límites, ponga level = programa, que los rechaza antes de elegir los mejores; la hoja MEJORES de {path} dice por qué cada uno", "with level = limits, set level = program, which rejects them before the best are chosen; the sheet TOP of {path} says why each one";
+        why "Con level = límites rodete no relee ningún programa: no ve lo que solo un programa muestra, tampoco si corta otro álabe.", "With level = limits rodete reads no program back: it does not see what only a program shows, not even a cut into another blade.";
+        example Example::Made { key: "sweep-rejected-whole", how: t("un barrido con level = límites de álabes tan gruesos que la herramienta corta el vecino", "a sweep with level = limits of blades so thick that the tool cuts the neighbour") };
     "D0210" OtherWorkbook Stop { path: String, other: String }
         es "{path} contiene filas de otro libro, {other}"
         en "{path} holds rows of another workbook, {other}"

@@ -220,7 +220,8 @@ function drawOver(width, height, ratio) {
   const canvas = byId("over"), context = canvas.getContext("2d");
   if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
   context.clearRect(0, 0, width, height);
-  const size = 30 * ratio, at = [width - 52 * ratio, height - 46 * ratio], { right, up } = camera.axes();
+  // The grid's step stands below the letter of an axis that points down.
+  const size = 30 * ratio, at = [width - 52 * ratio, height - (shown.grid ? 64 : 46) * ratio], { right, up } = camera.axes();
   context.font = `600 ${12 * ratio}px system-ui, sans-serif`;
   context.textAlign = "center";
   context.textBaseline = "middle";
@@ -327,7 +328,7 @@ function labelAll() {
   const cameras = byId("cameras");
   cameras.replaceChildren();
   cameraNames().forEach((name) => {
-    const button = make("button", cameras, say(name));
+    const button = make("button", cameras, say(name === "plan" && run.data.diameter ? "planZX" : name));
     button.type = "button";
     button.dataset.name = name;
     button.setAttribute("aria-pressed", String(name === "section" ? camera.section : name === shownPreset));

@@ -93,7 +93,7 @@ function showRemarks(run, go) {
   const box = byId("remarks"), list = run.data.remarks;
   box.replaceChildren();
   const notes = list.filter((remark) => remark.grade === "note").length;
-  byId("count").textContent = `(${list.length - notes})${notes ? ` · ${say("noteCount")} ${notes}` : ""}`;
+  byId("count").textContent = `(${list.length - notes})${notes ? ` · ${notes} ${say(notes === 1 ? "oneNote" : "someNotes")}` : ""}`;
   byId("count").className = list.some((remark) => remark.grade === "stop") ? "bad" : "";
   if (list.length === 0) make("p", box, say("noRemarks"));
   for (const remark of list) {

@@ -152,7 +152,7 @@ impl LivePart<'_> {
         styles: &Styles,
     ) -> Result<Vec<(String, String)>, WriteError> {
         static HEADINGS: [Text; 4] =
-            [t("En vivo", "Live"), t("Valor", "Value"), t("Unidad", "Unit"), t("Qué dice", "What it says")];
+            [t("Valores vivos", "Live"), t("Valor", "Value"), t("Unidad", "Unit"), t("Qué dice", "What it says")];
         let (language, form) = (self.language, self.form);
         for ((column, width), heading) in (self.column..).zip(WIDTHS).zip(&HEADINGS) {
             sheet.set_column_width(column, width)?;

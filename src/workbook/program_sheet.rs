@@ -98,12 +98,12 @@ impl<'a> ProgramSheet<'a> {
         let first = self.strands.iter().filter(|strand| strand.cut && strand.skip == 0);
         let names: Vec<&str> = first.filter_map(of).map(|(name, _)| name.as_str()).collect();
         let printed = Text::new(
-            format!("De un programa largo se imprimen los {ENDS} primeros y los {ENDS} últimos bloques; entero: "),
-            format!("Of a long program the first and the last {ENDS} blocks are printed; whole: "),
+            format!("De un programa largo se imprimen las {ENDS} primeras y las {ENDS} últimas líneas; entero: "),
+            format!("Of a long program the first and the last {ENDS} lines are printed; whole: "),
         );
         let ends = Text::new(
-            format!("Los {ENDS} primeros y los {ENDS} últimos bloques; entero: "),
-            format!("The first and the last {ENDS} blocks; whole: "),
+            format!("Las {ENDS} primeras y las {ENDS} últimas líneas; entero: "),
+            format!("The first and the last {ENDS} lines; whole: "),
         );
         let files = t("los archivos .nc", "the .nc files").get(language).to_owned();
         let named = if names.is_empty() { files.clone() } else { names.join(", ") };

@@ -124,8 +124,10 @@ impl Default for Styles {
 #[must_use]
 pub const fn digits(unit: Unit) -> &'static str {
     match unit {
-        Unit::Count | Unit::RevolutionPerMinute | Unit::MetrePerMinute | Unit::CubicMillimetre => "0",
-        Unit::MillimetrePerMinute | Unit::DegreePerMinute | Unit::CubicCentimetrePerMinute => "0.0",
+        Unit::Count | Unit::RevolutionPerMinute | Unit::CubicMillimetre => "0",
+        Unit::MetrePerMinute | Unit::MillimetrePerMinute | Unit::DegreePerMinute | Unit::CubicCentimetrePerMinute => {
+            "0.0"
+        }
         Unit::Second => "0.00",
         Unit::Step => "0.000",
         Unit::Millimetre | Unit::SquareMillimetre | Unit::Degree | Unit::MillimetrePerRevolution => "0.0000",

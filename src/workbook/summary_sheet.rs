@@ -11,7 +11,7 @@ use super::page::Page;
 use super::style::{Styles, grade_fill};
 use crate::finding::{Finding, Grade};
 use crate::kind::{Outcome, Proved, Timed, checks};
-use crate::number::duration;
+use crate::number::grouped;
 use crate::parameter::field::Chosen;
 use crate::table::{Quantity, Unit};
 use crate::text::{Language, Text, t};
@@ -290,23 +290,27 @@ fn programs(programs: &[Proved]) -> Text {
         let count = if program.blocks() > 0 { program.blocks() } else { program.parts.len() as u64 };
         let title = program.title.get(language);
         let time = time(proved).map_or_else(String::new, |time| format!(", {}", time.get(language)));
+        let count = grouped(count);
         format!("{title} ({}): {count} {blocks}{time}", program.key)
     };
+    // What is turned is the blank of what is milled, and is made first.
+    let mut in_order: Vec<&Proved> = programs.iter().collect();
+    in_order.sort_by_key(|one| !one.program.control.turns());
     let list = |language: Language, blocks: &str| {
-        programs.iter().map(|one| line(one, language, blocks)).collect::<Vec<_>>().join("\n")
+        in_order.iter().map(|one| line(one, language, blocks)).collect::<Vec<_>>().join("\n")
     };
     Text::new(list(Language::Es, "bloques"), list(Language::En, "blocks"))
 }
 
 /// The time of a program, as in the report.
 fn time(proved: &Proved) -> Option<Text> {
-    let (timed, seconds) = proved.time();
-    let time = duration(seconds?);
+    let (timed, time) = proved.time_in_words();
     Some(match timed {
+        Timed::Unknown => return None,
         Timed::Feed => {
             Text::new(format!("{time} con avance, sin rápidos"), format!("{time} at feed, without rapid moves"))
         }
-        Timed::Cycle | Timed::Part | Timed::Unknown => Text::same(format!("≥ {time}")),
+        Timed::Cycle | Timed::Part => Text::same(format!("≥ {time}")),
     })
 }
 

@@ -50,7 +50,7 @@ pub fn told(name: Text, text: &str, shown: String, unit: Unit, kind: &FieldKind)
         ),
     };
     match read(number) {
-        Some(_) if factor.is_none() => {
+        reading if factor.is_none() && (feet || reading.is_some()) => {
             let unit =
                 if unit.label().is_empty() { t("sin unidad", "without a unit") } else { Text::same(unit.label()) };
             Box::new(NumberInOtherUnit { name, text: shown, unit })
@@ -103,7 +103,7 @@ fn grouped(text: &str) -> bool {
 #[derive(Debug, PartialEq, Eq)]
 enum Reading {
     One(String),
-    /// One separator that may stand before decimals or between thousands.
+    /// One mark that may stand before decimals or between thousands.
     Either(String, String),
 }
 
@@ -126,26 +126,37 @@ fn read(text: &str) -> Option<Reading> {
         Some(rest) => ("-", rest.trim_start()),
         None => ("", text.strip_prefix('+').unwrap_or(text)),
     };
-    let clean = |text: &str| -> String { text.chars().filter(char::is_ascii_digit).collect() };
     let well_formed = digits.starts_with(|character: char| character.is_ascii_digit())
         && digits.ends_with(|character: char| character.is_ascii_digit())
         && digits.chars().all(|character| character.is_ascii_digit() || " '_.,".contains(character));
     if !well_formed || digits.starts_with("0x") {
         return None;
     }
-    let marks: Vec<(usize, char)> = digits.char_indices().filter(|(_, one)| !one.is_ascii_digit()).collect();
-    let &(last, mark) = marks.last()?;
-    let (whole, fraction) = (digits.get(..last)?, digits.get(last + 1..)?);
-    let repeated = marks.iter().filter(|(_, one)| *one == mark).count() > 1;
-    let joined = format!("{sign}{}", clean(digits));
-    let parted = format!("{sign}{}.{fraction}", clean(whole));
-    let thousands = fraction.len() == 3 && whole.len() <= 3 && whole != "0";
-    Some(match mark {
-        ',' | '.' if repeated => Reading::One(joined),
-        ',' if marks.len() == 1 && thousands => Reading::Either(parted, joined),
-        ',' | '.' => Reading::One(parted),
-        _ => Reading::One(joined),
-    })
+    if let Some(joined) = joined(digits) {
+        let joined = format!("{sign}{joined}");
+        // One mark alone may stand before decimals, too.
+        let [whole, fraction] = digits.split_once([',', '\'']).map(<[&str; 2]>::from).unwrap_or_default();
+        let either = !whole.is_empty() && fraction.len() == 3;
+        return Some(if either {
+            Reading::Either(format!("{sign}{whole}.{fraction}"), joined)
+        } else {
+            Reading::One(joined)
+        });
+    }
+    let (whole, fraction) = digits.rsplit_once([',', '.', '\''])?;
+    let plain = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let whole = if plain(whole) { whole.to_owned() } else { joined(whole)? };
+    plain(fraction).then(|| Reading::One(format!("{sign}{whole}.{fraction}")))
+}
+
+/// The digits of a number with one mark between its thousands: a group of one to three digits, and all others of three.
+fn joined(digits: &str) -> Option<String> {
+    let mark = digits.chars().find(|character| !character.is_ascii_digit())?;
+    let groups: Vec<&str> = digits.split(mark).collect();
+    let of_digits = groups.iter().all(|group| group.bytes().all(|byte| byte.is_ascii_digit()));
+    let first = groups.first().filter(|first| (1..=3).contains(&first.len()) && !first.starts_with('0'));
+    let whole = first.is_some() && groups.iter().skip(1).all(|group| group.len() == 3);
+    (of_digits && whole).then(|| groups.concat())
 }
 
 /// A number as typed, or in another unit to the digits that anybody types.
@@ -170,7 +181,7 @@ fn plain(text: &str) -> (String, Option<char>) {
                 0xff0b => Some('+'),
                 0x066b | 0xff0e | 0x00b7 => Some('.'),
                 0xff0c => Some(','),
-                0x066c | 0x2019 | 0x02bc => Some('\''),
+                0x066c | 0x00b4 | 0x2019 | 0x02bc => Some('\''),
                 0x00a0 | 0x2000..=0x200a | 0x202f | 0x3000 => Some(' '),
                 0x200b..=0x200f | 0x2060 | 0xfeff | 0x00ad => None,
                 _ => return Some(character),
@@ -199,6 +210,7 @@ fn name(character: char) -> Text {
         0x066b => t("separador decimal arábigo", "ARABIC DECIMAL SEPARATOR"),
         0x066c => t("separador de millares arábigo", "ARABIC THOUSANDS SEPARATOR"),
         0x00b7 => t("punto medio", "MIDDLE DOT"),
+        0x00b4 => t("acento agudo", "ACUTE ACCENT"),
         0x2019 | 0x02bc => t("apóstrofo tipográfico", "a typographic apostrophe"),
         _ => t("carácter invisible", "an invisible character"),
     }
@@ -215,15 +227,18 @@ mod tests {
         let angle = FieldKind::Real { min: 0.0, max: 80.0 };
         for (text, hinted) in [
             ("12.500", "set the cell's format to General if it is Text, and retype 12.500"),
-            ("12,500", "type the number 12.500"),
-            ("1,500", "type the number 1.500"),
+            ("12,500", "set the cell's format to General if it is Text, and type the number 12.500"),
+            ("1'500", "set the cell's format to General if it is Text, and type the number 1.500"),
         ] {
             let remedy = told(Text::same("γ"), text, String::new(), Unit::Degree, &angle).remedy().en;
             assert_eq!(remedy, format!("{hinted}, with the decimal sign of your spreadsheet"), "{text}");
         }
         let number = FieldKind::Whole { min: 1, max: 9999 };
         let remedy = told(Text::same("S"), "1.500", String::new(), Unit::One, &number).remedy().en;
-        assert_eq!(remedy, "type the number 1500, with the decimal sign of your spreadsheet");
+        assert_eq!(
+            remedy,
+            "set the cell's format to General if it is Text, and type the number 1500, with the decimal sign of your spreadsheet"
+        );
     }
 
     #[test]
@@ -248,43 +263,54 @@ mod tests {
             ("12.5", Unit::Millimetre, "set the cell's format to General if it is Text, and retype 12.5"),
             ("0.125", Unit::Millimetre, "set the cell's format to General if it is Text, and retype 0.125"),
             // As typed into a spreadsheet that has the comma before decimals: two or two thousand.
-            ("2.000", Unit::MillimetrePerMinute, "type the number 2.000 or 2000, whichever is meant"),
-            ("1,5", Unit::Millimetre, "type the number 1.5"),
-            ("-0,25", Unit::Millimetre, "type the number -0.25"),
-            ("1 234,5", Unit::Millimetre, "type the number 1234.5"),
-            ("1.234,5", Unit::Millimetre, "type the number 1234.5"),
-            ("1,234.5", Unit::Millimetre, "type the number 1234.5"),
-            ("1.234.567", Unit::Millimetre, "type the number 1234567"),
-            ("1,234", Unit::Millimetre, "type the number 1.234 or 1234, whichever is meant"),
-            ("0,125", Unit::Millimetre, "type the number 0.125"),
-            ("1_000", Unit::One, "type the number 1000"),
+            ("2.000", Unit::MillimetrePerMinute, "number 2.000 or 2000, whichever is meant"),
+            ("1,5", Unit::Millimetre, "number 1.5"),
+            ("-0,25", Unit::Millimetre, "number -0.25"),
+            ("1 234,5", Unit::Millimetre, "number 1234.5"),
+            ("1.234,5", Unit::Millimetre, "number 1234.5"),
+            ("1,234.5", Unit::Millimetre, "number 1234.5"),
+            ("1.234.567", Unit::Millimetre, "number 1234567"),
+            ("1,234", Unit::Millimetre, "number 1.234 or 1234, whichever is meant"),
+            ("0,125", Unit::Millimetre, "number 0.125"),
+            ("1,234,567", Unit::Millimetre, "number 1234567"),
+            ("1'234.5", Unit::Millimetre, "number 1234.5"),
+            ("1 234'5", Unit::Millimetre, "number 1234.5"),
+            ("1234,567", Unit::Millimetre, "number 1234.567"),
+            // The apostrophe stands before decimals in Spain, and between thousands elsewhere.
+            ("2'5", Unit::Millimetre, "number 2.5"),
+            ("-12'75", Unit::Millimetre, "number -12.75"),
+            ("0'4", Unit::Millimetre, "number 0.4"),
+            ("0'025", Unit::Millimetre, "number 0.025"),
+            ("3'1416", Unit::Millimetre, "number 3.1416"),
+            ("1'234", Unit::Millimetre, "number 1.234 or 1234, whichever is meant"),
+            ("1'234'567", Unit::Millimetre, "number 1234567"),
+            ("2\u{b4}5", Unit::Millimetre, "number 2.5 (the text has the character U+00B4, ACUTE ACCENT)"),
+            // Marks that are neither before decimals nor between thousands.
+            ("2..5", Unit::Millimetre, "type a number, such as 12.5"),
+            ("1.5.3", Unit::Millimetre, "type a number, such as 12.5"),
+            ("2 5", Unit::Millimetre, "type a number, such as 12.5"),
+            ("1'2'5", Unit::Millimetre, "type a number, such as 12.5"),
+            ("12.34,5", Unit::Millimetre, "type a number, such as 12.5"),
+            ("1_000", Unit::One, "number 1000"),
             ("0x10", Unit::One, "type a number, such as 12.5"),
             ("nan", Unit::Millimetre, "type a number, such as 12.5"),
             ("inf", Unit::Millimetre, "type a number, such as 12.5"),
             ("1e400", Unit::Millimetre, "type a number, such as 12.5"),
-            ("\u{2212}1.5", Unit::Millimetre, "type the number -1.5 (the text has the character U+2212, MINUS SIGN)"),
-            (
-                "1\u{a0}234",
-                Unit::Millimetre,
-                "type the number 1234 (the text has the character U+00A0, NO-BREAK SPACE)",
-            ),
-            (
-                "\u{ff11}\u{ff12}",
-                Unit::Millimetre,
-                "type the number 12 (the text has the character U+FF11, a full-width digit)",
-            ),
+            ("\u{2212}1.5", Unit::Millimetre, "number -1.5 (the text has the character U+2212, MINUS SIGN)"),
+            ("1\u{a0}234", Unit::Millimetre, "number 1234 (the text has the character U+00A0, NO-BREAK SPACE)"),
+            ("\u{ff11}\u{ff12}", Unit::Millimetre, "number 12 (the text has the character U+FF11, a full-width digit)"),
             (
                 "\u{661}\u{662}\u{66b}\u{665}",
                 Unit::Millimetre,
-                "type the number 12.5 (the text has the character U+0661, an Arabic-Indic digit)",
+                "number 12.5 (the text has the character U+0661, an Arabic-Indic digit)",
             ),
-            (
-                "\u{200b}12",
-                Unit::Millimetre,
-                "type the number 12 (the text has the character U+200B, an invisible character)",
-            ),
+            ("\u{200b}12", Unit::Millimetre, "number 12 (the text has the character U+200B, an invisible character)"),
         ] {
             let remedy = told(Text::same("R"), text, String::new(), unit, &REAL).remedy().en;
+            let hinted = match hinted.strip_prefix("number ") {
+                Some(number) => format!("set the cell's format to General if it is Text, and type the number {number}"),
+                None => hinted.to_owned(),
+            };
             assert_eq!(remedy, format!("{hinted}, with the decimal sign of your spreadsheet"), "{text:?}");
         }
     }
@@ -334,9 +360,9 @@ mod tests {
                 "12, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
             ),
             (
-                "1'250 mm.",
+                "1'250'000 mm.",
                 Unit::Millimetre,
-                "1250, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
+                "1250000, with the decimal sign of your spreadsheet and without the unit: rodete reads it in mm",
             ),
             (
                 "300 mm / min",
@@ -353,7 +379,8 @@ mod tests {
             ("-2,5%", Unit::One, "-0.025, with the decimal sign of your spreadsheet and without a unit"),
         ] {
             let remedy = told(Text::same("R"), text, String::new(), unit, &REAL).remedy().en;
-            assert_eq!(remedy, format!("type the number {hinted}"), "{text:?}");
+            let hinted = format!("set the cell's format to General if it is Text, and type the number {hinted}");
+            assert_eq!(remedy, hinted, "{text:?}");
         }
         for other in ["12 furlong", "5' 3\"", "5 %"] {
             let other = told(Text::same("R"), other, String::new(), Unit::Millimetre, &REAL);

@@ -203,3 +203,23 @@ fn the_extents_of_a_program_hold_those_at_feed() {
     }
     assert!(seen > 10, "{seen} programs");
 }
+
+/// The block that takes the tool away in program coordinates is counted; what it moves with G53 has no place in the program.
+#[test]
+fn the_extents_of_a_program_hold_where_the_tool_is_taken_away_to() {
+    for (dialect, block, high) in [("fagor-8070", "G0 Z400", true), ("linuxcnc", "G0 G53 Z400", false)] {
+        let made = common::outcome(
+            "full",
+            &[
+                ("dialect", Value::Choice(dialect)),
+                ("start_codes", Value::Line("M3".to_owned())),
+                ("retract", Value::Line(block.to_owned())),
+            ],
+        );
+        let blade = made.programs.iter().find(|program| program.key == "blade").unwrap();
+        let [_, greatest] = blade.account.program.unwrap().of(Axis::Z);
+        assert_eq!(greatest == 400.0, high, "{block}: {greatest}");
+        let header = blade.extents().into_iter().find(|extent| extent.0 == 'Z').unwrap();
+        assert!((header.2.value() - greatest).abs() < 1e-9, "{block}: {greatest}, {header:?}");
+    }
+}

@@ -391,7 +391,17 @@ fn both_languages_are_spoken() {
     let words =
         "return document.body.innerText + [...document.querySelectorAll('[aria-label]')].map((one) => one.ariaLabel)";
     let spanish = browser.run(words).to_string();
-    for word in ["Bloques", "Avisos", "Velocidad", "Capas", "Herramienta", "Rejilla", "Pantalla de la máquina"] {
+    for word in [
+        "Bloques",
+        "Avisos",
+        "Velocidad",
+        "Capas",
+        "Herramienta",
+        "Rejilla",
+        "Pantalla de la máquina",
+        "Planta (Z-X)",
+        "Desde +X",
+    ] {
         assert!(spanish.contains(word), "{word}: {spanish}");
     }
     browser.click("#language");

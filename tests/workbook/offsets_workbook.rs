@@ -261,7 +261,7 @@ fn all_faults_are_told_at_once() {
         remedies,
         [
             "give --inch if the machine works in inches; otherwise convert the values and write mm in J4",
-            "type the number 1.5, with the decimal sign of your spreadsheet",
+            "set the cell's format to General if it is Text, and type the number 1.5, with the decimal sign of your spreadsheet",
             "type a number, such as 12.5, with the decimal sign of your spreadsheet"
         ]
     );

@@ -6,10 +6,11 @@ use super::markdown::{headed, plain};
 use super::row::{FOR_EXAMPLE, graded, shown};
 use super::told::{self, Told};
 use crate::finding::Rule;
+use crate::kind::Kind;
 use crate::text::{Language, Text, t};
 
 /// The page of these rows, which are sorted by their codes.
-pub(super) fn page(rows: &[&Rule], language: Language) -> String {
+pub(super) fn page(rows: &[&Rule], kinds: &[&dyn Kind], language: Language) -> String {
     let title = t("Mensajes de rodete", "Findings of rodete");
     let about = t(
         "Cada código con su gravedad, lo que dice, por qué, qué hacer y una entrada que lo provoca. Tras *por ejemplo* las cifras y los nombres son los de esa entrada; donde no hay ejemplo, hay puntos suspensivos en su lugar. Un código no cambia de significado ni se reutiliza. Esta página es la salida de `rodete explain --all --markdown --lang es`.",
@@ -32,7 +33,7 @@ pub(super) fn page(rows: &[&Rule], language: Language) -> String {
             let _ = write!(page, "\n{}: {}\n", t("Remedio", "Remedy").get(language), plain(remedy.get(language)));
         }
         let mut example = String::new();
-        shown(&mut example, rule, language);
+        shown(&mut example, rule, kinds, language);
         let lines: String =
             example.lines().map(|line| format!("{}\n", line.strip_prefix("  ").unwrap_or(line))).collect();
         let _ = write!(page, "\n```text\n{lines}```\n");

@@ -1,5 +1,6 @@
 //! `explain`: what a code means, why it is reported, what to do, and an example that raises it.
 
+mod cells;
 mod clashes;
 mod controls;
 mod findings;
@@ -101,7 +102,7 @@ pub fn rows(kinds: &[&dyn Kind]) -> Vec<&'static Rule> {
 /// Every row on one page in Markdown, by its code.
 #[must_use]
 pub fn reference(kinds: &[&dyn Kind], language: Language) -> String {
-    findings::page(&rows(kinds), language)
+    findings::page(&rows(kinds), kinds, language)
 }
 
 pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
@@ -127,7 +128,7 @@ pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Termi
         let told: String = if arguments.markdown {
             reference(kinds, language)
         } else {
-            rows(kinds).into_iter().map(|rule| row::told(rule, language, width)).collect()
+            rows(kinds).into_iter().map(|rule| row::told(rule, kinds, language, width)).collect()
         };
         terminal.out(&told);
         return Exit::Done;
@@ -151,7 +152,7 @@ pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Termi
             exit = refused(&refusal, language, terminal);
         }
         for rule in found {
-            terminal.out(&row::told(rule, language, width));
+            terminal.out(&row::told(rule, kinds, language, width));
         }
     }
     exit

@@ -20,7 +20,7 @@ use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule};
 use crate::kind::Kind;
 use crate::limits::{FRONT_DESIGNS, SWEEP_ROWS};
-use crate::number::decimal;
+use crate::number::{decimal, shown};
 use crate::parameter::Values;
 use crate::report;
 use crate::report::sweep::Titled;
@@ -267,9 +267,12 @@ fn unvalued(key: &str) -> Text {
     Text::new(format!("no tiene valor de {key}"), format!("it has no value of {key}"))
 }
 
-/// A number to six significant digits.
+/// A number to the fourth decimal; a smaller one to three significant digits.
 fn short(value: f64) -> String {
-    format!("{value:.5e}").parse().map_or_else(|_| decimal(value), decimal)
+    match shown(value, 4) {
+        zero if zero == "0" => format!("{value:.2e}").parse().map_or_else(|_| decimal(value), decimal),
+        text => text,
+    }
 }
 
 fn write_book(study: &Study<'_>, results: &Results<'_>, folder: &Folder, name: &OsStr) -> Result<(), Refusal> {

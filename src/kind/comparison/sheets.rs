@@ -166,7 +166,7 @@ fn program(one: &ProgramPair) -> Vec<Line> {
         [Some(_), Some(_)] if one.moves_alike() => {
             t("los mismos movimientos, otras palabras", "the same motions, other words")
         }
-        [Some(_), Some(_)] => t("otros movimientos", "other motions"),
+        [Some(_), Some(_)] => t("los movimientos difieren", "other motions"),
         [Some(_), None] => t("solo en A", "only in A"),
         _ => t("solo en B", "only in B"),
     };

@@ -88,13 +88,13 @@ pub fn header(
     );
     if by_increments {
         comments.line("ANTES DE EMPEZAR - B Y C A 0 EN PANTALLA", "BEFORE THE START - B AND C SHOW 0");
-        comments.line("VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES", "VALID FOR ROLLOVER AND LINEAR ROTARY AXES");
+        comments.line("VALE CON EJES GIRATORIOS ROLLOVER Y CON LINEALES", "VALID FOR ROLLOVER AND LINEAR ROTARY AXES");
     } else {
         comments
             .line("C ES EJE GIRATORIO CONTINUO - CUENTA MAS DE 360", "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360");
         if design.style == Style::Full && design.distance == Distance::Incremental {
             comments.line(
-                "VALE CON EJES ROTATIVOS LINEALES - OTROS BLOQUE A BLOQUE",
+                "VALE CON EJES GIRATORIOS LINEALES - OTROS BLOQUE A BLOQUE",
                 "VALID FOR LINEAR ROTARY AXES - OTHERS IN SINGLE BLOCK",
             );
         }

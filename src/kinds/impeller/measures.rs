@@ -28,8 +28,8 @@ pub(super) const MEASURES: &[Measure] = &[
         MM,
         Source::Least(&["blades", "splitters", "faces"]),
         t(
-            "Holgura a álabes e intermedios, también a las caras del propio, como mínimo; negativa: la herramienta entra",
-            "Clearance to blades and splitters, own faces included, at least; negative: the tool enters them",
+            "Holgura a los álabes, también a intermedios y caras del propio, como mínimo; negativa: la herramienta entra",
+            "Clearance to the blades, splitters and own faces included, at least; negative: the tool enters them",
         ),
     ),
     Measure::of_programs(

@@ -207,7 +207,7 @@ pub(super) static F_MAX: Field<f64, Optional> = Field::real(
     Unit::MillimetrePerMinute,
     [1.0, 200_000.0],
     t("Velocidad máxima de cada eje (°/min en B y C)", "Maximum speed of each axis (°/min in B and C)"),
-    t("Vacío: no se comprueba", "Empty: not checked"),
+    t("Vacía: no se comprueba", "Empty: not checked"),
 );
 
 const MACHINE: &[&Parameter] = &[

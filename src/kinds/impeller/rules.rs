@@ -125,7 +125,7 @@ rules! {
         why "Antes del primer punto no hay trayectoria por la que cortar.", "Before the first point there is no path to cut along.";
         example book!("impeller --case full", "n" = "2", "N" = "5", "splitter_fade" = "published");
     "P1019" NoRoomForSplitter Stop {}
-        es "no cabe un álabe intermedio: por más que se desvanezca, la herramienta cortaría el álabe vecino"
+        es "no cabe un álabe intermedio: por más que se aparte, la herramienta cortaría el álabe vecino"
         en "no splitter fits: however it fades out, the tool would cut into the neighbouring blade"
         remedy "ponga splitters = no, o use menos álabes, álabes más delgados, una herramienta menor o un n mayor",
             "set splitters = no, or use fewer blades, thinner blades, a smaller tool, or a larger n";

@@ -105,7 +105,7 @@ pub(crate) static BLOCK_DELETE: Field<bool, Usual> = Field::choice_or(
     "block_delete",
     "block_delete",
     t("Saltar los bloques que empiezan por /", "Skip blocks that begin with /"),
-    t("Vacío: no", "Empty: no"),
+    t("Vacía: no", "Empty: no"),
 );
 pub(crate) static EPS: Field<f64, Usual> = Field::real_or(
     0.0002,
@@ -114,7 +114,7 @@ pub(crate) static EPS: Field<f64, Usual> = Field::real_or(
     MM,
     [0.000_01, 0.01],
     t("Tolerancia de los arcos", "Arc tolerance"),
-    t("Vacío: 0.0002", "Empty: 0.0002"),
+    t("Vacía: 0.0002", "Empty: 0.0002"),
 );
 
 const PROGRAM: &[&Parameter] = &[&DIALECT.row, &POINT.row, &BLOCK_DELETE.row, &EPS.row];
@@ -129,7 +129,7 @@ pub(crate) static STOCK_BORE_D: Field<f64, Optional> = Field::real(
     MM,
     [0.5, 999.0],
     t("Agujero del bruto d", "Stock bore d"),
-    t("Vacío: macizo", "Empty: solid"),
+    t("Vacía: macizo", "Empty: solid"),
 );
 pub(crate) static L4: Field<f64, Required> = Field::real(
     "L4",
@@ -339,7 +339,7 @@ pub(crate) static Z_S: Field<f64, Optional> = Field::real(
     [-1000.0, 1000.0],
     t("Desplazamiento en el segundo amarre", "Shift in the second set-up"),
     t(
-        "Se da la vuelta a la pieza por el centro del bruto y se desplaza Z_s; con la hoja PROGRAMA 2. Vacío: 0",
+        "Se da la vuelta a la pieza por el centro del bruto y se desplaza Z_s; con la hoja PROGRAMA 2. Vacía: 0",
         "The part is turned round about the middle of the stock and shifted by Z_s; with the sheet PROGRAM 2. Empty: 0",
     ),
 );
@@ -353,7 +353,7 @@ pub(crate) static R_X: Field<f64, Optional> = Field::real(
     [-5000.0, 5000.0],
     t("Punto de referencia, X en diámetro, desde M", "Reference point, X as a diameter, from M"),
     t(
-        "Donde G28 y G53 X0 Z0 llevan la torreta. Vacío: G28 la lleva 30 mm más allá del bruto, y G53 cuenta desde M",
+        "Donde G28 y G53 X0 Z0 llevan la torreta. Vacía: G28 la lleva 30 mm más allá del bruto, y G53 cuenta desde M",
         "Where G28 and G53 X0 Z0 take the turret. Empty: G28 takes it 30 mm beyond the stock, and G53 counts from M",
     ),
 );
@@ -370,7 +370,7 @@ pub(crate) static HOLE_R: Field<HolePlane, Optional> = Field::choice(
     "hole_R",
     t("R de G81 a G83", "R of G81 to G83"),
     t(
-        "fanuc-lathe-a. Absoluta: la Z del plano. Incremental: desde la posición de la herramienta. Vacío: absoluta",
+        "fanuc-lathe-a. Absoluta: la Z del plano. Incremental: desde la posición de la herramienta. Vacía: absoluta",
         "fanuc-lathe-a. Absolute: the Z of the plane. Incremental: from the tool's position. Empty: absolute",
     ),
 );

@@ -110,7 +110,7 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
         t("El bruto en el plato, antes de tornear", "The stock in the chuck, before turning")
     } else {
         t(
-            "Segundo amarre: la pieza ya girada, antes de tornear",
+            "Segundo amarre: la pieza ya vuelta, antes de tornear",
             "Second set-up: the part turned round, before turning",
         )
     };

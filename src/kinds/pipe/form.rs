@@ -188,5 +188,5 @@ pub(in crate::kinds) static PAPER: Field<Paper, Usual> = Field::choice_or(
     "paper",
     "paper",
     t("Papel de la plantilla a tamaño real", "Paper of the template at full size"),
-    t("Vacío: A4", "Empty: A4"),
+    t("Vacía: A4", "Empty: A4"),
 );

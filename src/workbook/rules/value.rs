@@ -73,18 +73,18 @@ rules! {
     "W0410" NumberWithMarks Stop { name: Text, text: String, number: String, unit: Text, sign: Text }
         es "{name} es el texto \"{text}\", no un número"
         en "{name} is the text \"{text}\", not a number"
-        remedy "escriba el número {number}{sign}, con el signo decimal de su hoja de cálculo{unit}",
-            "type the number {number}{sign}, with the decimal sign of your spreadsheet{unit}";
+        remedy "dé a la celda formato General, si lo tiene de texto, y escriba el número {number}{sign}, con el signo decimal de su hoja de cálculo{unit}",
+            "set the cell's format to General if it is Text, and type the number {number}{sign}, with the decimal sign of your spreadsheet{unit}";
         why "rodete sugiere lo que parece querer decir, pero nunca lo toma por el valor.",
             "rodete suggests what you probably mean, but never takes it for the value.";
         example book!("impeller", "R" = "'12,5");
     "W0411" NumberOfTwoReadings Stop { name: Text, text: String, one: String, other: String, sign: Text }
         es "{name} es el texto \"{text}\", no un número"
         en "{name} is the text \"{text}\", not a number"
-        remedy "escriba el número {one} o {other}, según lo que quiera decir{sign}, con el signo decimal de su hoja de cálculo",
-            "type the number {one} or {other}, whichever is meant{sign}, with the decimal sign of your spreadsheet";
-        why "La coma y el punto separan decimales en unos países y millares en otros.",
-            "Comma and point separate decimals in some countries and thousands in others.";
+        remedy "dé a la celda formato General, si lo tiene de texto, y escriba el número {one} o {other}, según lo que quiera decir{sign}, con el signo decimal de su hoja de cálculo",
+            "set the cell's format to General if it is Text, and type the number {one} or {other}, whichever is meant{sign}, with the decimal sign of your spreadsheet";
+        why "La coma, el punto y el apóstrofo separan decimales en unos países y millares en otros.",
+            "Comma, point and apostrophe separate decimals in some countries and thousands in others.";
         example book!("impeller", "R" = "'1,234");
     "W0412" NotANumber Stop { name: Text, text: String, example: String, sign: Text }
         es "{name} es el texto \"{text}\", no un número"

@@ -107,7 +107,7 @@ fn an_interruption_leaves_the_old_set_and_nothing_else() {
     use std::thread::sleep;
     use std::time::Duration;
 
-    for signal in ["-INT", "-TERM"] {
+    for (signal, locale, told) in [("-INT", "C", "interrupted: "), ("-TERM", "es_ES.UTF-8", "interrumpido: ")] {
         let folder = with_impeller();
         build(&folder, "out").code(0);
         let out = folder.path().join("out");
@@ -117,6 +117,7 @@ fn an_interruption_leaves_the_old_set_and_nothing_else() {
         let child = Command::new(env!("CARGO_BIN_EXE_rodete"))
             .args(["build", "impeller.xlsx", "--no-report", "-o", "out"])
             .current_dir(folder.path())
+            .env("LC_ALL", locale)
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
@@ -132,7 +133,7 @@ fn an_interruption_leaves_the_old_set_and_nothing_else() {
         assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().expect("kill").success());
         let done = child.wait_with_output().expect("ended");
         assert_eq!(done.status.code(), Some(130), "{signal}");
-        assert!(String::from_utf8_lossy(&done.stderr).starts_with("interrupted: "), "{signal}");
+        assert!(String::from_utf8_lossy(&done.stderr).starts_with(told), "{signal}");
         assert!(contents(&out) == before, "{signal}");
     }
 }

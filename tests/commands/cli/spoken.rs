@@ -70,3 +70,31 @@ fn the_document_for_scripts_holds_both_languages_whatever_the_locale() {
     assert!(documents[0].contains("\"es\":") && documents[0].contains("\"en\":"));
     assert!(Path::new(&folder.path().join("es.xlsx")).exists());
 }
+
+#[test]
+fn what_is_written_without_a_workbook_is_in_the_language_of_the_locale() {
+    let forms: Vec<_> = rodete::kinds::KINDS.iter().map(|kind| kind.form()).collect();
+    for (locale, language) in [("C", Language::En), ("es_ES.UTF-8", Language::Es)] {
+        let folder = folder();
+        let path = |name: &str| folder.path().join(name);
+        fs::write(path("plate.ngc"), "G21 G90 G94\nG0 X0 Y0 Z5\nG1 Z-1 F100\nM2\n").expect("a program");
+        fs::write(path("step.nc"), "T0101\nG99 G97 S500 M3\nG0 X48. Z2.\nG1 Z-20. F0.2\nM30\n").expect("a program");
+        fs::write(path("linuxcnc.var"), "5220\t1.000000\n5221\t120.000000\n").expect("a file of offsets");
+        for words in [
+            &["view", "plate.ngc"][..],
+            &["view", "step.nc"],
+            &["simulate", "step.nc", "-o", "out"],
+            &["offsets", "linuxcnc.var", "--workbook", "offsets.xlsx"],
+        ] {
+            rodete(&folder).env("LC_ALL", locale).args(words).assert().code(0);
+        }
+        for name in ["plate.html", "step.html", "out/step-viewer.html"] {
+            let page = fs::read_to_string(path(name)).expect("a page");
+            assert!(page.contains(&format!("<html lang=\"{}\">", language.code())), "{name} with {locale}");
+        }
+        for name in ["out/step-results.xlsx", "offsets.xlsx"] {
+            let bytes = fs::read(path(name)).expect("a workbook");
+            assert_eq!(rodete::workbook::language(&bytes, &forms), Some(language), "{name} with {locale}");
+        }
+    }
+}

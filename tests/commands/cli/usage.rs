@@ -62,7 +62,7 @@ fn a_code_or_the_number_of_an_alarm_is_explained() {
     };
     let depth = text(&["L0131"]);
     assert!(depth.starts_with("L0131 depth-of-cut (stop, alarm 131)\n  The depth of cut is greater"), "{depth}");
-    assert!(depth.contains("\n  remedy: Divide the cut into more passes\n"), "{depth}");
+    assert!(depth.contains("\n  remedy: divide the cut into more passes\n"), "{depth}");
     assert!(depth.contains("\n  example (fanuc-lathe-a, D50xL120):\n    G50 S2500\n"), "{depth}");
     assert_eq!(text(&["l0131"]), depth);
     // Two rows are told under 101.

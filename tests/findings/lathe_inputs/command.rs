@@ -323,7 +323,7 @@ fn the_messages_are_in_the_language_asked_for() {
     for wanted in [
         "error L0101: 101 Avance rápido a través del material",
         "--> p.nc:6\n",
-        "sugerencia: Aleje el punto de partida",
+        "sugerencia: aleje el punto de partida",
     ] {
         assert!(said.err.contains(wanted), "{wanted}: {}", said.err);
     }

@@ -111,7 +111,7 @@ rules! {
         en "{value} is not a tool number"
         remedy "dé un número entero", "give a whole number";
         why "El número de una herramienta es entero.", "A tool number is a whole number.";
-        example Example::program("linuxcnc", "; expected: 4:1 1.5 is no tool number|; rs274: refuses|G21 G90 F100|T1.5 M6|M2", "4:1");
+        example Example::program("linuxcnc", "G21 G90 F100|T1.5 M6|M2", "2:1");
     "G0821" ToolNotInTable Stop { tool: u32 }
         es "la herramienta {tool} no está en la tabla"
         en "tool {tool} is not in the tool table"
@@ -130,7 +130,7 @@ rules! {
         en "M6 without a tool selected by T"
         remedy "programe T antes de M6", "program T before M6";
         why "El control pondría la que T eligió la última vez.", "The control would put in whatever T selected last.";
-        example Example::program("linuxcnc", "; expected: 4:1 M6 without a tool selected by T|; rs274: accepts: it unloads the tool, which nobody has asked for|G21 G90 F100|M6|M2", "4:1");
+        example Example::program("linuxcnc", "G21 G90 F100|M6|M2", "2:1");
     "G0824" OffsetMeasuredAtMachine Note {}
         es "la cabecera nombra esta herramienta; rodete toma como 0 su corrector, que se mide en la máquina"
         en "the header names this tool; rodete takes its offset, which is measured at the machine, as 0"
@@ -149,7 +149,7 @@ rules! {
         en "G43.1 without axis words"
         remedy "dé la longitud en su eje", "give the length on its axis";
         why "La palabra del eje da la longitud.", "The axis word gives the length.";
-        example Example::program("linuxcnc", "; expected: 4:1 G43.1 without axis words|; rs274: accepts: it changes nothing, so that the axis word has been forgotten|G21 G90 F100|G43.1|M2", "4:1");
+        example Example::program("linuxcnc", "G21 G90 F100|G43.1|M2", "2:1");
     "G0827" AddedLength Stop {}
         es "G43.2 necesita H, sin palabras de eje"
         en "G43.2 needs H, without axis words"
@@ -162,7 +162,7 @@ rules! {
         en "G10 changes a tool table that rodete does not know"
         remedy "indique la tabla con --tools", "name the table with --tools";
         why "Sin tabla no hay nada que cambiar.", "Without a table there is nothing to change.";
-        example Example::program("linuxcnc", "; expected: 4:1 G10 L1, L10 or L11 without values|; rs274: refuses|G21 G90 F100|G10 L1 P1|M2", "4:1");
+        example Example::program("linuxcnc", "G21 G90 F100|G10 L1 P1|M2", "2:1");
     "G0829" ToolOffsetWithoutValues Stop {}
         es "G10 L1, L10 o L11 sin valores"
         en "G10 L1, L10 or L11 without values"

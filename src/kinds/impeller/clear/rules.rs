@@ -78,7 +78,7 @@ rules! {
         es "para {tool} basta un voladizo de {enough}, con cualquier portaherramientas"
         en "a stick-out of {enough} is enough for {tool}, whatever the holder"
         remedy "mida el voladizo al montar la herramienta, o escriba l_t, l_f y d_h para que rodete lo compruebe", "measure the stick-out when you set the tool, or fill in l_t, l_f and d_h to have it checked";
-        why "Cuenta el bruto, no las mordazas ni el plato.", "The blank is counted, clamps and chuck are not.";
+        why "Cuenta el bruto, no las bridas ni el plato.", "The blank is counted, clamps and chuck are not.";
         example book!("impeller", "splitters" = "no", "l_t" = "");
     "P1210" RestAtTheRoot Note { over: Size, height: Size, here: Size, thick: Size }
         es "en el rincón de cara y fondo queda material de hasta {height} de alto, al {here} % del camino del cubo al borde (a media altura, {thick} de grueso); no cuenta lo que no pasa de {over} de grueso"

@@ -152,12 +152,14 @@ fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
     }
 }
 
-/// Numbers that stand in one place: of many the first and the last, so that they fit beside the channel.
+/// Numbers that stand in one place: of many that follow one another the first and the last, so that they fit beside the channel.
 fn listed(numbers: &[usize]) -> String {
-    match numbers {
-        [first, _, _, .., last] if numbers.len() > LISTED => format!("{first} … {last}"),
-        _ => numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
-    }
+    let follow = |one: &usize, next: &usize| numbers.len() > LISTED && *next == one + 1;
+    let runs = numbers.chunk_by(follow).map(|run| match run {
+        [first, _, .., last] => format!("{first} … {last}"),
+        _ => run.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
+    });
+    runs.collect::<Vec<_>>().join(", ")
 }
 
 const fn of_mode(mode: Mode) -> (Ink, Text) {
@@ -215,4 +217,21 @@ const fn finished(cutting: Cutting) -> Option<(Ink, Text)> {
             return None;
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::listed;
+
+    #[test]
+    fn only_passes_that_follow_one_another_are_joined() {
+        for (numbers, text) in [
+            (&[1, 2, 3, 4][..], "1, 2, 3, 4"),
+            (&[1, 2, 3, 4, 5, 6], "1 … 6"),
+            (&[1, 2, 3, 4, 6], "1 … 4, 6"),
+            (&[1, 2, 5, 6, 7, 9], "1, 2, 5 … 7, 9"),
+        ] {
+            assert_eq!(listed(numbers), text);
+        }
+    }
 }

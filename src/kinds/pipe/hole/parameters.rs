@@ -107,7 +107,7 @@ pub(super) static D_MAX: Field<f64, Required> = Field::real(
 const TORCH: &[&Parameter] = &[&NOZZLE_R_G.row, &TORCH_BODY_RADIUS.row, &PSI.row, &M.row, &D0.row, &G0.row, &D_MAX.row];
 
 pub(super) static KERF: Field<f64, Optional> =
-    Field::real("kerf", "kerf", MM, [0.0, 20.0], t("Ancho de corte", "Kerf"), t("Vacío: 2·m", "Empty: 2·m"));
+    Field::real("kerf", "kerf", MM, [0.0, 20.0], t("Ancho de corte", "Kerf"), t("Vacía: 2·m", "Empty: 2·m"));
 pub(super) static F: Field<f64, Required> = Field::real(
     "F",
     "feed_F",
@@ -122,7 +122,7 @@ pub(super) static F_MAX: Field<f64, Optional> = Field::real(
     Unit::MillimetrePerMinute,
     [1.0, 200_000.0],
     t("Velocidad máxima de cada eje (°/min en A, B y C)", "Maximum speed of each axis (°/min in A, B and C)"),
-    t("Vacío: no se limita", "Empty: not limited"),
+    t("Vacía: no se limita", "Empty: not limited"),
 );
 pub(super) static LEAD_IN: Field<f64, Required> = Field::real(
     "lead_in",
@@ -165,14 +165,14 @@ pub(super) static HOLD_ON: Field<Codes, Optional> = Field::other(
     "hold_on",
     FieldKind::Codes,
     t("Códigos que bloquean el control de altura", "Codes that hold the height control"),
-    t("Vacío: M62 P2 en linuxcnc; ninguno en los demás", "Empty: M62 P2 in linuxcnc; none in others"),
+    t("Vacía: M62 P2 en linuxcnc; ninguno en los demás", "Empty: M62 P2 in linuxcnc; none in others"),
 );
 pub(super) static HOLD_OFF: Field<Codes, Optional> = Field::other(
     "hold_off",
     "hold_off",
     FieldKind::Codes,
     t("Códigos que lo liberan", "Codes that release it"),
-    t("Vacío: M63 P2 en linuxcnc; ninguno en los demás", "Empty: M63 P2 in linuxcnc; none in others"),
+    t("Vacía: M63 P2 en linuxcnc; ninguno en los demás", "Empty: M63 P2 in linuxcnc; none in others"),
 );
 
 const PROGRAM: &[&Parameter] = &[

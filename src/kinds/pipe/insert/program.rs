@@ -80,7 +80,7 @@ pub const fn letters(mode: Mode) -> [char; 2] {
 
 /// The header's line of a program that turns by increments, in Spanish and English.
 pub const TRUE_FOR_BOTH: [&str; 2] =
-    ["VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES", "VALID FOR ROLLOVER AND LINEAR ROTARY AXES"];
+    ["VALE CON EJES GIRATORIOS ROLLOVER Y CON LINEALES", "VALID FOR ROLLOVER AND LINEAR ROTARY AXES"];
 
 /// How the complete program counts: a flat sheet's by positions, that of a turning pipe as its control's rotary axes do.
 #[must_use]

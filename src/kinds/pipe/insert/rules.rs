@@ -149,7 +149,7 @@ rules! {
         es "con sheet = {sheet} la plantilla mide {W} y el tubo {round} de vuelta: no lo rodea"
         en "with sheet = {sheet} the template is {W} long and the pipe {round} round: it does not go round it"
         remedy "elija sheet = exterior y deje vacío r_dev", "set sheet = outside and leave r_dev empty";
-        why "Con mode = rotatorio la plantilla se arrolla por fuera del tubo; el programa no depende de ella.",
+        why "Con mode = giratorio la plantilla se enrolla por fuera del tubo; el programa no depende de ella.",
             "With mode = rotary the template is wrapped round the outside of the pipe; the program does not depend on it.";
         example book!("pipe-insert", "sheet" = "inside");
 }

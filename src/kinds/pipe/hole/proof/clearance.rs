@@ -117,7 +117,7 @@ impl Judge for Clearance<'_> {
     fn see(&mut self, step: &Step<'_>) {
         self.rapids += usize::from(matches!(step.stage, Stage::Positioning));
         // The first two come from where the machine stood, high above the pipe or on the way there.
-        if !matches!(step.stage, Stage::Still) && (step.at_work() || self.rapids > 2) {
+        if !matches!(step.stage, Stage::Still | Stage::Away) && (step.at_work() || self.rapids > 2) {
             let before = self.near.at(0);
             self.look(&step.motion);
             if self.near.at(0) != before {
