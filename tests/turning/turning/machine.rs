@@ -99,7 +99,7 @@ fn a_motion_code_beside_a_one_shot_code_is_in_force_from_there_on() {
 #[test]
 fn x_beyond_the_axis_is_told_of_increments_too() {
     for (block, grade) in [("G1 U-51.", Grade::Note), ("G1 U-80.", Grade::Caution), ("G1 X-30.", Grade::Caution)] {
-        let read = read(&format!("T0101 M3 S1000 F0.2\nG0 X50. Z5.\n{block}"));
+        let read = read(&format!("G21 T0101 M3 S1000 F0.2\nG0 X50. Z5.\n{block}"));
         let found: Vec<_> = read.remarks.iter().map(|remark| (remark.grade, remark.what.en.as_ref())).collect();
         assert_eq!(found, [(grade, "negative X: the programmed point is beyond the axis")], "{block}");
     }
@@ -107,7 +107,7 @@ fn x_beyond_the_axis_is_told_of_increments_too() {
 
 #[test]
 fn codes_of_the_builder_are_noted_and_not_run() {
-    let read = read("M41\nG0 X1. M19\nM13");
+    let read = read("G21 M41\nG0 X1. M19\nM13");
     assert_eq!(read.remarks.len(), 3);
     assert!(remarked(&read, "M41 is a machine builder's code: rodete does not run it"));
 }
@@ -153,7 +153,7 @@ fn what_stops_after_a_cycle_stops_after_its_last_motion() {
 
 #[test]
 fn doors_and_stops_are_known_and_silent() {
-    let read = read("M38\nM39\nM0\nM1\nG0 X1. M38");
+    let read = read("G21 M38\nM39\nM0\nM1\nG0 X1. M38");
     assert!(read.remarks.is_empty(), "{:?}", read.remarks);
 }
 

@@ -24,6 +24,8 @@ const OFF: f64 = 0.045;
 const APART: f64 = 0.085;
 /// The maximum number of pass numbers that are all written in one place.
 const LISTED: usize = 4;
+/// The maximum length of a label of pass numbers.
+const WIDEST: usize = 18;
 /// The printed height of each figure, mm.
 const HEIGHT: f64 = 118.0;
 
@@ -159,7 +161,13 @@ fn listed(numbers: &[usize]) -> String {
         [first, _, .., last] => format!("{first} … {last}"),
         _ => run.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
     });
-    runs.collect::<Vec<_>>().join(", ")
+    let runs: Vec<String> = runs.collect();
+    let all = runs.join(", ");
+    match runs.as_slice() {
+        // The table of passes has them all.
+        [first, _, .., last] if all.chars().count() > WIDEST => format!("{first}, …, {last}"),
+        _ => all,
+    }
 }
 
 const fn of_mode(mode: Mode) -> (Ink, Text) {
@@ -229,7 +237,9 @@ mod tests {
             (&[1, 2, 3, 4][..], "1, 2, 3, 4"),
             (&[1, 2, 3, 4, 5, 6], "1 … 6"),
             (&[1, 2, 3, 4, 6], "1 … 4, 6"),
-            (&[1, 2, 5, 6, 7, 9], "1, 2, 5 … 7, 9"),
+            (&[1, 2, 5, 6, 7], "1, 2, 5 … 7"),
+            (&[1, 2, 3, 5, 7, 8, 9, 11, 12, 13], "1 … 3, …, 11 … 13"),
+            (&[101, 102, 103, 104], "101, 102, 103, 104"),
         ] {
             assert_eq!(listed(numbers), text);
         }
