@@ -118,9 +118,15 @@ impl ActiveOffsets {
     /// and Y alone, not on U and V.
     #[must_use]
     pub fn to_machine(&self, program: &Pose) -> Pose {
-        let local = Pose(std::array::from_fn(|axis| program.0[axis] + self.g92.0[axis]));
-        let turned = turned(local, self.work.rotation);
-        Pose(std::array::from_fn(|axis| turned.0[axis] + self.work.origin.0[axis] + self.tool.0[axis]))
+        let mut local = *program;
+        for (at, g92) in local.0.iter_mut().zip(self.g92.0) {
+            *at += g92;
+        }
+        let mut machine = turned(local, self.work.rotation);
+        for ((at, origin), tool) in machine.0.iter_mut().zip(self.work.origin.0).zip(self.tool.0) {
+            *at = *at + origin + tool;
+        }
+        machine
     }
 
     /// The program position of a machine position, the reverse of [`ActiveOffsets::to_machine`].
