@@ -8,7 +8,7 @@ use crate::gcode::interpreter::refused::place;
 use crate::gcode::rules::geometry::HalfTurn;
 use crate::gcode::rules::modes::LongDwell;
 use crate::limits::REMARKS;
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 
 /// What is worth saying about a program that is not refused: each thing once, with the first line it was seen in and how
 /// often it was seen.
@@ -48,6 +48,31 @@ impl Greatest {
     /// Where the first stands.
     fn place(&self, library: &Library<'_>) -> Place {
         place(library.file(self.first.text).map(String::as_str), self.first.line, Vec::new())
+    }
+
+    /// The end of the sentence where there are several: how many, and where the greatest stands.
+    fn more(&self, several: &Text) -> Text {
+        let (count, (.., line)) = (self.count, self.greatest);
+        match count {
+            1 => t("", ""),
+            _ => Text::new(
+                format!("; {count} {}, en la línea {line}", several.get(Language::Es)),
+                format!("; {count} {} in line {line}", several.get(Language::En)),
+            ),
+        }
+    }
+
+    fn half_turn(&self) -> HalfTurn {
+        let (axis, degrees, line) = self.greatest;
+        let more = self.more(&t("bloques así, este es el mayor", "such blocks, the largest"));
+        HalfTurn { axis, degrees: Size::degrees(degrees, 3), count: self.count, line, more }
+    }
+
+    fn long_dwell(&self) -> LongDwell {
+        let (letter, seconds, line) = self.greatest;
+        let time = Size { value: seconds, unit: "s", decimals: 3 };
+        let more = self.more(&t("esperas así, esta es la mayor", "such dwells, the longest"));
+        LongDwell { letter, time, count: self.count, line, more }
     }
 }
 
@@ -115,34 +140,9 @@ impl Remarks {
                 finding
             })
             .collect();
-        findings.extend(self.turns.as_ref().map(|turns| half_turn(turns).at(turns.place(library))));
-        findings.extend(self.dwells.as_ref().map(|dwells| long_dwell(dwells).at(dwells.place(library))));
+        findings.extend(self.turns.as_ref().map(|turns| turns.half_turn().at(turns.place(library))));
+        findings.extend(self.dwells.as_ref().map(|dwells| dwells.long_dwell().at(dwells.place(library))));
         findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
         findings
     }
-}
-
-fn half_turn(turns: &Greatest) -> HalfTurn {
-    let (axis, degrees, line) = turns.greatest;
-    let more = match turns.count {
-        1 => t("", ""),
-        count => Text::new(
-            format!("; {count} bloques así, este es el mayor, en la línea {line}"),
-            format!("; {count} such blocks, the largest in line {line}"),
-        ),
-    };
-    HalfTurn { axis, degrees: Size::degrees(degrees, 3), count: turns.count, line, more }
-}
-
-fn long_dwell(dwells: &Greatest) -> LongDwell {
-    let (letter, seconds, line) = dwells.greatest;
-    let more = match dwells.count {
-        1 => t("", ""),
-        count => Text::new(
-            format!("; {count} esperas así, esta es la mayor, en la línea {line}"),
-            format!("; {count} such dwells, the longest in line {line}"),
-        ),
-    };
-    let time = Size { value: seconds, unit: "s", decimals: 3 };
-    LongDwell { letter, time, count: dwells.count, line, more }
 }

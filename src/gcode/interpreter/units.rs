@@ -31,27 +31,25 @@ impl Memory<'_> {
     /// A linear axis moves in a unit.
     pub(super) fn see_unit(&mut self, unit: LengthUnit, spot: Spot) {
         let control = self.control;
-        let before = self.units.moved_in.replace(unit);
-        if before == Some(unit) {
-            return;
-        }
-        if before.is_none() && self.units.told_at.is_none() {
-            let code = |unit: G| control.codes.names(unit).into_iter().next().unwrap_or_default();
-            let told = match unit {
-                LengthUnit::Millimetre => t("mm", "mm"),
-                LengthUnit::Inch => t("pulgadas", "inches"),
-            };
-            let row = UnitNotSaid { unit: told, metric: code(G::Millimetre), inch: code(G::Inch) };
-            self.remarks.row(&row, spot, None);
-        }
-        if before.is_some()
-            && let Some((spot, column)) = self.units.told_at
-        {
-            let grade = match control.start.units {
-                UnitChange::Anywhere => Grade::Note,
-                UnitChange::AtBeginning => Grade::Caution,
-            };
-            self.remarks.row_as(grade, &UnitsChange {}, spot, Some(column));
+        match (self.units.moved_in.replace(unit), self.units.told_at) {
+            (Some(before), _) if before == unit => return,
+            (None, None) => {
+                let code = |unit: G| control.codes.names(unit).into_iter().next().unwrap_or_default();
+                let name = match unit {
+                    LengthUnit::Millimetre => t("mm", "mm"),
+                    LengthUnit::Inch => t("pulgadas", "inches"),
+                };
+                let row = UnitNotSaid { unit: name, metric: code(G::Millimetre), inch: code(G::Inch) };
+                self.remarks.row(&row, spot, None);
+            }
+            (Some(_), Some((spot, column))) => {
+                let grade = match control.start.units {
+                    UnitChange::Anywhere => Grade::Note,
+                    UnitChange::AtBeginning => Grade::Caution,
+                };
+                self.remarks.row_as(grade, &UnitsChange {}, spot, Some(column));
+            }
+            (None, Some(_)) | (Some(_), None) => {}
         }
         self.units.inches |= unit == LengthUnit::Inch;
     }
