@@ -4,6 +4,7 @@
 //! follow from it, so that a limit is written once.
 
 pub mod field;
+mod fields;
 pub mod list;
 pub mod rules;
 pub mod title_block;
