@@ -15,6 +15,7 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::turning::rules::{NoTurretPlace, OffsetAlone, OffsetNotInTable, ToolNotInTurret};
 use crate::machine::axis::Pose;
 use crate::machine::work_offset::ActiveOffsets;
+use crate::text::{Text, one_of};
 
 impl Reader<'_, '_> {
     /// T and D of a lathe.
@@ -52,10 +53,7 @@ impl Reader<'_, '_> {
         };
         let (place, offset) = (digits / 100, digits % 100);
         if place == 0 && offset != 0 {
-            return Err(Refused::of(
-                &OffsetAlone { value: T, offset, whole: format!("{offset:02}{offset:02}") },
-                &[column],
-            ));
+            return Err(Refused::of(&OffsetAlone { value: T, offset, readings: readings(offset) }, &[column]));
         }
         self.known(column, place, false)?;
         self.known(column, offset, true)?;
@@ -93,4 +91,19 @@ impl Reader<'_, '_> {
         let tool = if offset == 0 { Pose::default() } else { self.offset_of(offset) };
         self.reframe(ActiveOffsets { tool, ..self.state.frame });
     }
+}
+
+/// What one or two digits behind T may have been meant for: a place with the offset of its own number, or one digit for each. The
+/// program does not say which.
+fn readings(digits: u32) -> Text {
+    let reading = |place: u32, offset: u32| {
+        let (es, en) = match offset {
+            0 => ("sin corrector".to_owned(), "without an offset".to_owned()),
+            offset => (format!("con el corrector {offset}"), format!("with offset {offset}")),
+        };
+        let word = format!("T{place:02}{offset:02}");
+        Text::new(format!("{word} es el puesto {place} {es}"), format!("{word} is place {place} {en}"))
+    };
+    let own = reading(digits, digits);
+    if digits < 10 { own } else { one_of([own, reading(digits / 10, digits % 10)]) }
 }

@@ -34,7 +34,21 @@ fn t_names_place_and_offset() {
     for (word, message) in [
         ("T0701", "tool 7 is not in the tool table"),
         ("T0107", "offset 7 is not in the tool table"),
-        ("T1", "T1 gives no turret place, only offset 1; write T0101"),
+        (
+            "T1",
+            "T1 gives no turret place, only offset 1; write two digits for the place and two for the offset: T0101 is place 1 with \
+             offset 1",
+        ),
+        (
+            "T22",
+            "T22 gives no turret place, only offset 22; write two digits for the place and two for the offset: T2222 is place 22 with \
+             offset 22 or T0202 is place 2 with offset 2",
+        ),
+        (
+            "T20",
+            "T20 gives no turret place, only offset 20; write two digits for the place and two for the offset: T2020 is place 20 with \
+             offset 20 or T0200 is place 2 without an offset",
+        ),
         ("T10101", "T10101 is not a turret place with its offset"),
         ("T1.5", "T1.5 has a decimal point"),
     ] {

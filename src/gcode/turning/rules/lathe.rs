@@ -2,6 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
+use crate::text::Text;
 
 rules! {
     /// The rows of this file.
@@ -182,13 +183,13 @@ rules! {
         why "Las dos primeras cifras son el puesto y las dos últimas el corrector.",
             "The first two digits are the place and the last two the offset.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|T10101|M30", "3:1");
-    "G0832" OffsetAlone Stop { value: f64, offset: u32, whole: String }
+    "G0832" OffsetAlone Stop { value: f64, offset: u32, readings: Text }
         es "T{value} no da ningún puesto de la torreta, solo el corrector {offset}"
         en "T{value} gives no turret place, only offset {offset}"
-        remedy "escriba T{whole}: dos cifras para el puesto y dos para el corrector",
-            "write T{whole}: two digits for the place, two for the offset";
-        why "Con una sola cifra la torreta no gira y corta la herramienta que está puesta.",
-            "With one digit the turret does not turn, and the present tool cuts.";
+        remedy "escriba dos cifras para el puesto y dos para el corrector: {readings}",
+            "write two digits for the place and two for the offset: {readings}";
+        why "Con una o dos cifras la torreta no gira y corta la herramienta que está puesta.",
+            "With one or two digits the turret does not turn, and the present tool cuts.";
         example Example::program("fanuc-lathe-a", "T3|M30", "1:1");
     "G0833" OffsetNotInTable Stop { offset: u32 }
         es "el corrector {offset} no está en la tabla"
