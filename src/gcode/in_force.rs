@@ -79,6 +79,8 @@ pub struct InForce {
     pub unit: LengthUnit,
     /// Nose or cutter radius compensation.
     pub compensation: Compensation,
+    /// The motion goes to the intermediate point of a lathe's return to reference (G28, G30), and not yet from there.
+    pub to_intermediate: bool,
     /// Where the block stands: 0 in the program itself, else in a subprogram's own file; see
     /// [`Interpreter::file`](crate::gcode::interpreter::Interpreter::file).
     pub file: usize,

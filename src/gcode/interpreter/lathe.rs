@@ -144,7 +144,9 @@ impl Reader<'_, '_> {
         }
         let over = self.end_point();
         if over != self.state.at {
+            self.state.modal.to_intermediate = true;
             self.emit(MotionKind::Rapid, over, None);
+            self.state.modal.to_intermediate = false;
         }
         let reference = self.state.frame.to_program(&self.pose_of(first));
         let mut to = self.state.at;

@@ -53,6 +53,8 @@ pub(super) struct Modal {
     pub(super) length_of: Option<u32>,
     pub(super) coolant: bool,
     pub(super) compensation: Compensation,
+    /// The motion in hand goes to the intermediate point of a return to reference.
+    pub(super) to_intermediate: bool,
     pub(super) sticky: Sticky,
     /// The motion code in force before the cycle in force.
     pub(super) under: G,
@@ -99,6 +101,7 @@ impl Modal {
             length_of: None,
             coolant: false,
             compensation: Compensation::Off,
+            to_intermediate: false,
             sticky: Sticky::default(),
             under: G::Cancel,
             pass: None,
@@ -131,6 +134,7 @@ impl Modal {
             feed_mode: self.feed_mode,
             unit: self.unit,
             compensation: self.compensation,
+            to_intermediate: self.to_intermediate,
             file: 0,
         }
     }

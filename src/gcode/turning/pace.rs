@@ -184,6 +184,7 @@ mod tests {
             feed_mode: crate::gcode::motion::FeedMode::PerRevolution,
             unit: crate::machine::length_unit::LengthUnit::Millimetre,
             compensation: crate::gcode::in_force::Compensation::Off,
+            to_intermediate: false,
             file: 0,
         }
     }

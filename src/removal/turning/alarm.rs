@@ -36,6 +36,8 @@ pub enum Moving {
 pub enum Cause {
     /// A rapid motion goes through metal.
     RapidInMetal,
+    /// The same on the way to the intermediate point of a return to reference.
+    IntermediateInMetal,
     /// The tool retracts in rapid and scrapes metal, no deeper than [`SCRAPE`].
     RetractionInMetal,
     /// A blade goes straight back in rapid and scrapes the wedge that its inclined side has left.
@@ -208,6 +210,7 @@ impl Cause {
         matches!(
             self,
             Self::RapidInMetal
+                | Self::IntermediateInMetal
                 | Self::RetractionInMetal
                 | Self::BladeWedge
                 | Self::BackInMetal
@@ -236,6 +239,7 @@ impl Cause {
         use crate::removal::turning::rules as row;
         match self {
             Self::RapidInMetal => Box::new(row::RapidInMetal {}),
+            Self::IntermediateInMetal => Box::new(row::IntermediateInMetal {}),
             Self::RetractionInMetal => Box::new(row::RetractionInMetal {}),
             Self::BladeWedge => Box::new(row::BladeWedge {}),
             Self::BackInMetal => Box::new(row::BackInMetal {}),

@@ -13,6 +13,7 @@ use super::stock::Fixture;
 use super::surface_origin::{Chain, SweptPiece};
 use super::tool::{Cutter, TurningTool};
 use super::workpiece::{Removed, TURN, Workpiece};
+use crate::gcode::in_force::InForce;
 use crate::gcode::motion::{MotionKind, Thread};
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::Point;
@@ -194,9 +195,10 @@ impl Engagement<'_, '_> {
 
     /// Ends it: gives what was taken away, and tells what a rapid motion met; `leaves` is whether the tool leaves its work
     /// along these `pieces`.
-    pub fn end(self, leaves: bool, pieces: &[Piece]) -> Removed {
+    pub fn end(self, leaves: bool, pieces: &[Piece], control: &InForce) -> Removed {
         if let Some(scraped) = self.scraped {
-            self.tally.raise(scraped.cause(&self.ready.tool, leaves, pieces), scraped.place, Some(scraped.deep));
+            let cause = scraped.cause(&self.ready.tool, leaves, pieces, control);
+            self.tally.raise(cause, scraped.place, Some(scraped.deep));
         }
         self.removed
     }

@@ -9,6 +9,7 @@ use super::outline::side_relief;
 use super::path::Piece;
 use super::tool::{Cutter, TurningTool};
 use super::workpiece::section;
+use crate::gcode::in_force::InForce;
 use crate::geometry::exact::meeting::Meeting;
 
 /// The metal that a rapid motion meets.
@@ -35,7 +36,7 @@ impl Scraped {
     /// What it is to be called. Only the inclined edge of an insert that leaves its work has left a wedge, no longer than the edge is and
     /// half as thick in the mean as at most: see [`SCRAPE`]. A blade that turned sideways leaves one, too: that is a stop
     /// as any other metal, with a remedy of its own.
-    pub fn cause(&self, tool: &TurningTool, leaves: bool, pieces: &[Piece]) -> Cause {
+    pub fn cause(&self, tool: &TurningTool, leaves: bool, pieces: &[Piece], control: &InForce) -> Cause {
         let wedge = match tool.cutter {
             Cutter::Insert { circle, .. } if leaves => SCRAPE * circle / 2.0,
             _ => 0.0,
@@ -44,6 +45,8 @@ impl Scraped {
             Cause::RetractionInMetal
         } else if leaves && self.deep <= blade_wedge(tool, pieces) {
             Cause::BladeWedge
+        } else if control.to_intermediate {
+            Cause::IntermediateInMetal
         } else {
             Cause::RapidInMetal
         }

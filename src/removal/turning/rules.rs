@@ -1,7 +1,7 @@
 //! The alarms of a turning program: one row each.
 //!
 //! The four digits of a code are the alarm's number; rows from L0201 on are reported under the number of another one, with a
-//! remedy of their own, as is L0233. L0221 to L0228 refuse a set-up before anything is cut.
+//! remedy of their own, as are L0233 and L0237. L0221 to L0228 refuse a set-up before anything is cut.
 
 use crate::finding::rule::{book, rules};
 use crate::finding::{Example, Size};
@@ -446,4 +446,12 @@ rules! {
         why "Al cilindrar con una lama queda en la pared una cuña de profundidad × tan 1°, y en rápido ninguna herramienta corta.",
             "Turning sideways with a blade leaves a wedge of depth × tan 1° at the wall, and in rapid no tool cuts.";
         example program!("G50 S2500|T0303|G97 S500 M3|M8|G0 X54. Z-20.|G1 X40. F0.1|Z-30.|G0 X54.|X100. Z50. M9|M30");
+    "L0237" IntermediateInMetal Stop alarm Lathe 101 {}
+        es "El retorno a referencia va en rápido a su punto intermedio a través del material"
+        en "The return to reference goes to its intermediate point in rapid through metal"
+        remedy "retire la herramienta de la pieza y escriba U0 W0 en lugar de X y Z, como en G28 U0 W0, que vuelve desde donde está; o dé un punto intermedio fuera de la pieza",
+            "retract the tool from the work and write U0 W0 in place of X and Z, as in G28 U0 W0, which returns from where it stands; or give an intermediate point outside the work";
+        why "X y Z de G28 son un punto del programa por el que la herramienta pasa primero: X0 Z0 es el centro de la cara.",
+            "X and Z of G28 are a point of the program that the tool goes to first: X0 Z0 is the middle of the face.";
+        example blocks!("X46.|G1 Z-20. F0.25|X54.|G28 X0. Z0.");
 }

@@ -427,7 +427,7 @@ impl Simulation {
             }
             engagement.along(piece);
         }
-        engagement.end(leaves, pieces)
+        engagement.end(leaves, pieces, control)
     }
 
     /// What the motion's contact with metal, and what is in force, give rise to.

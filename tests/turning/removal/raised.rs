@@ -92,6 +92,12 @@ fn a_retraction_that_scrapes_the_wedge_of_its_own_edge_is_a_caution() {
     let alarm = cut(5.73).rapid(54.0, -20.0).only(101);
     assert_eq!((alarm.cause, alarm.cause.grade()), (Cause::RapidInMetal, Grade::Stop));
     near(alarm.depth.unwrap(), wedge(5.73), 1e-6);
+    // On the way to the intermediate point of a return to reference it has a remedy of its own, under the same number.
+    let mut stands = Run::on(with(rougher())).rapid(54.0, -20.0);
+    stands.control.to_intermediate = true;
+    let alarm = stands.rapid(0.0, 0.0).only(101);
+    assert_eq!((alarm.cause, alarm.cause.grade()), (Cause::IntermediateInMetal, Grade::Stop));
+    assert!(alarm.cause.remedy().en.contains("G28 U0 W0"), "{}", alarm.cause.remedy().en);
     // Thin as it may be, metal before the tool is no leftover, nor is what it meets after it was taken off.
     assert_eq!(cut(0.2).rapid(49.6, -30.0).only(101).cause, Cause::RapidInMetal);
     let back = cut(2.0).cut(54.0, -20.0).rapid(60.0, -20.1).rapid(49.6, -20.1);

@@ -143,6 +143,13 @@ fn g28_and_g30_go_over_a_point_to_the_reference_point() {
     assert_eq!(machine("G0 X50. Z5.\nG28 U0\nG28 W0"), [[50.0, 5.0], [300.0, 5.0], [300.0, 400.0]]);
     assert_eq!(machine("T0202\nG0 X50. Z5.\nG28 X80. Z10."), [[60.0, 0.0], [90.0, 5.0], [300.0, 400.0]]);
     assert_eq!(machine("G30 U0 W0"), [[200.0, 250.0]]);
+    let read = read("T0202\nG0 X50. Z5.\nG28 X80. Z10.\nG28 U0 W0\nG0 X50. Z5.");
+    let over: Vec<bool> = read.controls.iter().map(|control| control.to_intermediate).collect();
+    assert_eq!(
+        over,
+        [false, true, false, false, false],
+        "the way to the point alone, and none where the return begins at once"
+    );
     let mut unknown = setting();
     unknown.var_file = Default::default();
     let read = read_with("G28 U0\nM30\n", unknown);

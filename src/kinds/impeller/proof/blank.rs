@@ -241,7 +241,10 @@ impl Over {
         }
         for (way, simulation) in self.ways.iter_mut().enumerate() {
             for alarm in simulation.take(motion, control).alarms {
-                if matches!(alarm.cause, Cause::RapidInMetal | Cause::RetractionInMetal | Cause::BladeWedge) {
+                if matches!(
+                    alarm.cause,
+                    Cause::RapidInMetal | Cause::IntermediateInMetal | Cause::RetractionInMetal | Cause::BladeWedge
+                ) {
                     if self.rapid.is_none_or(|deepest| alarm.depth > deepest.depth) {
                         self.rapid = Some(alarm);
                     }
