@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::{label, line, steps};
-use crate::figure::{Figure, Ink, Stroke};
+use crate::figure::{Figure, Ink, Stroke, letters};
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::bodies::{Bodies, Body, Steps, about_axis};
 use crate::kinds::impeller::clear::cut::Which;
@@ -26,6 +26,10 @@ const APART: f64 = 0.085;
 const LISTED: usize = 4;
 /// The maximum length of a label of pass numbers.
 const WIDEST: usize = 18;
+/// A letter of a label with the paper about it, across and up, mm of paper.
+const LABEL: [f64; 2] = [2.2, 5.0];
+/// In how many steps a label goes from its line to the axis.
+const TO_AXIS: u16 = 24;
 /// The printed height of each figure, mm.
 const HEIGHT: f64 = 118.0;
 
@@ -98,6 +102,33 @@ fn number_at_end(design: &Design, points: &[[f64; 2]], number: usize, places: &m
     }
 }
 
+/// Where a label near the hub stands on no line: there, or on its way to the axis; there again, where no place is clear.
+fn clear_place(strokes: &[Stroke], at: [f64; 2], text: &str) -> [f64; 2] {
+    let points = || strokes.iter().flat_map(|stroke| &stroke.points);
+    let [low, high] = [f64::min, f64::max].map(|pick: fn(f64, f64) -> f64| {
+        [0, 1].map(|axis| points().map(|point| point[axis]).reduce(pick).unwrap_or_default())
+    });
+    let paper = (high[1] - low[1]) / HEIGHT;
+    let half = [0.5 * letters(text) * LABEL[0] * paper, 0.5 * LABEL[1] * paper];
+    let covers = |foot: [f64; 2], [x, y]: [f64; 2]| {
+        (x - foot[0]).abs() < half[0] && (y - foot[1] - half[1] / 2.0).abs() < half[1]
+    };
+    let meets = |foot: [f64; 2], [from, to]: [[f64; 2]; 2]| {
+        let length = hypot(to[0] - from[0], to[1] - from[1]);
+        let mut part = 0.0;
+        while part < length && !covers(foot, [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part / length)) {
+            part += half[1] / 2.0;
+        }
+        part < length || covers(foot, to)
+    };
+    let clear = |foot: &[f64; 2]| {
+        let mut segments = strokes.iter().flat_map(|stroke| stroke.points.windows(2));
+        !segments.any(|ends| matches!(ends, [from, to] if meets(*foot, [*from, *to])))
+    };
+    let places = (0..=TO_AXIS).map(|step| at.map(|end| end * (1.0 - f64::from(step) / f64::from(TO_AXIS))));
+    places.into_iter().find(clear).unwrap_or(at)
+}
+
 /// The roughing lanes of the first level, each with its number in the table of passes.
 fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
     let mut strokes = walls(design, blade, plan);
@@ -133,6 +164,14 @@ fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
         ));
     }
     legend.push((Ink::Thin, t("pie de los álabes, en el fondo", "foot of the blades, on the floor")));
+    let labels = places
+        .into_iter()
+        .map(|(at, numbers)| {
+            let text = listed(&numbers);
+            let within = hypot(at[0], at[1]) < design.torus.R;
+            label(if within { clear_place(&strokes, at, &text) } else { at }, Text::same(text))
+        })
+        .collect();
     let s = shown(design.clear.as_ref().map_or(0.0, |asked| asked.cut.s), 3);
     Figure {
         key: "roughing",
@@ -149,7 +188,7 @@ fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
         ),
         axes: None,
         strokes,
-        labels: places.into_iter().map(|(at, numbers)| label(at, Text::same(listed(&numbers)))).collect(),
+        labels,
         legend,
     }
 }
