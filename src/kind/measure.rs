@@ -47,7 +47,8 @@ pub enum Source {
 pub struct Measure {
     /// Its key: what objectives and constraints call it, and the name of its column.
     pub key: &'static str,
-    /// What it is; empty for a derived value, which the results explain.
+    /// What it is: its [name](Self::name), and behind a comma or a semicolon the rest. Empty for a derived value, which the results
+    /// explain.
     pub meaning: Text,
     /// Its unit.
     pub unit: Unit,
@@ -74,6 +75,16 @@ impl Measure {
     #[must_use]
     pub const fn of_programs(key: &'static str, unit: Unit, source: Source, meaning: Text) -> Self {
         Self { key, meaning, unit, level: Level::Program, source }
+    }
+
+    /// What a chart calls it: in words, what its meaning begins with; a derived value by its symbol.
+    #[must_use]
+    pub fn name(&self) -> Text {
+        let clause = |meaning: &str| match meaning.split([',', ';', ':']).next() {
+            Some(clause) if !clause.is_empty() => clause.to_owned(),
+            _ => self.key.to_owned(),
+        };
+        Text::new(clause(&self.meaning.es), clause(&self.meaning.en))
     }
 
     /// Its value; `None` where the design has none.

@@ -2,7 +2,7 @@
 
 use crate::finding::{Finding, Grade};
 use crate::kind::Kind;
-use crate::kind::measure::Level;
+use crate::kind::measure::{Level, Measure};
 use crate::parameter::field::Chosen;
 use crate::sweep::form::LEVEL;
 use crate::sweep::indices::LEAST;
@@ -11,7 +11,7 @@ use crate::sweep::ranking::Counts;
 use crate::sweep::row::State;
 use crate::sweep::sensitivity::{Effect, LOOKS, NoRoom, SHARES_LEAST};
 use crate::sweep::table::{
-    CAUTION, CODES, FEASIBLE, FRONT, ID, LIMIT, MARGIN, MESSAGE, REASON, STATE, STOP, Table, VALUE,
+    CAUTION, CODES, FEASIBLE, FRONT, ID, LIMIT, MARGIN, MESSAGE, REASON, STATE, STOP, Table, VALUE, plain,
 };
 use crate::text::{Language, Text, t};
 
@@ -116,6 +116,13 @@ pub struct Results<'a> {
 }
 
 impl Results<'_> {
+    /// What a chart calls a column of the rows: a measure by its name in words, an input by its symbol; without its unit.
+    #[must_use]
+    pub fn name(&self, column: &str) -> Text {
+        let measure = self.kind.measures().iter().find(|one| one.key == column);
+        measure.map_or_else(|| Text::same(plain(column)), Measure::name)
+    }
+
     /// How many designs there are, and how many of each state.
     #[must_use]
     pub fn counted(&self) -> Text {

@@ -216,8 +216,9 @@ impl SweepBook<'_> {
         }
         let unit = |name: &str| {
             let unit = self.results.all.columns.iter().find(|one| one.name == name).map_or("", |one| one.unit);
-            let name = plain(name);
-            if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
+            let called = self.results.name(name);
+            let called = self.text(&called);
+            if unit.is_empty() { called.to_owned() } else { format!("{called} [{unit}]") }
         };
         let (across, up) = (unit(x), unit(y));
         let font = ChartFont::new().set_size(9).clone();
@@ -261,7 +262,8 @@ impl SweepBook<'_> {
             .collect();
         let number = Format::new().set_num_format("0.000");
         for (column, (name, cells, [low, high])) in (1..).zip(&axes) {
-            let heading = plain(name);
+            let heading = self.results.name(name);
+            let heading = self.text(&heading);
             write_text(sheet, 0, column, heading, &styles.number_header)?;
             sheet.set_column_width(column, heading_width(heading).max(8.0))?;
             for (row, at) in (1..).zip(0..count) {

@@ -138,9 +138,9 @@ impl SweepBook<'_> {
         static BOTH: [Text; 2] = [t("sola", "alone"), t("total", "total")];
         let mut charts = Vec::new();
         for (at, Objective { measure, .. }) in self.results.plan.objectives.iter().enumerate() {
-            let unit = measure.unit.label();
-            let axis =
-                if unit.is_empty() { format!("Δ {}", measure.key) } else { format!("Δ {} [{unit}]", measure.key) };
+            let (unit, name) = (measure.unit.label(), measure.name());
+            let name = self.text(&name);
+            let axis = if unit.is_empty() { format!("Δ {name}") } else { format!("Δ {name} [{unit}]") };
             let first = self.block(at) + 1;
             let moves = self.results.effects.iter().any(|one| one.changes.iter().flatten().any(Option::is_some));
             if moves {
@@ -148,7 +148,7 @@ impl SweepBook<'_> {
                 charts.push(self.bars(first, &title, &axis, [(&ENDS[0], 2), (&ENDS[1], 3)], 100));
             }
             if self.results.effects.iter().any(|one| one.indices.get(at).copied().flatten().is_some()) {
-                let title = format!("{}: {}", measure.key, self.text(&SHARE));
+                let title = format!("{name}: {}", self.text(&SHARE));
                 charts.push(self.bars(first, &title, "", [(&BOTH[0], 4), (&BOTH[1], 6)], 0));
             }
         }

@@ -13,6 +13,21 @@ use rodete::workbook::sweep_sheet;
 use crate::common;
 use crate::common::workbook::with_variants;
 
+/// The most letters of a name beside the upright axis of a chart: that of the report is 52 mm long, and a letter 1.6 mm wide.
+const NAME: usize = 28;
+
+#[test]
+fn a_chart_calls_a_measure_in_words_that_fit_beside_its_axis() {
+    for measure in KINDS.iter().flat_map(|kind| kind.measures()) {
+        let name = measure.name();
+        for language in Language::ALL {
+            let name = name.get(language);
+            assert!(name.chars().count() <= NAME, "{name}");
+            assert_eq!(name == measure.key, measure.meaning.is_empty(), "{name}");
+        }
+    }
+}
+
 #[test]
 fn every_derived_value_of_every_case_is_a_measure_with_its_unit() {
     for (kind, case, language) in common::cases() {

@@ -36,8 +36,6 @@ const NAMED: usize = 12;
 const FIGURES: usize = 4;
 /// Radii of a design and of one of the best, mm of paper.
 const RADII: [f64; 2] = [0.5, 0.9];
-/// The most letters of what an axis is called, beside its unit, across and up.
-const TITLE: [usize; 2] = [40, 28];
 
 /// What the report says of the workbook beside the results.
 #[derive(Clone, Copy, Debug)]
@@ -485,7 +483,7 @@ impl Setter<'_> {
                 clouds[kind].at.push([x, y]);
             }
         }
-        let axes = Axes { x: self.axis(x, TITLE[0]), y: self.axis(y, TITLE[1]) };
+        let axes = Axes { x: self.axis(x), y: self.axis(y) };
         let picture = dots(&axes, &clouds, self.words.language)?;
         let file = format!("figure-{}.svg", self.pictures.len());
         self.pictures.push((file.clone(), picture.into_bytes()));
@@ -495,21 +493,11 @@ impl Setter<'_> {
         Some(Figure { file, caption: self.words.text(&caption), legend })
     }
 
-    /// The title of an axis: what a measure is, where it has a short meaning of its own of at most so many letters, and its unit.
-    fn axis(&self, name: &str, most: usize) -> Text {
-        let unit = self.results.all.columns.iter().find(|one| one.name == name).map_or("", |one| one.unit);
-        let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
-        let name = plain(name);
-        let titled = |meaning: &str| {
-            // What comes after a comma or a semicolon goes into detail.
-            let meaning = meaning.split([',', ';']).next().unwrap_or_default();
-            let short = !meaning.is_empty() && meaning.chars().count() <= most;
-            format!("{}{unit}", if short { meaning } else { name })
-        };
-        self.measure(name).map_or_else(
-            || Text::new(titled(""), titled("")),
-            |one| Text::new(titled(&one.meaning.es), titled(&one.meaning.en)),
-        )
+    /// The title of an axis: what its column is called, and its unit.
+    fn axis(&self, column: &str) -> Text {
+        let unit = self.results.all.columns.iter().find(|one| one.name == column).map_or("", |one| one.unit);
+        let name = self.results.name(column);
+        if unit.is_empty() { name } else { Text::new(format!("{} ({unit})", name.es), format!("{} ({unit})", name.en)) }
     }
 
     /// What a person must judge before a design is cut.

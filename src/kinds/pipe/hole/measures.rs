@@ -24,7 +24,7 @@ pub(super) const MEASURES: &[Measure] = &[
         "clearance_mm",
         MM,
         Source::Least(&["clearance"]),
-        t("Distancia de la antorcha al tubo, como mínimo", "Distance of the torch from the pipe, at least"),
+        t("Distancia de antorcha a tubo, como mínimo", "Distance of torch from pipe, at least"),
     ),
     Measure::derived("R_o", MM),
     Measure::derived("R_i", MM),
