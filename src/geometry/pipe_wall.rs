@@ -94,9 +94,9 @@ impl PipeWall {
 
     /// The angles at which that changes its sign, in ascending order from 0.
     fn changes(&self, rho: f64) -> Vec<f64> {
-        const LOOKS: u16 = 720;
-        let at = |look: u16| TAU * (f64::from(look) - 0.5) / f64::from(LOOKS);
-        let mut found: Vec<f64> = (0..LOOKS)
+        const SAMPLES: u16 = 720;
+        let at = |look: u16| TAU * (f64::from(look) - 0.5) / f64::from(SAMPLES);
+        let mut found: Vec<f64> = (0..SAMPLES)
             .map(|look| [at(look), at(look + 1)])
             .filter(|ends| (self.rises(rho, ends[0]) > 0.0) != (self.rises(rho, ends[1]) > 0.0))
             .map(|[low, high]| {

@@ -9,7 +9,7 @@ use crate::sweep::indices::LEAST;
 use crate::sweep::plan::{INPUT, Plan};
 use crate::sweep::ranking::Counts;
 use crate::sweep::row::State;
-use crate::sweep::sensitivity::{Effect, LOOKS, NoRoom, SHARES_LEAST};
+use crate::sweep::sensitivity::{Effect, NoRoom, SAMPLES, SHARES_LEAST};
 use crate::sweep::table::{
     CAUTION, CODES, FEASIBLE, FRONT, ID, LIMIT, MARGIN, MESSAGE, REASON, STATE, STOP, Table, VALUE, plain,
 };
@@ -246,10 +246,10 @@ impl Results<'_> {
     pub fn explained(&self) -> Vec<Text> {
         let around = Text::new(
             format!(
-                "Alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción (≥: hasta donde se ha mirado; sin él, hasta un límite, también el de la propia celda), y cuánto cambia cada objetivo. Las tolerancias, redondeadas hacia cero. rodete mira a {LOOKS} distancias iguales a cada lado, hasta el ancho del intervalo, y más cerca que la primera a su mitad, su cuarto y así hasta 1/32; lo que hay entre dos de ellas no se ha mirado."
+                "Alrededor del diseño del libro, las demás entradas sin cambio: cuánto puede bajar y subir la entrada sin que el diseño se rechace ni incumpla una restricción (≥: hasta donde se ha mirado; sin él, hasta un límite, también el de la propia celda), y cuánto cambia cada objetivo. Las tolerancias, redondeadas hacia cero. rodete mira a {SAMPLES} distancias iguales a cada lado, hasta el ancho del intervalo, y más cerca que la primera a su mitad, su cuarto y así hasta 1/32; lo que hay entre dos de ellas no se ha mirado."
             ),
             format!(
-                "Around the workbook's design, other inputs unchanged: how far the input may go down and up before the design is refused or breaks a constraint (≥: as far as was looked; without it, up to a limit, that of its own cell among them), and how much each objective changes. Tolerances are rounded towards zero. rodete looks at {LOOKS} even distances to each side, as far as the range is wide, and nearer than the first at a half of it, a quarter and so on to a 32nd; what lies between two of them was not looked at."
+                "Around the workbook's design, other inputs unchanged: how far the input may go down and up before the design is refused or breaks a constraint (≥: as far as was looked; without it, up to a limit, that of its own cell among them), and how much each objective changes. Tolerances are rounded towards zero. rodete looks at {SAMPLES} even distances to each side, as far as the range is wide, and nearer than the first at a half of it, a quarter and so on to a 32nd; what lies between two of them was not looked at."
             ),
         );
         let over = match self.triples {

@@ -16,7 +16,7 @@ use crate::text::{Text, t};
 /// The part of an input's range by which it is moved for its slope.
 const PART: f64 = 0.01;
 /// How many distances are looked at to each side, evenly, for where a design is no longer good.
-pub const LOOKS: u32 = 32;
+pub const SAMPLES: u32 = 32;
 /// How often the first of them is halved towards the design: what is spoilt close by is found in a narrow band, too.
 const NEAR: u32 = 5;
 /// A distance is told in steps of one part of so many: the fourth decimal is the last that is shown.
@@ -96,7 +96,7 @@ pub struct Effect {
     /// How much each objective changes when this input alone goes there; `None` where the objective has no value there.
     pub changes: Vec<[Option<f64>; 2]>,
     /// How far it may be smaller and larger until the design is refused or breaks a constraint, everything else unchanged; else why
-    /// it has no such tolerance. As far as the plan's range is wide, at [`LOOKS`] even distances; what lies between
+    /// it has no such tolerance. As far as the plan's range is wide, at [`SAMPLES`] even distances; what lies between
     /// two of them is not looked at. Never more than what was judged good, to the digits that are shown.
     pub room: Result<[f64; 2], NoRoom>,
     /// The room ends at the width of the plan's range, not at a limit or at the bound of the input's cell.
@@ -189,14 +189,14 @@ pub fn most(base: &Values, plan: &Plan) -> Vec<u64> {
         let [from, to] = span(input)?;
         let grains = if input.whole() { 1.0 } else { GRAINS };
         // The widest interval between two looks is halved until it is one grain.
-        let mut widest = ((to - from) * grains / f64::from(LOOKS)).ceil();
+        let mut widest = ((to - from) * grains / f64::from(SAMPLES)).ceil();
         let mut halvings = 0;
         while widest > 1.0 {
             widest = (widest / 2.0).ceil();
             halvings += 1;
         }
         // Its slope and its ends, and to each side what is looked at and halved.
-        Some(4 + 2 * (u64::from(NEAR + LOOKS) + halvings))
+        Some(4 + 2 * (u64::from(NEAR + SAMPLES) + halvings))
     };
     plan.inputs.iter().filter_map(looks).collect()
 }
@@ -210,8 +210,8 @@ fn farthest(most: f64, whole: bool, good: &dyn Fn(f64) -> bool) -> (f64, bool) {
     let end = (most * grains + 1e-6).floor().max(0.0);
     let good = |at: f64| good(at / grains);
     let mut kept = 0.0;
-    let near = (1..=NEAR).rev().map(|halved| 1.0 / f64::from(LOOKS << halved));
-    for part in near.chain((1..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS))) {
+    let near = (1..=NEAR).rev().map(|halved| 1.0 / f64::from(SAMPLES << halved));
+    for part in near.chain((1..=SAMPLES).map(|look| f64::from(look) / f64::from(SAMPLES))) {
         let here = (end * part).floor();
         if here <= kept {
             continue;

@@ -32,7 +32,7 @@ const TABLE: f64 = 1e-6;
 /// How far the way round the nose goes on beside each face, at most, radians of f.
 const BESIDE: f64 = 0.5;
 /// Places round the nose at which the room is looked at.
-const LOOKS: u8 = 8;
+const SAMPLES: u8 = 8;
 /// Stations at which a splitter is tried to begin, and halvings about the first that is clear.
 const STARTS: u8 = 24;
 const HALVINGS: u8 = 10;
@@ -93,8 +93,8 @@ impl<'a> Nose<'a> {
         let scale = |q: f64| (torus.R + lane.below(q) * sin_cos(v_at(q)).1) * sin_alpha;
         let mut least = f64::INFINITY;
         let mut from: f64 = 1.0;
-        for look in 0..=LOOKS {
-            let [v, psi] = self.at(self.f * (1.0 - 2.0 * f64::from(look) / f64::from(LOOKS)));
+        for look in 0..=SAMPLES {
+            let [v, psi] = self.at(self.f * (1.0 - 2.0 * f64::from(look) / f64::from(SAMPLES)));
             let q = (v - HUB) / FRAC_PI_2;
             if !(0.0..=1.0).contains(&q) {
                 return f64::NEG_INFINITY;

@@ -35,7 +35,7 @@ use crate::number::trig::{atan2, hypot, sin_cos};
 /// Pairs of lanes that are looked at side by side.
 const AHEAD: usize = 16;
 /// Places along a face at which its error is looked at.
-pub(super) const LOOKS: u8 = 48;
+pub(super) const SAMPLES: u8 = 48;
 
 /// A count of steps no longer than one, of a length that may be none.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held from 1 to 10⁶")]
@@ -67,8 +67,8 @@ fn steepness(contacts: &Contacts, q: f64) -> f64 {
 
 /// How high above its tip a tool cuts on the way along a face, mm.
 fn highest(way: &FlankWay) -> f64 {
-    (0..=LOOKS)
-        .map(|look| way.beside(HUB + (RIM - HUB) * f64::from(look) / f64::from(LOOKS)).range)
+    (0..=SAMPLES)
+        .map(|look| way.beside(HUB + (RIM - HUB) * f64::from(look) / f64::from(SAMPLES)).range)
         .map(|[low, high]| high - low)
         .fold(0.0, f64::max)
 }

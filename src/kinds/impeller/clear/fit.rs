@@ -40,7 +40,7 @@ pub const FADES: [f64; 2] = [15.0 * TAU / 360.0, 2.0 * TAU / 360.0];
 /// How far beyond an end the tilt away from the face has gone, mm.
 pub const FADED: f64 = 0.3;
 /// Abscissae at which the error is looked at, between the ends of the fit.
-const LOOKS: u8 = 16;
+const SAMPLES: u8 = 16;
 
 /// How a face goes on beyond the ends of the blade.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -320,8 +320,8 @@ impl Flank {
     pub fn error(&self, v: f64, fit: &Fit, [top, bottom]: [f64; 2]) -> [f64; 2] {
         let [through, along] = self.line(v, fit, Beyond::Straight);
         let mut from = v;
-        (0..=LOOKS).fold([f64::INFINITY, f64::NEG_INFINITY], |[least, greatest], look| {
-            let lambda = self.middle() - top - (bottom - top) * f64::from(look) / f64::from(LOOKS);
+        (0..=SAMPLES).fold([f64::INFINITY, f64::NEG_INFINITY], |[least, greatest], look| {
+            let lambda = self.middle() - top - (bottom - top) * f64::from(look) / f64::from(SAMPLES);
             let nearest = self.nearest(&(through + along * lambda), from, Beyond::Straight);
             from = nearest.v;
             let f = nearest.distance - self.a;
@@ -346,8 +346,8 @@ impl Flank {
     pub fn rest(&self, v: f64, fit: &Fit) -> f64 {
         let [through, along] = self.line(v, fit, Beyond::Straight);
         let [top, bottom] = self.span;
-        let looks = (0..=LOOKS).map(|look| {
-            let lambda = self.middle() - top - (bottom - top) * f64::from(look) / f64::from(LOOKS);
+        let looks = (0..=SAMPLES).map(|look| {
+            let lambda = self.middle() - top - (bottom - top) * f64::from(look) / f64::from(SAMPLES);
             let point = through + along * lambda;
             let nearest = self.nearest(&point, v, Beyond::Straight);
             let inside = self.part.trimmed(&(point - nearest.out * nearest.distance));

@@ -3,7 +3,7 @@
 use crate::number::root::halved;
 
 /// Places at which each piece of a way is looked at first, and halvings about each change.
-const LOOKS: u16 = 160;
+const SAMPLES: u16 = 160;
 const HALVINGS: u8 = 24;
 
 /// The parts of a way, in order, over which a condition holds; the way consists of pieces, given by where they end. A part
@@ -15,9 +15,9 @@ pub fn parts(pieces: &[f64], holds: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
     let (mut found, mut open) = (Vec::new(), holds(begin).then_some(begin));
     let mut before = begin;
     for ends in pieces.windows(2) {
-        for look in 1..=LOOKS {
-            let part = f64::from(look) / f64::from(LOOKS);
-            let here = if look == LOOKS { ends[1] } else { ends[0] + (ends[1] - ends[0]) * part };
+        for look in 1..=SAMPLES {
+            let part = f64::from(look) / f64::from(SAMPLES);
+            let here = if look == SAMPLES { ends[1] } else { ends[0] + (ends[1] - ends[0]) * part };
             match (open, holds(here)) {
                 (None, true) => open = Some(change(here, before)),
                 (Some(from), false) => {

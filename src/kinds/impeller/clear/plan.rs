@@ -18,7 +18,7 @@ use std::f64::consts::TAU;
 use crate::kinds::impeller::clear::contact::{Beside, Contacts};
 use crate::kinds::impeller::clear::contour;
 use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Which};
-use crate::kinds::impeller::clear::draft::{Draft, LOOKS, begin, ridge, steps};
+use crate::kinds::impeller::clear::draft::{Draft, SAMPLES, begin, ridge, steps};
 use crate::kinds::impeller::clear::engagement::engage;
 use crate::kinds::impeller::clear::entered::Begins;
 use crate::kinds::impeller::clear::fit::Flank;
@@ -306,8 +306,8 @@ fn ways(job: &Job, cut: &Cut) -> [Vec<FlankWay>; 2] {
     let (part, tool) = (&job.part, cut.finish);
     let error = |face: Face| {
         let whole = Flank::new(part, face, tool.a(), [0.0, part.a_p]);
-        (0..=LOOKS)
-            .map(|look| whole.full(HUB + (RIM - HUB) * f64::from(look) / f64::from(LOOKS)).E.abs())
+        (0..=SAMPLES)
+            .map(|look| whole.full(HUB + (RIM - HUB) * f64::from(look) / f64::from(SAMPLES)).E.abs())
             .fold(0.0, f64::max)
     };
     // The error goes with the third power of the depth of the fit.
@@ -357,7 +357,7 @@ fn face_error(ways: &[FlankWay]) -> FaceError {
     for way in ways {
         // The straight ends, too, are in the blank for a bit.
         let [begin, end] = way.in_blank();
-        let all = (0..=LOOKS).map(|look| begin + (end - begin) * f64::from(look) / f64::from(LOOKS));
+        let all = (0..=SAMPLES).map(|look| begin + (end - begin) * f64::from(look) / f64::from(SAMPLES));
         // Where the face goes over into its straight ends the fit changes within less than a radius of the tool.
         let beside = |v: f64| {
             let reach = way.tool().a() / way.part().circle.torus.R;

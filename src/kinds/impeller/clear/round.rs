@@ -47,7 +47,7 @@ const ASKED: u8 = 6;
 /// Halvings towards D where no root is found: to a billionth of the tool's radius and closer.
 const HALVINGS: u8 = 40;
 /// Places at which each piece of the way is looked at for its room.
-const LOOKS: u8 = 24;
+const SAMPLES: u8 = 24;
 
 /// The way round a splitter.
 #[derive(Clone, Debug)]
@@ -221,11 +221,11 @@ impl<'a> Round<'a> {
         let a = self.tool.a();
         let obstacles = Obstacles::new(self.part, pitch, a, None);
         let fits = |way: &&FlankWay| {
-            (0..=LOOKS).all(|look| way.fits(self.v_s + (RIM - self.v_s) * f64::from(look) / f64::from(LOOKS)))
+            (0..=SAMPLES).all(|look| way.fits(self.v_s + (RIM - self.v_s) * f64::from(look) / f64::from(SAMPLES)))
         };
         self.ways.iter().all(fits)
-            && (0..5 * u16::from(LOOKS)).all(|look| {
-                let axis = turned(&self.seen(&self.axis(f64::from(look) / f64::from(LOOKS))), turn);
+            && (0..5 * u16::from(SAMPLES)).all(|look| {
+                let axis = turned(&self.seen(&self.axis(f64::from(look) / f64::from(SAMPLES))), turn);
                 obstacles.keeps_obverse(&axis, a) && obstacles.keeps_reverse(&axis, a)
             })
     }

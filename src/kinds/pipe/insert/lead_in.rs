@@ -26,7 +26,7 @@ use crate::number::jet::{Jet, bow};
 use crate::number::root::last_whole;
 
 /// Pieces that one lead-in may be looked at in.
-const LOOKS: u32 = 20_000;
+const PIECES: u32 = 20_000;
 /// How deep the angle is halved within which the curve leaves the beginning as it bends there.
 const DEEPEST: usize = 24;
 /// Without a kerf, how near the torch may come to the curve: the grid of the program, mm.
@@ -58,7 +58,7 @@ impl Outline {
         };
         let round = self.round();
         let aside = [line[0].x.min(line[1].x) - beside, line[0].x.max(line[1].x) + beside];
-        let mut looks = LOOKS;
+        let mut looks = PIECES;
         let mut turn = (aside[0] / round).floor();
         while turn * round <= aside[1] {
             let shift = Vector2::new(turn * round, 0.0);

@@ -252,8 +252,8 @@ fn enveloped(choice: &str) -> String {
     format!("TRIM({choice})=\"envelope\",TRIM({choice})=\"envolvente\"")
 }
 
-/// A bound as it is told: rounded up to 0.001 mm.
-fn told(most: f64) -> f64 {
+/// A bound rounded up to 0.001 mm.
+fn rounded_up(most: f64) -> f64 {
     (most.max(0.0) * 1000.0).ceil() / 1000.0
 }
 
@@ -271,7 +271,7 @@ fn place(worst: &Worst) -> Text {
 
 /// The gap of an edge: how wide and where, or that it is closed.
 fn gap_of(worst: &Worst) -> Text {
-    let (width, place) = (Size::mm(told(worst.most)), place(worst));
+    let (width, place) = (Size::mm(rounded_up(worst.most)), place(worst));
     if place.en.is_empty() {
         return t("cerrado", "closed");
     }
@@ -285,7 +285,7 @@ fn seat(design: &Design, rest: &Rest, overhangs: bool) -> Option<Finding> {
     let contact = match design.contact {
         Contact::Envelope => {
             let [inner, outer] = rest.gaps.map(|gap| gap_of(&gap));
-            let back = told(design.cut_back());
+            let back = rounded_up(design.cut_back());
             let taken = Size::mm(back);
             let kerf = Text::new(
                 format!("; el ancho de corte quita hasta {} más al interior", taken.said(Language::Es)),
@@ -308,7 +308,7 @@ fn seat(design: &Design, rest: &Rest, overhangs: bool) -> Option<Finding> {
     } else {
         t("el centro", "the middle")
     };
-    let (deep, grind) = (Size::mm(told(rest.inside.most)), Size::mm(told(rest.grind.most)));
+    let (deep, grind) = (Size::mm(rounded_up(rest.inside.most)), Size::mm(rounded_up(rest.grind.most)));
     let caution = WallInsideHeader { contact, edge, deep, phi: phi(&rest.inside), grind };
     (rest.inside.most > SEATED).then(|| caution.at(at([CONTACT.key(), THETA.key(), E.key()])))
 }

@@ -2,7 +2,7 @@
 
 use crate::kinds::pipe::insert::bounds::Rest;
 use crate::kinds::pipe::insert::design::Design;
-use crate::kinds::pipe::insert::{enveloped, place, told};
+use crate::kinds::pipe::insert::{enveloped, place, rounded_up};
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
 use crate::kinds::pipe::{quantity, time};
 use crate::proof::account::Account;
@@ -111,14 +111,14 @@ fn seat(design: &Design, rest: &Rest) -> [Quantity; 5] {
         quantity(
             "d_w",
             t("Pared dentro del tubo base, como máximo", "Wall inside the header, at most"),
-            told(rest.inside.most),
+            rounded_up(rest.inside.most),
             mm,
             place(&rest.inside),
         ),
         quantity(
             "a_w",
             t("A esmerilar a lo largo del injerto, como máximo", "To grind along the branch, at most"),
-            told(rest.grind.most),
+            rounded_up(rest.grind.most),
             mm,
             place(&rest.grind),
         ),
@@ -128,7 +128,7 @@ fn seat(design: &Design, rest: &Rest) -> [Quantity; 5] {
                 "Separación del borde interior, como máximo, sin el ancho de corte",
                 "Gap of the inner edge, at most, without the kerf",
             ),
-            told(rest.gaps[0].most),
+            rounded_up(rest.gaps[0].most),
             mm,
             place(&rest.gaps[0]),
         ),
@@ -138,7 +138,7 @@ fn seat(design: &Design, rest: &Rest) -> [Quantity; 5] {
                 "Separación del borde exterior, como máximo, sin el ancho de corte",
                 "Gap of the outer edge, at most, without the kerf",
             ),
-            told(rest.gaps[1].most),
+            rounded_up(rest.gaps[1].most),
             mm,
             place(&rest.gaps[1]),
         ),
@@ -148,7 +148,7 @@ fn seat(design: &Design, rest: &Rest) -> [Quantity; 5] {
                 "Lo que el ancho de corte quita de más al borde interior, como máximo",
                 "What the kerf takes more off the inner edge, at most",
             ),
-            told(design.cut_back()),
+            rounded_up(design.cut_back()),
             mm,
             t("", ""),
         ),

@@ -167,7 +167,7 @@ enum Whence {
 }
 
 /// Looks at a move, beyond the first.
-const LOOKS: u16 = 64;
+const SAMPLES: u16 = 64;
 /// Lengths that are tried, and from one to the next, mm.
 const TRIED: u16 = 1000;
 const STEP: f64 = 0.1;
@@ -228,8 +228,8 @@ fn least_safe_height(design: &Design, cut: &Cut) -> Option<f64> {
 
 /// True where the torch is seen to keep clear of the pipe on a move between two places.
 fn clear(design: &Design, from: Place, to: Place) -> bool {
-    (0..=LOOKS).all(|at| {
-        let part = f64::from(at) / f64::from(LOOKS);
+    (0..=SAMPLES).all(|at| {
+        let part = f64::from(at) / f64::from(SAMPLES);
         let five = std::array::from_fn(|axis| from[axis].value() + (to[axis] - from[axis]).value() * part);
         clearance(design, &axes(five).pose()) >= clear_limit(design)
     })

@@ -89,7 +89,7 @@ impl Crossing {
         let name = t("Cruce de chorros vecinos, desde la raíz", "Crossing of neighbouring beams, from the root");
         let most = self.found.at_most(0);
         let [alpha, lambda, _] = self.nearest;
-        let [height, length] = told(lambda, most).map(Size::mm);
+        let [height, length] = rounded(lambda, most).map(Size::mm);
         let value = if most <= 1e-3 {
             t("no se cruzan", "they do not cross")
         } else {
@@ -103,9 +103,9 @@ impl Crossing {
     }
 }
 
-/// The height at which lines λ long cross and λ itself, as they are told, mm: no nearer than the height, which is rounded down,
+/// The height at which lines λ long cross and λ itself, rounded to 0.001 mm: no nearer than the height, which is rounded down,
 /// and no shorter than the length, which is rounded up.
-fn told(lambda: f64, k: f64) -> [f64; 2] {
+fn rounded(lambda: f64, k: f64) -> [f64; 2] {
     [(lambda / k * 1e3).floor() / 1e3, (lambda * 1e3).ceil() / 1e3]
 }
 
@@ -219,6 +219,6 @@ mod tests {
         let said = check.finding().expect("they cross").what.en.to_string();
         assert!(said.contains(&format!("cross {height} mm from")) && said.contains("measures 10.001 mm"), "{said}");
         // 25.9367 beside 30.0001, as it was told: 25.94 and ≥ 25.93.
-        assert_eq!(told(30.000_1, 30.000_1 / 25.936_7), [25.936, 30.001]);
+        assert_eq!(rounded(30.000_1, 30.000_1 / 25.936_7), [25.936, 30.001]);
     }
 }

@@ -15,7 +15,7 @@ use crate::proof::check::At;
 use crate::proof::step::Run;
 
 /// The places of an arc that are looked at first: one through three points of a curve is farthest from it between them.
-const LOOKS: [f64; 6] = [0.12, 0.21, 0.32, 0.68, 0.79, 0.88];
+const SAMPLES: [f64; 6] = [0.12, 0.21, 0.32, 0.68, 0.79, 0.88];
 /// As many steps more than the design has are tried.
 const MORE: u32 = 1000;
 
@@ -48,7 +48,7 @@ fn keeps(design: &Design) -> bool {
         .collect();
     let (outline, [tolerance, _]) = (design.outline(), limits(design));
     let near = |(way, follows): &(Way, Follows)| match follows {
-        Follows::Curve(leg) => LOOKS.iter().all(|part| looked_at(&outline, way, *leg, *part) <= tolerance),
+        Follows::Curve(leg) => SAMPLES.iter().all(|part| looked_at(&outline, way, *leg, *part) <= tolerance),
         _ => true,
     };
     if !ways.iter().all(near) {
