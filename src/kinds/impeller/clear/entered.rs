@@ -95,11 +95,11 @@ impl<'a> Blades<'a> {
     fn new(job: &'a Job, cut: &Cut, tool: Which) -> Self {
         let turns = || (0..job.N).map(|blade| TAU * f64::from(blade) / f64::from(job.N)).collect();
         let Part { circle, a_p, .. } = job.part;
-        let middle = Part::with(circle.torus, 0.0, a_p);
+        let (middle, R) = (Part::with(circle.torus, 0.0, a_p), circle.torus.R);
         Self {
             job,
-            // The other channels may be turned otherwise by what rounding takes.
-            limit: cut.tolerance + OVER - HALF.to_radians() * circle.torus.R,
+            // As the programs are judged: with what rounding takes of ε, and the other channels may be turned otherwise by it.
+            limit: cut.tolerance + job.machine.rounding(R) + OVER - HALF.to_radians() * R,
             faces: Walls::new(job.part, job.machine, cut.tool(tool).a(), turns(), f64::MIN),
             middles: Walls::new(middle, job.machine, 0.0, turns(), f64::MIN),
         }

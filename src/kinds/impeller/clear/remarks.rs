@@ -98,7 +98,7 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
 /// A tool that does not pass.
 pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
     let largest = why.largest.map_or_else(
-        || t("no cabe ninguna", "none fits"),
+        || t("no se ha encontrado ninguna que quepa", "none was found that fits"),
         |d| {
             Text::new(
                 format!("la mayor que pasa es de {} mm", shown(d, 2)),

@@ -174,15 +174,20 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
         (false, true) => "√((r + a_p − r_c)² − (d_t/2 − r_c)²) + r_c − r",
         (false, false) => "√((r + a_p − r_cf)² − (d_f/2 − r_cf)²) + r_cf − r",
     };
-    let mut list = vec![
-        quantity(
+    let mut list = Vec::new();
+    // Where thick blades go on straight into each other, the gap says nothing of the tools that pass.
+    let d_t_max = told.gap - 2.0 * asked.cut.s;
+    if d_t_max > 0.0 {
+        list.push(quantity(
             "d_t_max",
             "Mayor fresa de desbaste según la separación de las caras hasta el fondo",
             "Largest roughing tool by the gap of the faces down to the floor",
-            (told.gap - 2.0 * asked.cut.s).max(0.0),
+            d_t_max,
             mm,
             ["separación de las caras hasta el fondo − 2·s_w", "gap of the faces down to the floor − 2·s_w"],
-        ),
+        ));
+    }
+    list.extend([
         quantity(
             "t_rough",
             "Profundidad de la punta en las pasadas de desbaste, bajo la cara torneada",
@@ -263,7 +268,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             mm,
             ["crestas entre pasadas", "ridges between lanes"],
         ),
-    ];
+    ]);
     for (error, symbol, es, en) in [
         (
             &told.faces[0],

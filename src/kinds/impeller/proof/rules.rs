@@ -176,7 +176,7 @@ crate::finding::rule::rules! {
     "V0131" AxisInBlade Stop { line: usize, program: Text }
         es "el eje de la herramienta atraviesa la cara de un álabe, en la línea {line} de «{program}»: ahí no cabe esta herramienta, y quizá ninguna"
         en "the axis of the tool goes through the face of a blade, in line {line} of \"{program}\": this tool has no room there, and perhaps none has"
-        remedy "use una herramienta menor si la separación la admite (d_t_max, gap_true); si no, álabes más delgados o menos, o un fondo menos profundo (a_p)", "use a smaller tool if the gap admits one (d_t_max, gap_true); else thinner or fewer blades, or a shallower floor (a_p)";
+        remedy "use una herramienta menor si se da d_t_max y la admite; si no, álabes más delgados o menos, o un fondo menos profundo (a_p)", "use a smaller tool if d_t_max is given and admits one; else thinner or fewer blades, or a shallower floor (a_p)";
         why "Si el cubo es más estrecho que el álabe, las caras pasan el eje de la pieza y llegan a los canales del otro lado.",
             "Where the hub is narrower than the blade, the faces pass the axis of the part and come into the channels on the other side.";
         example book!("impeller", "r" = "15.5", "N" = "1", "e" = "7", "a_p" = "4", "d_t" = "4", "d_f" = "", "splitters" = "no", "c_s" = "0.2", "tol" = "0.03");

@@ -105,7 +105,10 @@ pub fn curve(stations: &[Station]) -> Table {
     Table {
         key: "curve",
         name: t("Curva", "Curve"),
-        title: t("Curva de la raíz y su salida por el exterior", "Root curve, and where it comes out on the outside"),
+        title: t(
+            "Curva de la raíz, y por dónde sale el eje del chorro en el exterior",
+            "Root curve, and where the axis of the beam comes out on the outside",
+        ),
         source: t("Deducido aquí; φ como en la patente", "Derived here; φ as in the patent"),
         index: ROWS,
         print: Print::Short,
