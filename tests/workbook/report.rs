@@ -456,6 +456,14 @@ mod embedded {
         let (Some(rollover), Some(linear)) = (linuxcnc("rollover"), linuxcnc("linear")) else { return };
         assert!(!rollover.contains("not rollover") && rollover.contains("C counts past 360°"), "{rollover}");
         assert!(linear.contains("B and C are not rollover axes"), "{linear}");
+        // The way to the first safe point, as the control's programs go it.
+        assert!(sticking.contains("then Z down to Zr = ") && sticking.contains("only then B and C turn"), "{sticking}");
+        assert!(linear.contains("the table turns at once, in the block X0 Y0 B0 C0"), "{linear}");
+        let Some(by_hand) = sheet(&[("retract", Value::Line(String::new()))]) else { return };
+        assert!(
+            by_hand.contains("First Z goes to Zr = ") && by_hand.contains("then X0 Y0, and only then"),
+            "{by_hand}"
+        );
         // What depends on the machine is a box: its clamps where the program writes them, and a path that may be blended.
         let (clamps, blended) = ("M11 and M13 release the clamps", "G61, or G64 with a small P, is in force");
         assert!(sticking.contains(clamps) && !sticking.contains(blended), "{sticking}");
