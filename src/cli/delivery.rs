@@ -7,6 +7,7 @@ use super::drawings;
 use super::plan::Item;
 use super::rules::LeftFromEarlier;
 use super::verdict::Verdict;
+use super::view::headed;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::gcode::program::Program;
@@ -157,7 +158,8 @@ impl Delivery<'_> {
             })?;
         }
         if let Some(scene) = scene {
-            let scene = scene.titled(outcome.part().to_owned(), language);
+            let name = item.workbook.file_name().unwrap_or_default();
+            let scene = scene.titled(headed(outcome.part(), printable(&name.to_string_lossy())), language);
             let write = if self.live { view::write_live } else { view::write };
             set.write(&store::file_name(&item.stem, VIEWER), |out| write(&scene, out))?;
         }

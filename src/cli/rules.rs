@@ -204,9 +204,9 @@ rules! {
             "use rodete verify or rodete view; if it is for a lathe, name its control with --dialect";
         why "Leído como el de un torno, sus palabras serían otras y no cortaría nada.", "Read as a lathe's, its words would be others, and it would cut nothing.";
         example line!("simulate" "plate.nc"; "plate.nc" = "G21 G90 G17|T1 M6|G43 H1|G0 X10 Y10|M30");
-    "U0141" NoSuchCode Stop { code: String }
-        es "{code} no es un código de rodete"
-        en "{code} is not a rodete code"
+    "U0141" NoSuchCode Stop { code: String, near: Text }
+        es "{code} no es un código de rodete{near}"
+        en "{code} is not a rodete code{near}"
         remedy "ejecute rodete explain, que lista los códigos", "run rodete explain, which lists the codes";
         why "Un código es una letra y cuatro cifras, como W0424.", "A code is a letter and four digits, like W0424.";
         example line!("explain" "Z9999");

@@ -161,7 +161,13 @@ fn of_workbook(
     let language = arguments.lang.unwrap_or(filled.values.language);
     let outcome =
         reading::compute(&arguments.input, filled, kinds, Wants { scene: true, ..Wants::default() }, verdict)?;
+    let title = headed(outcome.part(), title);
     Ok(outcome.scene.transpose()?.map(|scene| scene.titled(title, language)))
+}
+
+/// What a page of a workbook is headed by: the part's name, or the workbook's where its form has none.
+pub(super) fn headed(part: &str, workbook: String) -> String {
+    if part.is_empty() { workbook } else { part.to_owned() }
 }
 
 fn of_program(

@@ -1,10 +1,10 @@
 //! What a judge has enclosed over the motions of a program: between the looks too, so that a pass is one of every place.
 
-use crate::finding::{Finding, Grade, Place, Raise, Size};
+use crate::finding::{Finding, Grade, Place, Raise, Said, Size};
 use crate::number::bound::Enclosure;
 use crate::proof::check::{At, Check, Question, mm, up};
 use crate::proof::rules::{NotEnclosed, OffByN, OffTolerance};
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 
 /// The greatest values of K questions, with where they were found.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +15,33 @@ pub struct Enclosed<const K: usize> {
     at: [Option<At>; K],
     /// How many motions were taken in.
     seen: usize,
+}
+
+/// What a length may be, mm, and how a sentence behind it says what that is made of.
+#[derive(Clone, Debug)]
+pub struct Tolerance {
+    /// What it may be.
+    pub limit: f64,
+    of: Text,
+}
+
+impl Tolerance {
+    /// A limit of which a part is typed as the symbol `arc_tolerance`, both in mm; `rest` says what the rest is for. Nothing is said of a
+    /// rest that rounds to 0.
+    #[must_use]
+    pub fn of_arcs(typed: f64, limit: f64, rest: &Text) -> Self {
+        let shown = |language, value| Size::length(value, 4).said(language).into_owned();
+        let told = |language, and: &str| {
+            let [typed, added] = [typed, limit - typed].map(|value| shown(language, value));
+            format!(" (arc_tolerance {typed} {and} {added} {})", rest.get(language))
+        };
+        let of = if limit - typed < 5e-5 {
+            Text::same("")
+        } else {
+            Text::new(told(Language::Es, "y"), told(Language::En, "and"))
+        };
+        Self { limit, of }
+    }
 }
 
 /// Whose it is to mend what leaves its tolerance.
@@ -83,18 +110,18 @@ impl<const K: usize> Enclosed<K> {
     /// The check that the `k`th length stays within its tolerance everywhere. `what` says what leaves what. What could not be
     /// enclosed is a caution.
     #[must_use]
-    pub fn within(&self, asked: Question, k: usize, tolerance: f64, what: Text, remedy: Remedy) -> Check {
+    pub fn within(&self, asked: Question, k: usize, tolerance: &Tolerance, what: Text, remedy: Remedy) -> Check {
         let (reached, at_most) = (self.reached(k), self.at_most(k));
         let asked = self.put(asked, k).measuring(at_most);
-        asked.holds(at_most <= tolerance, |place| beyond(reached, at_most, tolerance, what, remedy, place))
+        asked.holds(at_most <= tolerance.limit, |place| beyond(reached, at_most, tolerance, what, remedy, place))
     }
 }
 
 /// What is said of a length beyond its tolerance, or not known to be within.
-fn beyond(reached: f64, at_most: f64, tolerance: f64, what: Text, remedy: Remedy, place: Place) -> Finding {
-    let (off, limit) = (Size::length(reached, 4), Size::length(tolerance, 4));
+fn beyond(reached: f64, at_most: f64, tolerance: &Tolerance, what: Text, remedy: Remedy, place: Place) -> Finding {
+    let (off, limit, of) = (Size::length(reached, 4), Size::length(tolerance.limit, 4), tolerance.of.clone());
     match remedy {
-        _ if reached.is_nan() || reached <= tolerance => {
+        _ if reached.is_nan() || reached <= tolerance.limit => {
             NotEnclosed { what, off, most: Size::length(at_most, 4), limit }.at(place)
         }
         Remedy::GreaterN { enough, grade } => {
@@ -102,9 +129,9 @@ fn beyond(reached: f64, at_most: f64, tolerance: f64, what: Text, remedy: Remedy
                 .map_or(t("un N mayor o una arc_tolerance mayor", "a larger N or a larger arc_tolerance"), |N| {
                     Text::same(format!("N = {N}"))
                 });
-            OffByN { what, off, limit, N }.at(place).graded(grade)
+            OffByN { what, off, limit, of, N }.at(place).graded(grade)
         }
-        Remedy::Fault => OffTolerance { what, off, limit }.at(place),
+        Remedy::Fault => OffTolerance { what, off, limit, of }.at(place),
     }
 }
 
@@ -126,7 +153,8 @@ mod tests {
         let program = Program::sample("hole");
         let [value, limit] = bound(enclosed.at_most(0), tolerance);
         let asked = Question::new("path", Text::same(""), &program).showing(value, limit);
-        enclosed.within(asked, 0, tolerance, Text::same(""), remedy).grade()
+        let tolerance = Tolerance::of_arcs(tolerance, tolerance, &Text::same(""));
+        enclosed.within(asked, 0, &tolerance, Text::same(""), remedy).grade()
     }
 
     #[test]
@@ -136,6 +164,15 @@ mod tests {
         assert_eq!(grade(f64::NAN, 1.2, Remedy::Fault), Some(Grade::Caution));
         assert_eq!(grade(1.1, 0.9, Remedy::Fault), Some(Grade::Stop));
         assert_eq!(grade(1.1, 0.9, Remedy::GreaterN { enough: None, grade: Grade::Caution }), Some(Grade::Caution));
+    }
+
+    #[test]
+    fn a_tolerance_tells_what_is_typed_and_what_the_rest_is_for() {
+        let rest = t("por el redondeo", "for the rounding");
+        let told = Tolerance::of_arcs(0.02, 0.022, &rest).of;
+        assert_eq!(told.en, " (arc_tolerance 0.02 mm and 0.002 mm for the rounding)");
+        assert_eq!(told.es, " (arc_tolerance 0.02 mm y 0.002 mm por el redondeo)");
+        assert_eq!(Tolerance::of_arcs(0.02, 0.020_001, &rest).of.en, "");
     }
 
     #[test]

@@ -148,16 +148,16 @@ crate::finding::rule::rules! {
         why "El programa se puede repetir sin mover nada.",
             "The program can run again without moving anything.";
         example Example::Program { control: "linuxcnc", program: "G21 G91|G0 X10|G0 X-10|M2", at: "", given: &[] };
-    "V0023" OffTolerance Stop { what: Text, off: Size, limit: Size }
-        es "{what} {off}; la tolerancia es {limit}"
-        en "{what} {off}; the tolerance is {limit}"
+    "V0023" OffTolerance Stop { what: Text, off: Size, limit: Size, of: Text }
+        es "{what} {off}; la tolerancia es {limit}{of}"
+        en "{what} {off}; the tolerance is {limit}{of}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "rodete acota el corte en todo su recorrido: fuera de la tolerancia la pieza no encaja.",
             "rodete bounds the cut along its whole path: beyond the tolerance the part does not fit.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "N120 G1 A-5.506", to: "N120 G1 A-3.506" };
-    "V0024" OffByN Stop { what: Text, off: Size, limit: Size, N: Text }
-        es "{what} {off}; la tolerancia es {limit}"
-        en "{what} {off}; the tolerance is {limit}"
+    "V0024" OffByN Stop { what: Text, off: Size, limit: Size, of: Text, N: Text }
+        es "{what} {off}; la tolerancia es {limit}{of}"
+        en "{what} {off}; the tolerance is {limit}{of}"
         remedy "elija {N}", "choose {N}";
         why "Con pocos puntos los arcos son largos y se apartan de la curva entre punto y punto; también cuenta dónde caen. En style = annex, el programa publicado, es solo una precaución.",
             "With few points the arcs are long and leave the curve between the points; where the points fall counts, too. In style = annex, the published program, it is only a caution.";

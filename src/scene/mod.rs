@@ -21,7 +21,7 @@ use crate::text::{Language, Text};
 /// Everything that one file shows.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Scene {
-    /// What is shown, as a file's name.
+    /// What is shown: a part's name, or a file's.
     pub title: String,
     /// The language that the page begins in.
     pub language: Language,

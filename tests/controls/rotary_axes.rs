@@ -234,6 +234,37 @@ fn a_block_that_takes_the_tool_away_is_refused_where_it_does_something_else() {
     }
 }
 
+/// As the chapter and the set-up sheet of an impeller say it.
+#[test]
+fn the_table_turns_after_z_where_turns_are_increments_and_with_x_and_y_elsewhere() {
+    for (dialect, distance, block, order) in [
+        (
+            "fagor-8055",
+            "G91",
+            "G0 G53 Z0",
+            ["G0 G53 Z0.000", "G0 X0.000 Y0.000", "G0 Z6.284", "G0 B90.000 C90.000"].as_slice(),
+        ),
+        ("fagor-8055", "G91", "", &["G0 Z6.284", "G0 X0.000 Y0.000", "G0 B90.000 C90.000"]),
+        ("fagor-8055", "G90", "G0 G53 Z0", &["G0 G53 Z0.000", "G0 X0.000 Y0.000 B0.000 C0.000", "G0 Z6.284"]),
+        ("fagor-8055", "G90", "", &["G0 Z6.284", "G0 X0.000 Y0.000 B0.000 C0.000"]),
+        ("fagor-8070", "G91", "G0 Z200", &["G0 Z200.000", "G0 X0.000 Y0.000 B0.000 C0.000", "G0 Z6.284"]),
+        ("fagor-8070", "G91", "", &["G0 Z6.284", "G0 X0.000 Y0.000 B0.000 C0.000"]),
+        ("linuxcnc", "G91", "G0 G53 Z0", &["G0 G53 Z0.000", "G0 X0.000 Y0.000 B0.000 C0.000", "G0 Z6.284"]),
+        ("linuxcnc", "G91", "", &["G0 Z6.284", "G0 X0.000 Y0.000 B0.000 C0.000"]),
+        ("linuxcnc", "G90", "G0 G53 Z0", &["G0 G53 Z0.000", "G0 X0.000 Y0.000 B0.000 C0.000", "G0 Z6.284"]),
+    ] {
+        let mut changes = vec![("dialect", Value::Choice(dialect)), ("retract", line(block))];
+        changes.push(("start_codes", line(if dialect == "fagor-8055" { "M3 M11 M13" } else { "M3" })));
+        if distance == "G90" {
+            changes.extend([("distance", Value::Choice("G90")), ("rotary", Value::Choice("linear"))]);
+        }
+        let text = program(&outcome("full", &changes), "blade");
+        let moves: Vec<&str> =
+            text.lines().filter_map(|line| line.find("G0 ").map(|at| line[at..].trim_end())).collect();
+        assert_eq!(&moves[..order.len()], order, "{dialect} {distance} {block}");
+    }
+}
+
 #[test]
 fn start_codes_without_the_published_clamps_are_told_and_coolant_is_switched_on_before_the_cut() {
     let told = cautions(&[("start_codes", line("M3 M13"))]);

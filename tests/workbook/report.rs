@@ -456,10 +456,50 @@ mod embedded {
         let (Some(rollover), Some(linear)) = (linuxcnc("rollover"), linuxcnc("linear")) else { return };
         assert!(!rollover.contains("not rollover") && rollover.contains("C counts past 360°"), "{rollover}");
         assert!(linear.contains("B and C are not rollover axes"), "{linear}");
+        // The way to the first safe point, as the control's programs go it.
+        assert!(sticking.contains("then Z down to Zr = ") && sticking.contains("only then B and C turn"), "{sticking}");
+        assert!(linear.contains("the table turns at once, in the block X0 Y0 B0 C0"), "{linear}");
+        let Some(by_hand) = sheet(&[("retract", Value::Line(String::new()))]) else { return };
+        assert!(
+            by_hand.contains("First Z goes to Zr = ") && by_hand.contains("then X0 Y0, and only then"),
+            "{by_hand}"
+        );
         // What depends on the machine is a box: its clamps where the program writes them, and a path that may be blended.
         let (clamps, blended) = ("M11 and M13 release the clamps", "G61, or G64 with a small P, is in force");
         assert!(sticking.contains(clamps) && !sticking.contains(blended), "{sticking}");
         assert!(linear.contains(blended) && !linear.contains(clamps), "{linear}");
+    }
+
+    /// The cut with its lead-in and its kerf lies beyond the development: the plate must be as large as the cut.
+    #[test]
+    fn the_set_up_sheet_of_a_flat_branch_tells_how_much_plate_the_cut_needs() {
+        let kind = *KINDS.iter().find(|kind| kind.form().kind == "pipe-insert").expect("the kind");
+        let case = kind.cases().first().expect("a case");
+        let sheet = |changes: &[(&'static str, Value)]| {
+            let outcome = common::outcome_of(kind, case, Language::En, changes);
+            let report = typeset(&outcome, &[workbook()], &Stationery::default(), Language::En, &typst()).unwrap();
+            let text = text(&report.setup).map(|text| text.split_whitespace().collect::<Vec<_>>().join(" "));
+            text.map(|text| (outcome, text))
+        };
+        for (lead_in, kerf) in [(5.0, 1.5), (8.0, 2.5)] {
+            let flat =
+                [("mode", Value::Choice("flat")), ("lead_in", Value::Real(lead_in)), ("kerf", Value::Real(kerf))];
+            let Some((outcome, text)) = sheet(&flat) else { return };
+            let W = outcome.quantities.iter().find(|one| one.symbol == "W").expect("W").value;
+            let extents = outcome.programs[0].extents();
+            let reach = |letter, kept: f64| {
+                let (_, low, high) = extents.iter().find(|(of, ..)| *of == letter).expect("an axis");
+                let (low, high) = (low.value() - kerf / 2.0, high.value() + kerf / 2.0);
+                let (from, to) = (low.min(0.0).floor(), high.max(kept).ceil());
+                format!("{letter}{from:.0} to {letter}{to:.0}").replace('-', "−")
+            };
+            // The sheet has two columns: its lines are looked for one by one.
+            let [x, y] = [reach('X', W), reach('Y', 0.0)];
+            let told = [format!("The plate reaches at least from {x} and"), format!("from {y}: lead-in")];
+            assert!(x.contains("X−") && told.iter().all(|told| text.contains(told)), "{told:?}: {text}");
+        }
+        let Some((_, turned)) = sheet(&[("mode", Value::Choice("rotary"))]) else { return };
+        assert!(!turned.contains("The plate"), "{turned}");
     }
 
     /// What no page holds goes on, and says so on top: more tools than a page has lines.

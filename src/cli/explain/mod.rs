@@ -5,6 +5,7 @@ mod clashes;
 mod controls;
 mod findings;
 mod markdown;
+mod near;
 mod pages;
 mod row;
 mod told;
@@ -148,7 +149,8 @@ pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Termi
     for code in &arguments.codes {
         let found: Vec<_> = rows(kinds).into_iter().filter(|rule| named(rule, code)).collect();
         if found.is_empty() {
-            let refusal = NoSuchCode { code: printable(code) }.refused(Exit::CommandLine, Place::File);
+            let near = near::near(code, &rows(kinds));
+            let refusal = NoSuchCode { code: printable(code), near }.refused(Exit::CommandLine, Place::File);
             exit = refused(&refusal, language, terminal);
         }
         for rule in found {

@@ -214,7 +214,7 @@ impl Doubts {
             (MOTION, "el movimiento en vigor", "the motion in force"),
             (FEED, "el avance", "the feed"),
             (SPEED, "la velocidad del husillo", "the spindle's speed"),
-            (SPINDLE, "el giro del husillo", "the spindle's way"),
+            (SPINDLE, "el sentido de giro del husillo", "the spindle's direction of rotation"),
             (TOOL, "la herramienta", "the tool"),
             (PLANE, "el plano", "the plane"),
             (UNIT, "la unidad", "the unit"),

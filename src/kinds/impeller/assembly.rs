@@ -118,9 +118,9 @@ pub struct Assembly<'a> {
 impl<'a> Assembly<'a> {
     /// A program whose passes begin at a safe point.
     ///
-    /// The published layout starts right there. The full one is taken away, if the workbook says how, goes over the work
-    /// zero at the retract height, wherever the machine stood before, turns B and C there, and goes down to the safe point
-    /// outside the part.
+    /// The published layout starts right there. The full one is taken away, if the workbook says how, and then goes over the
+    /// work zero and comes down to the retract height; otherwise it goes to that height first. From there it goes to the safe
+    /// point outside the part. B and C turn to 0 with X and Y, but where every turn is an increment: there they turn after Z.
     ///
     /// Where the rotary axes may be rollover they are taken to stand at 0. One absolute block with targets inside a turn, in
     /// plus, brings them to where the passes begin: an axis that is rollover and one that is not make the same motion, and

@@ -60,7 +60,7 @@ pub(super) static EPS_V: Field<f64, Required> = Field::real(
     "end_backoff_eps_v",
     Unit::Step,
     [0.0, 0.5],
-    t("Retroceso del último punto, en pasos", "Back-off of the last point, in steps"),
+    t("Retroceso del último punto, en pasos", "Distance of the last point from the end, in steps"),
     t(
         "0: llega hasta el final; 1e-5: como en los anexos publicados",
         "0: goes to the end; 1e-5: as in the published annexes",

@@ -115,7 +115,7 @@ const TURRET: [Sample; 6] = [
         numbers: &[("tools/R", 0.1), ("tools/h", 2.5), ("tools/psi", 60.0), ("tools/p_min", 1.0), ("tools/p_max", 3.0)],
     },
     Sample {
-        name: ["Broca de 10", "Drill of 10"],
+        name: ["Broca de 10 mm", "10 mm drill"],
         choices: &[("tools/type", "drill")],
         numbers: &[
             ("tools/w", 10.0),

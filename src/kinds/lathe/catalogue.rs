@@ -1,7 +1,7 @@
 //! The catalogue of usual tools for the sheet of a new workbook: to be mounted by giving one a place.
 //!
 //! Sizes are those of common indexable inserts (ISO 1832: inscribed circles of 6.35, 9.525 and 12.7 mm, nose radii of 0.4,
-//! 0.8 and 1.2 mm) and of drills by their usual diameters. Main and auxiliary angle and the angle of the insert's corner make
+//! 0.8 and 1.2 mm) and of drills by their usual diameters. Cutting-edge angle, minor cutting-edge angle and the angle of the insert's corner make
 //! 180°.
 
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ use crate::parameter::Value;
 use crate::parameter::list::Row;
 use crate::text::Language;
 
-/// Shape, inscribed circle, main and auxiliary angle of outside turning tools.
+/// Shape, inscribed circle, cutting-edge angle and minor cutting-edge angle of outside turning tools.
 const OUTSIDE: [(&str, f64, f64, f64); 8] = [
     ("C", 12.7, 95.0, 5.0),
     ("W", 12.7, 95.0, 5.0),
@@ -77,7 +77,7 @@ fn round(IC: f64) -> CatalogueTool {
     let mut numbers = shank();
     numbers.push(("tools/IC", IC));
     CatalogueTool {
-        name: [format!("Placa redonda de {IC}"), format!("Round insert of {IC}")],
+        name: [format!("Placa redonda de {IC} mm"), format!("{IC} mm round insert")],
         choices: vec![("tools/type", "external"), ("tools/shape", "R"), ("tools/hand", "N")],
         numbers,
     }
@@ -133,7 +133,7 @@ fn threading((angle, least, greatest, nose): (f64, f64, f64, f64), hand: &'stati
 fn drill(w: f64) -> CatalogueTool {
     let flutes = 6.0 * w;
     CatalogueTool {
-        name: [format!("Broca de {w}"), format!("Drill of {w}")],
+        name: [format!("Broca de {w} mm"), format!("{w} mm drill")],
         choices: vec![("tools/type", "drill")],
         numbers: vec![
             ("tools/w", w),
@@ -149,7 +149,7 @@ fn drill(w: f64) -> CatalogueTool {
 
 fn centre_drill([pilot, reach, body]: [f64; 3]) -> CatalogueTool {
     CatalogueTool {
-        name: [format!("Broca de centrar de {pilot}"), format!("Centre drill of {pilot}")],
+        name: [format!("Broca de centrar de {pilot} mm"), format!("{pilot} mm centre drill")],
         choices: vec![("tools/type", "centre-drill")],
         numbers: vec![
             ("tools/w", pilot),

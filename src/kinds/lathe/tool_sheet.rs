@@ -77,9 +77,15 @@ pub(crate) static IC: Field<f64, Optional> = Field::real(
 pub(crate) static R: Field<f64, Optional> =
     Field::real("tools/R", "", MM, [0.0, 50.0], t("radio de punta", "nose radius"), NONE);
 pub(crate) static PHI1: Field<f64, Optional> =
-    Field::real("tools/phi1", "", Unit::Degree, [0.0, 180.0], t("ángulo principal φ1", "main angle φ1"), NONE);
-pub(crate) static PHI2: Field<f64, Optional> =
-    Field::real("tools/phi2", "", Unit::Degree, [0.0, 180.0], t("ángulo auxiliar φ2", "auxiliary angle φ2"), NONE);
+    Field::real("tools/phi1", "", Unit::Degree, [0.0, 180.0], t("ángulo principal φ1", "cutting-edge angle φ1"), NONE);
+pub(crate) static PHI2: Field<f64, Optional> = Field::real(
+    "tools/phi2",
+    "",
+    Unit::Degree,
+    [0.0, 180.0],
+    t("ángulo auxiliar φ2", "minor cutting-edge angle φ2"),
+    NONE,
+);
 pub(crate) static W: Field<f64, Optional> = Field::real(
     "tools/w",
     "",
@@ -121,7 +127,7 @@ pub(crate) static TIP: Field<u32, Optional> = Field::whole(
 pub(crate) static M: Field<Spindle, Optional> = Field::choice(
     "tools/M",
     "",
-    t("giro con el que corta; vacío: según la mano", "spindle's way in the cut; empty: by the hand"),
+    t("giro con el que corta; vacío: según la mano", "direction of rotation in the cut; empty: by the hand"),
     NONE,
 );
 pub(crate) static B: Field<f64, Required> = Field::real(

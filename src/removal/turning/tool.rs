@@ -86,9 +86,9 @@ pub enum Cutter {
         shape: Shape,
         /// The diameter of its inscribed circle, D.
         circle: f64,
-        /// The main angle in plan φ1, between the main edge and the feed along Z: above 90° the nose leads.
+        /// The cutting-edge angle φ1, between the main edge and the feed along Z: above 90° the nose leads.
         main: f64,
-        /// The auxiliary angle in plan φ2, between the other edge and the turned surface.
+        /// The minor cutting-edge angle φ2, between the other edge and the turned surface.
         auxiliary: f64,
         /// The nose radius R.
         nose: f64,

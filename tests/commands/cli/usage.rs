@@ -75,6 +75,13 @@ fn a_code_or_the_number_of_an_alarm_is_explained() {
         .code(2)
         .stdout("")
         .stderr("error U0141: Q9999 is not a rodete code\nhint: run rodete explain, which lists the codes\nrodete explain U0141 says what it means, with an example\n");
+    for (typed, told) in [
+        (["L131", "--lang", "en"], "error U0141: L131 is not a rodete code; did you mean L0131?\n"),
+        (["PS64", "--lang", "es"], "error U0141: PS64 no es un código de rodete; ¿quería decir PS0064?\n"),
+    ] {
+        let told = predicates::str::starts_with(told);
+        rodete(&folder).arg("explain").args(typed).assert().code(2).stdout("").stderr(told);
+    }
 }
 
 #[test]

@@ -3,6 +3,9 @@
 use std::fs;
 
 use predicates::prelude::*;
+use rodete::kinds::KINDS;
+use rodete::parameter::Value;
+use rodete::text::Language;
 use tempfile::TempDir;
 
 use super::common::{folder, names, rodete, with_impeller, with_refused};
@@ -53,6 +56,24 @@ fn no_input_is_written_over_and_nothing_but_a_page_is_written() {
         .stderr(predicate::str::contains(".html"));
     assert_eq!((before().as_str(), names(&folder)), (PROGRAM, vec!["part.html".to_owned()]));
     rodete(&folder).args(["view", "missing.nc"]).assert().code(4).stdout("");
+}
+
+#[test]
+fn the_page_of_every_kind_is_headed_by_the_name_of_its_part() {
+    for kind in KINDS {
+        let (folder, form) = (folder(), kind.form());
+        rodete(&folder).args(["new", form.kind, "book.xlsx", "--lang", "en"]).assert().success();
+        rodete(&folder).args(["view", "book.xlsx"]).assert().success();
+        let page = fs::read_to_string(folder.path().join("book.html")).expect("a page");
+        let values = kind.cases().first().expect("a case").values(Language::En);
+        let part = values.iter().find(|(key, _)| *key == form.part.key().name()).map(|(_, value)| value);
+        let Some(Value::Line(part)) = part else { panic!("{}: a part without a name", form.kind) };
+        assert!(page.contains(&format!("<title>{part}</title>")), "{}: {part}", form.kind);
+    }
+    // A program has the name of its file.
+    let folder = with("part.ngc", PROGRAM);
+    rodete(&folder).args(["view", "part.ngc"]).assert().success();
+    assert!(fs::read_to_string(folder.path().join("part.html")).expect("a page").contains("<title>part.ngc</title>"));
 }
 
 #[test]

@@ -410,7 +410,7 @@ fn merged_cells_hide_no_value() {
     stops(
         "over a radius",
         &merged(TOOLS, "G6:H6").zip(),
-        &["TOOLS!H6 phi1 (main angle φ1): its cell is inside the merged cells G6:H6, whose value is in G6"],
+        &["TOOLS!H6 phi1 (cutting-edge angle φ1): its cell is inside the merged cells G6:H6, whose value is in G6"],
         "unmerge G6:H6",
     );
     stops(

@@ -19,7 +19,7 @@ fn mount(rows: &mut [Row], T: u32, name: &str) {
 /// bar of 12 mm in 6.
 fn shop(rows: &mut [Row]) {
     for (T, name) in
-        [(2, "External V 93° R0.4 L"), (5, "Drill of 20"), (7, "Face grooving 3 mm"), (8, "Round insert of 8")]
+        [(2, "External V 93° R0.4 L"), (5, "20 mm drill"), (7, "Face grooving 3 mm"), (8, "8 mm round insert")]
     {
         mount(rows, T, name);
     }

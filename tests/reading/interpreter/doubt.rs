@@ -136,7 +136,7 @@ fn a_motion_a_feed_a_tool_or_a_parameter_that_a_refused_block_named_is_in_doubt(
         ),
         (
             "M3,1\nG84 X0 Y0 Z-1 R1 F1\nM2\n",
-            "1 error that follows omitted, caused by rejected blocks; unknown from here on: the spindle's way",
+            "1 error that follows omitted, caused by rejected blocks; unknown from here on: the spindle's direction of rotation",
         ),
     ] {
         let found = read(&LINUXCNC, &format!("G21 G90\n{program}"));

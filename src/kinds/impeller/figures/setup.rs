@@ -37,12 +37,12 @@ pub(super) fn side(design: &Design) -> Figure {
     // The arrow of X runs above the extension line of H.
     let (ring, long, gap, over) = (mm(1.6), mm(9.0), mm(3.0), mm(3.5));
     let stock = -design.blank.L_b.max(design.torus.r);
-    // The spindle, from the B axis up to its nose, and the clamping.
+    // The spindle, from the B axis up to its nose, and the fixture.
     sketch.rectangle(Ink::Thin, [-wide, -L], [wide, -H]);
     let foot = stock.max(-H);
     if foot > -H {
         sketch.rectangle(Ink::Safe, [-0.7 * wide, -H], [0.7 * wide, foot]);
-        sketch.label([-0.7 * wide, f64::midpoint(-H, foot)], Side::Left, t("amarre", "clamping"));
+        sketch.label([-0.7 * wide, f64::midpoint(-H, foot)], Side::Left, t("amarre", "fixture"));
     }
     sketch.line(Ink::Cut, [[-R, -H], [R, -H]]);
     let right = profile(design, foot);
@@ -73,7 +73,7 @@ pub(super) fn side(design: &Design) -> Figure {
     let named = if cos < 0.0 { Side::Left } else { Side::Right };
     sketch.label([about * cos, -L + about * sin], named, Text::same("+B"));
     sketch.label([-wide, -L], Side::Left, t("eje B", "B axis"));
-    sketch.label([-R, -H], Side::Left, t("nariz", "nose"));
+    sketch.label([-R, -H], Side::Left, t("nariz del husillo", "spindle nose"));
     sketch.upright([R, 0.0], [R, -H], column, Side::Right, sized("H", H));
     sketch.upright([R, -H], [ring, -L], column, Side::Right, sized("R_B", design.R_B));
     let beyond = column + sketch.paper(27.0);

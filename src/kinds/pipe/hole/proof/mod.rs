@@ -40,7 +40,7 @@ use crate::number::shown;
 use crate::number::trig::{asin, sin_cos};
 use crate::proof::agreement::Agreement;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
-use crate::proof::enclosed::{Enclosed, Remedy, bound};
+use crate::proof::enclosed::{Enclosed, Remedy, Tolerance, bound};
 use crate::proof::feed::{feed_word, timely};
 use crate::proof::rollover::Rollover;
 use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
@@ -137,11 +137,13 @@ impl Judge for BeamOnRoot<'_> {
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
         let tolerance = self.design.arc_tolerance + rounding(self.design);
+        let rest = t("por el redondeo a 0.001 mm y 0.001°", "for the rounding to 0.001 mm and 0.001°");
+        let tolerated = Tolerance::of_arcs(self.design.arc_tolerance, tolerance, &rest);
         let errors = &self.errors;
         let off = |key, name, what| {
             let [value, limit] = bound(errors.at_most(0), tolerance);
             let asked = Question::new(key, name, program).showing(value, limit);
-            errors.within(asked, 0, tolerance, what, Remedy::Fault)
+            errors.within(asked, 0, &tolerated, what, Remedy::Fault)
         };
         let beam = off(
             "beam",

@@ -41,7 +41,7 @@ use crate::number::root::golden;
 use crate::number::trig::{atan2, hypot, sin_cos};
 use crate::proof::agreement::Agreement;
 use crate::proof::check::{At, Check, Extreme, Question, mm, up};
-use crate::proof::enclosed::{Enclosed, Remedy, bound};
+use crate::proof::enclosed::{Enclosed, Remedy, Tolerance, bound};
 use crate::proof::rollover::Rollover;
 use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
 use crate::proof::torch::Torch;
@@ -221,7 +221,7 @@ impl Judge for PathOnCurve<'_> {
             Mode::Rotary => Remedy::Fault,
         };
         let words = t("los arcos se apartan de la curva exacta", "the arcs leave the exact curve by");
-        let path = self.errors.within(path, 0, tolerance, words, remedy);
+        let path = self.errors.within(path, 0, &of_arcs(design, tolerance), words, remedy);
         let name = t("Borde cortado, sobre el tubo base", "Cut edge, on the header");
         let edge = asked("edge", name, 1, limit);
         let words = t("el borde cortado queda fuera del tubo base por", "the cut edge is off the header by");
@@ -229,7 +229,7 @@ impl Judge for PathOnCurve<'_> {
         let edge = if path.grade() > Some(Grade::Note) {
             self.errors.put(edge, 1).informs()
         } else {
-            self.errors.within(edge, 1, limit, words, Remedy::Fault)
+            self.errors.within(edge, 1, &of_arcs(design, limit), words, Remedy::Fault)
         };
         let [wall, gap] = self.seat(program, limit, remedy);
         vec![path, edge, wall, gap]
@@ -267,7 +267,7 @@ impl<'a> PathOnCurve<'a> {
             Contact::Envelope => {
                 let words = t("la pared queda dentro del tubo base", "the wall is inside the header by");
                 let asked = asked("wall", name, value, limited).of_parameters([ARC_TOLERANCE.key(), N.key()]);
-                self.wall.within(asked, 0, limit, words, remedy)
+                self.wall.within(asked, 0, &of_arcs(design, limit), words, remedy)
             }
             Contact::Inside | Contact::Outside => {
                 self.wall.put(asked("wall", name, value, Text::same("")), 0).informs()
@@ -358,6 +358,18 @@ const ARITHMETIC: f64 = 1e-9;
 
 /// Looks that a program may take beyond the first three at each motion.
 const WORK: u32 = 100_000;
+
+/// What the limit of a path, or of an edge, is made of.
+fn of_arcs(design: &Design, limit: f64) -> Tolerance {
+    let rounding =
+        t("por el redondeo de extremos y radios a 0.001 mm", "for the rounding of ends and radii to 0.001 mm");
+    let longer = t(
+        "por el redondeo a 0.001 mm y porque la curva es más larga que el desarrollo",
+        "for the rounding to 0.001 mm and because the curve is longer than the development",
+    );
+    let rest = if limit - limits(design)[0] < 5e-5 { rounding } else { longer };
+    Tolerance::of_arcs(design.arc_tolerance, limit, &rest)
+}
 
 /// What path and edge may be off.
 fn limits(design: &Design) -> [f64; 2] {
