@@ -129,7 +129,12 @@ pub fn likely_radians(value: f64, unit: Unit) -> Option<f64> {
     }
     let degrees = value * 180.0 / std::f64::consts::PI;
     let round = (degrees / 5.0).round() * 5.0;
-    (value.abs() < 1.0 || (degrees - round).abs() < 0.02).then_some((degrees * 100.0).round() / 100.0)
+    // To the hundredth, and a small one to three digits.
+    let mut parts = 100.0;
+    while degrees.abs() * parts < 100.0 && parts < 1e6 {
+        parts *= 10.0;
+    }
+    (value.abs() < 1.0 || (degrees - round).abs() < 0.02).then_some((degrees * parts).round() / parts)
 }
 
 #[cfg(test)]
@@ -164,6 +169,9 @@ mod tests {
     fn radians_in_an_angle_cell_are_noticed() {
         assert_eq!(likely_radians(0.52, Unit::Degree), Some(29.79));
         assert_eq!(likely_radians(1.7453, Unit::Degree), Some(100.0));
+        assert_eq!(likely_radians(0.005, Unit::Degree), Some(0.286));
+        assert_eq!(likely_radians(-0.0001, Unit::Degree), Some(-0.005_73));
+        assert_eq!(likely_radians(1e-9, Unit::Degree), Some(0.0));
         assert_eq!(likely_radians(-10.0, Unit::Degree), None);
         assert_eq!(likely_radians(2.0, Unit::Degree), None);
         assert_eq!(likely_radians(0.5, Unit::Millimetre), None);

@@ -50,7 +50,8 @@ fn book(kind: &dyn Kind, case: &Case, language: Language, run: Run<'_>) {
     if language == Language::Es {
         done(&["view", "book.xlsx", "-o", "page.html"]);
         let page = fs::read_to_string(folder.join("page.html")).unwrap();
-        assert!(page.contains("book.xlsx") && page.contains("default-src 'none'"), "{kind:?} {}", case.name);
+        let headed = page.contains("<title>") && !page.contains("<title></title>");
+        assert!(headed && page.contains("default-src 'none'"), "{kind:?} {}", case.name);
         return;
     }
 

@@ -71,7 +71,7 @@ mod tests {
             ("PS64", "; did you mean PS0064?"),
             ("g117", "; did you mean G0117?"),
             (" W0424", "; did you mean W0424?"),
-            ("W42A4", "; did you mean W0424?"),
+            ("W4024", "; did you mean W0424?"),
             ("Z9999", ""),
             ("", ""),
             ("99999999999999999999999999", ""),

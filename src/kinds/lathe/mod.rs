@@ -284,12 +284,13 @@ fn outcome(
     // Where a program was not followed to its end, or not made, there is no part yet to be compared.
     let made = !endless && !followed.iter().any(|one| one.uncut);
     if let Some(wanted) = wanted.filter(|_| made) {
+        let grooves = followed.last().map(|one| one.simulation.thread_grooves()).unwrap_or_default();
         let left = followed.last().map_or(0, |one| one.simulation.work_left());
         let part = Comparison {
             contours: &drawn.part,
             tolerance: given.setup.tolerance,
             second: followed.len() > 1,
-            threaded: followed.iter().any(|one| one.simulation.threaded()),
+            grooves: &grooves,
             most_work: left,
         };
         let (told, undone) = compared(&part, &wanted, &mut quantities);

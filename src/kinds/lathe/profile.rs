@@ -12,6 +12,7 @@ use crate::number::trig::hypot;
 use crate::parameter::Parameter;
 use crate::parameter::field::{Entry, Fields};
 use crate::removal::turning::deviation::{CHORDS, Profile, Span, Unmeasured, deviation};
+use crate::removal::turning::thread_groove::ThreadGroove;
 use crate::table::{Quantity, Unit};
 use crate::text::{Text, t};
 
@@ -102,8 +103,8 @@ pub(super) struct Comparison<'c> {
     pub(super) tolerance: f64,
     /// It was turned about: they are in coordinates of the second set-up.
     pub(super) second: bool,
-    /// A thread was cut: a profile has none, so that its groove is missing metal, and may hide other.
-    pub(super) threaded: bool,
+    /// The grooves of its threads: a profile has none, so that they explain missing metal.
+    pub(super) grooves: &'c [ThreadGroove],
     /// How many steps of work are left.
     pub(super) most_work: u64,
 }
@@ -111,7 +112,7 @@ pub(super) struct Comparison<'c> {
 /// How the part compares with the wanted profile, as quantities and findings, and whether that was left undone for want of work.
 pub(super) fn compared(part: &Comparison<'_>, wanted: &Wanted, quantities: &mut Vec<Quantity>) -> (Vec<Finding>, bool) {
     let (contours, profile) = (part.contours, &wanted.profile);
-    let found = match deviation(contours, profile, part.most_work) {
+    let found = match deviation(contours, profile, part.grooves, part.most_work) {
         Ok(found) => found,
         Err(Unmeasured::Gone) => {
             return (vec![NothingToCompare {}.at(Place::File)], false);
@@ -122,10 +123,13 @@ pub(super) fn compared(part: &Comparison<'_>, wanted: &Wanted, quantities: &mut 
             return (vec![ComparisonTooMuchWork { corners, spans }.at(Place::File)], true);
         }
     };
-    let [over, under] = [found.over, found.under].map(|one| one.map_or(0.0, |(by, _)| by));
+    // All that is missing, whether a thread explains it or not.
+    let all =
+        [found.under, found.threaded].into_iter().flatten().reduce(|one, two| if two.0 > one.0 { two } else { one });
+    let [over, under, missing] = [found.over, found.under, all].map(|one| one.map_or(0.0, |(by, _)| by));
     for (symbol, meaning, value) in [
         ("dev_plus", t("Material de más sobre el perfil", "Metal left on the profile"), over),
-        ("dev_minus", t("Material de menos en el perfil", "Metal missing from the profile"), under),
+        ("dev_minus", t("Material de menos en el perfil", "Metal missing from the profile"), missing),
     ] {
         let source = t("contorno contra la hoja del perfil", "contour against the sheet of the profile");
         quantities.push(Quantity { symbol, meaning, value, unit: Unit::Millimetre, source, cell: None });
@@ -133,27 +137,27 @@ pub(super) fn compared(part: &Comparison<'_>, wanted: &Wanted, quantities: &mut 
     let place = |one: Option<(f64, [f64; 2])>| {
         one.map_or(String::new(), |(_, [z, r])| format!(" (X{} Z{})", shown(2.0 * r, 3), shown(z, 3)))
     };
-    let [most, least] = [found.over, found.under].map(place);
+    let [most, least, deepest] = [found.over, found.under, all].map(place);
     let held = if part.second {
         t(" (en cotas del segundo amarre)", " (in coordinates of the second set-up)")
     } else {
         t("", "")
     };
     let limit = explained(part.tolerance);
-    let missing = (under > limit && !part.threaded).then(|| {
-        let told = MetalMissing { held: held.clone(), under: Size::length(under, 4), least: least.clone() };
+    let scrapped = (under > limit).then(|| {
+        let told = MetalMissing { held: held.clone(), under: Size::length(under, 4), least };
         let told = told.at(found.under.map_or(Place::File, |(_, place)| wanted.row(place)));
         told.with(format!("{} mm", shown(under, 4)), format!("≤ {} mm", shown(limit, 4)))
     });
-    let held = if part.threaded {
+    let held = if found.threaded.is_some() {
         let Text { es, en } = held;
         Text::new(format!("{es}, con la rosca como metal que falta"), format!("{en}, with the thread as missing metal"))
     } else {
         held
     };
-    let note =
-        Compared { held, over: Size::length(over, 4), most, under: Size::length(under, 4), least }.at(Place::File);
-    (missing.into_iter().chain([note]).collect(), false)
+    let [over, under] = [over, missing].map(|by| Size::length(by, 4));
+    let note = Compared { held, over, most, under, least: deepest }.at(Place::File);
+    (scrapped.into_iter().chain([note]).collect(), false)
 }
 
 #[cfg(test)]
@@ -165,7 +169,7 @@ mod tests {
     fn told(under: f64, second: bool) -> Vec<Finding> {
         let r = 10.0 - under;
         let contours = [vec![[-50.0, 0.0], [0.0, 0.0], [0.0, r], [-50.0, r]]];
-        let part = Comparison { contours: &contours, tolerance: 0.0002, second, threaded: false, most_work: 1_000_000 };
+        let part = Comparison { contours: &contours, tolerance: 0.0002, second, grooves: &[], most_work: 1_000_000 };
         compared(&part, &line([-40.0, 10.0]), &mut Vec::new()).0
     }
 
@@ -207,13 +211,35 @@ mod tests {
     }
 
     #[test]
-    fn the_groove_of_a_thread_is_told_by_the_note_alone() {
-        let contours = [vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 9.0], [-50.0, 9.0]]];
-        let part =
-            Comparison { contours: &contours, tolerance: 0.0002, second: false, threaded: true, most_work: 1_000_000 };
-        let (found, _) = compared(&part, &line([-40.0, 10.0]), &mut Vec::new());
+    fn a_thread_excuses_no_metal_missing_elsewhere() {
+        let groove = ThreadGroove {
+            way: [[5.0, 9.0], [-20.0, 9.0]],
+            along: 0,
+            into: -1.0,
+            flank: 0.577_350_269_189_625_7,
+            apex: 0.0,
+            most: 1.732_050_807_568_877_2,
+        };
+        // Radius 9 under the thread; behind it 10 as wanted, or 1.5 mm less in one place.
+        let told = |less: f64| {
+            let r = 10.0 - less;
+            let thread = [[-50.0, 0.0], [0.0, 0.0], [0.0, 9.0], [-20.0, 9.0], [-20.0, 10.0], [-25.0, 10.0]];
+            let contours = [thread.into_iter().chain([[-25.0, r], [-50.0, r]]).collect::<Vec<_>>()];
+            let part = Comparison {
+                contours: &contours,
+                tolerance: 0.0002,
+                second: false,
+                grooves: &[groove],
+                most_work: 1_000_000,
+            };
+            compared(&part, &line([-40.0, 10.0]), &mut Vec::new()).0
+        };
+        let found = told(0.0);
         assert!(found.len() == 1 && found[0].is(Compared::RULE), "{found:?}");
         assert!(found[0].what.en.contains("with the thread as missing metal"), "{:?}", found[0].what);
+        let found = told(1.5);
+        assert!(found.len() == 2 && found[0].is(MetalMissing::RULE) && found[1].is(Compared::RULE), "{found:?}");
+        assert!(found[0].what.en.contains("up to 1.5 mm is missing"), "{:?}", found[0].what);
     }
 
     #[test]

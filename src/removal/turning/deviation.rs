@@ -1,6 +1,7 @@
 //! The deviation of the part from the wanted profile.
 
 use super::outline::beside;
+use super::thread_groove::{ThreadGroove, explained};
 use crate::figure::{Arc, Ink};
 use crate::geometry::chords;
 use crate::geometry::exact::region::Ring;
@@ -58,6 +59,8 @@ pub struct Deviation {
     pub over: Option<(f64, [f64; 2])>,
     /// Metal missing: how far the profile is above the surface, mm.
     pub under: Option<(f64, [f64; 2])>,
+    /// Metal missing that threads explain, mm.
+    pub threaded: Option<(f64, [f64; 2])>,
 }
 
 /// Why a part was not compared with a profile.
@@ -159,9 +162,16 @@ fn centre(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) -> Option<
 /// high: where the foot is in metal, the corner or middle itself counts if it is on the side of the profile where no metal is wanted. That is the
 /// right or the left one, as most of the contours run that are near the profile.
 ///
+/// Where the grooves of threads explain that metal is missing, it counts apart.
+///
 /// Each place is compared with every edge, and each corner and middle with every line: `most_work` is the maximum number of steps, of 16
 /// comparisons each.
-pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result<Deviation, Unmeasured> {
+pub fn deviation(
+    contours: &[Ring],
+    profile: &Profile,
+    grooves: &[ThreadGroove],
+    most_work: u64,
+) -> Result<Deviation, Unmeasured> {
     let points = profile.points().ok_or(Unmeasured::Work)?;
     let edges: Vec<[[f64; 2]; 2]> = (contours.iter())
         .flat_map(|ring| ring.iter().copied().zip(ring.iter().copied().cycle().skip(1)))
@@ -196,8 +206,12 @@ pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result
             }
         }
         let metal = inside(&surface, at);
-        let slot = if metal { &mut found.over } else { &mut found.under };
         if off.is_finite() && off > 1e-9 {
+            let slot = match metal {
+                true => &mut found.over,
+                false if explained(grooves, at, off) => &mut found.threaded,
+                false => &mut found.under,
+            };
             if slot.is_none_or(|(most, _)| off > most) {
                 *slot = Some((off, at));
             }
@@ -340,11 +354,11 @@ mod tests {
     fn metal_left_and_metal_missing_are_told_apart_whichever_way_the_profile_runs() {
         for ends in [[[-1.0, 10.0], [-40.0, 10.0]], [[-40.0, 10.0], [-1.0, 10.0]]] {
             let profile = Profile { start: ends[0], spans: vec![Span::Line(ends[1])] };
-            let over = deviation(&part(0.02), &profile, MOST).unwrap();
+            let over = deviation(&part(0.02), &profile, &[], MOST).unwrap();
             assert!((over.over.unwrap().0 - 0.02).abs() < 1e-12 && over.under.is_none(), "{over:?}");
-            let under = deviation(&part(-0.03), &profile, MOST).unwrap();
+            let under = deviation(&part(-0.03), &profile, &[], MOST).unwrap();
             assert!((under.under.unwrap().0 - 0.03).abs() < 1e-12 && under.over.is_none(), "{under:?}");
-            assert_eq!(deviation(&part(0.0), &profile, MOST).unwrap(), Deviation::default());
+            assert_eq!(deviation(&part(0.0), &profile, &[], MOST).unwrap(), Deviation::default());
         }
     }
 
@@ -357,15 +371,15 @@ mod tests {
         let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
         // 157 places against 101 edges, 101 corners and as many middles against one line and again against the edges.
         let [enough, less] = [157 * 7 + 202 * (1 + 7), 157 * 7 + 202 * (1 + 7) - 1];
-        assert!(deviation(&comb(50), &profile, enough).is_ok());
-        assert_eq!(deviation(&comb(50), &profile, less), Err(Unmeasured::Work));
+        assert!(deviation(&comb(50), &profile, &[], enough).is_ok());
+        assert_eq!(deviation(&comb(50), &profile, &[], less), Err(Unmeasured::Work));
         // Half circles of R 2000 are 9,000 chords each.
         let arc =
             |back: bool| Span::Arc { to: [if back { 0.0 } else { -4000.0 }, 0.0], radius: 2000.0, clockwise: true };
         let arcs = Profile { start: [0.0, 0.0], spans: (0..1000).map(|at| arc(at % 2 == 1)).collect() };
         assert_eq!(arcs.points(), None);
-        assert_eq!(deviation(&part(0.0), &arcs, u64::MAX), Err(Unmeasured::Work));
-        assert_eq!(deviation(&[], &profile, MOST), Err(Unmeasured::Gone));
+        assert_eq!(deviation(&part(0.0), &arcs, &[], u64::MAX), Err(Unmeasured::Work));
+        assert_eq!(deviation(&[], &profile, &[], MOST), Err(Unmeasured::Gone));
     }
 
     #[test]
@@ -373,7 +387,7 @@ mod tests {
         let ring =
             vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 10.0], [-20.0, 10.0], [-20.06, 10.04], [-20.12, 10.0], [-50.0, 10.0]];
         let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
-        let (most, place) = deviation(&[ring], &profile, MOST).unwrap().over.unwrap();
+        let (most, place) = deviation(&[ring], &profile, &[], MOST).unwrap().over.unwrap();
         // The nearest surface to the place below the peak is the flank beside it, but the peak is as high as it is.
         assert!((most - 0.04).abs() < 1e-9, "{most}");
         assert!((place[0] + 20.06).abs() < 1e-9);
@@ -399,7 +413,7 @@ mod tests {
         for (ring, high) in [(outside, 8.0), (inside, 6.0)] {
             for ends in [[[-1.0, 10.0], [-40.0, 10.0]], [[-40.0, 10.0], [-1.0, 10.0]]] {
                 let profile = Profile { start: ends[0], spans: vec![Span::Line(ends[1])] };
-                let found = deviation(std::slice::from_ref(&ring), &profile, MOST).unwrap();
+                let found = deviation(std::slice::from_ref(&ring), &profile, &[], MOST).unwrap();
                 assert!((found.over.unwrap().0 - high).abs() < 1e-9 && found.under.is_none(), "{found:?}");
             }
         }
@@ -410,7 +424,7 @@ mod tests {
     fn the_other_side_of_a_tube_is_no_metal_left() {
         let ring = vec![[0.0, 4.0], [0.0, 10.05], [-20.0, 10.05], [-50.0, 10.05], [-50.0, 4.0], [-20.0, 4.0]];
         let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
-        let found = deviation(&[ring], &profile, MOST).unwrap();
+        let found = deviation(&[ring], &profile, &[], MOST).unwrap();
         assert!((found.over.unwrap().0 - 0.05).abs() < 1e-9 && found.under.is_none(), "{found:?}");
     }
 
@@ -418,8 +432,8 @@ mod tests {
     fn a_pip_on_the_axis_is_as_much_metal_left_as_it_stands_out() {
         let ring = vec![[-50.0, 0.0], [1.0, 0.0], [1.0, 0.2], [0.0, 0.2], [0.0, 10.0], [-50.0, 10.0]];
         let profile = Profile { start: [0.0, 0.0], spans: vec![Span::Line([0.0, 10.0])] };
-        let found = deviation(&[ring], &profile, MOST).unwrap();
-        assert_eq!(found, Deviation { over: Some((1.0, [0.0, 0.1])), under: None });
+        let found = deviation(&[ring], &profile, &[], MOST).unwrap();
+        assert_eq!(found, Deviation { over: Some((1.0, [0.0, 0.1])), ..Deviation::default() });
     }
 
     #[test]

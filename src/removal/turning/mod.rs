@@ -32,6 +32,7 @@ mod start;
 pub mod step;
 pub mod stock;
 mod surface_origin;
+pub mod thread_groove;
 mod threads;
 pub mod tool;
 pub mod turret;

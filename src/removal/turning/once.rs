@@ -4,6 +4,7 @@ use super::alarm::{Alarm, Cause, TOUCH};
 use super::motion_totals::Tally;
 use super::path::Piece;
 use super::spindle::{extent, revolutions};
+use super::thread_groove::ThreadGroove;
 use super::threads::{Pass, Threads};
 use super::tool::{Cutter, TurningTool};
 use crate::gcode::in_force::{Compensation, InForce};
@@ -16,6 +17,8 @@ pub struct Watch {
     /// The alarm's number and the tool.
     holding: Vec<(u16, u32)>,
     threads: Threads,
+    /// Of the passes that cut metal, on the grid.
+    grooves: Vec<ThreadGroove>,
 }
 
 /// The maximum feed per revolution, as a share of the nose radius: the ridges between two turns are then arcs of the nose,
@@ -127,9 +130,14 @@ impl Watch {
         self.threads.passes()
     }
 
-    /// True where a thread has been cut.
-    pub const fn threaded(&self) -> bool {
-        self.threads.any()
+    /// The grooves of the passes of threads that cut metal, on the grid.
+    pub fn grooves(&self) -> &[ThreadGroove] {
+        &self.grooves
+    }
+
+    /// The part comes with these grooves.
+    pub fn begin_with(&mut self, grooves: Vec<ThreadGroove>) {
+        self.grooves = grooves;
     }
 
     /// The alarms of passes that left the groove of their thread; see [`Threads::off_groove`].
@@ -168,6 +176,7 @@ impl Watch {
             }
         }
         if cuts {
+            self.grooves.extend(ThreadGroove::new([start, end], lead, tool));
             self.threads.judge(&Pass { thread, way: [start, end], turned, place, tool }, tally);
         }
     }

@@ -16,6 +16,7 @@ pub use super::start::Setup;
 use super::step::{Edit, Step, Totals};
 use super::stock::{Fixture, turned_about};
 use super::surface_origin::{self, Chain};
+use super::thread_groove::ThreadGroove;
 use super::workpiece::{CHIP, Removed, Workpiece};
 use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::gcode::in_force::{InForce, Speed};
@@ -81,7 +82,11 @@ impl Simulation {
         let [left, right] = stock.ends();
         let chain = self.chain.turned_about(left + right + shift - 2.0 * self.middle);
         let most_work = self.work_left();
-        Self::begun(Setup { part, most_work, ..self.setup.clone() }, &labels, chain)
+        let mut second = Self::begun(Setup { part, most_work, ..self.setup.clone() }, &labels, chain)?;
+        let about = |groove: ThreadGroove| groove.mirrored(left + right + shift).shifted(-second.middle);
+        let grooves = self.thread_grooves().into_iter().map(about).collect();
+        second.watch.begin_with(grooves);
+        Ok(second)
     }
 
     fn begun(setup: Setup, labels: &[Vec<u32>], chain: Chain) -> Result<Self, Refusal> {
@@ -277,10 +282,10 @@ impl Simulation {
             })
     }
 
-    /// True where a thread has been cut.
+    /// The grooves of the threads of the part, also of those cut before it was turned about.
     #[must_use]
-    pub const fn threaded(&self) -> bool {
-        self.watch.threaded()
+    pub fn thread_grooves(&self) -> Vec<ThreadGroove> {
+        self.watch.grooves().iter().map(|groove| groove.shifted(self.middle)).collect()
     }
 
     /// The same work on from here, but in rapid motions each axis goes at its own of these rates, X and Z.

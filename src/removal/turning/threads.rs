@@ -148,11 +148,6 @@ impl Threads {
         self.known.len() + cuts.flat_map(|cut| &cut.starts).map(|start| start.passes.len()).sum::<usize>()
     }
 
-    /// True where a pass has cut metal.
-    pub const fn any(&self) -> bool {
-        !self.known.is_empty()
-    }
-
     /// Notes a pass in metal, and raises the alarms of another lead or spindle speed than in the passes before.
     pub fn judge(&mut self, pass: &Pass<'_>, tally: &mut Tally) {
         let ([from, to], lead) = (pass.way, pass.thread.lead);

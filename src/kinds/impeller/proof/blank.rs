@@ -266,9 +266,9 @@ impl Judge for Over {
         let Some(straight) = self.ways.first() else { return Vec::new() };
         straight.lasting().into_iter().for_each(|alarm| count(&mut self.other, alarm));
         // Of a part that is all gone, or was not followed to the end, all is missing.
-        let gone = Deviation { over: None, under: Some((self.wanted.start[1], self.wanted.start)) };
+        let gone = Deviation { under: Some((self.wanted.start[1], self.wanted.start)), ..Deviation::default() };
         let followed = self.ways.iter().all(|way| !way.is_spent());
-        let found = deviation(&straight.contours(), &self.wanted, straight.work_left()).ok();
+        let found = deviation(&straight.contours(), &self.wanted, &[], straight.work_left()).ok();
         let found = found.filter(|_| followed).unwrap_or(gone);
         let most = |side: Option<(f64, [f64; 2])>| {
             let (most, [z, r]) = side.unwrap_or_default();
