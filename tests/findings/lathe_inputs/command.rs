@@ -126,6 +126,26 @@ fn stopped(program: &str, more: &[&str]) -> Vec<String> {
 }
 
 #[test]
+fn without_a_workbook_the_bar_is_faced_and_the_note_says_so_and_names_the_cell_of_its_allowance() {
+    let across = program("G0 Z.5|X20.|Z5.").join("|");
+    let none: [&str; 0] = [];
+    assert_eq!(stopped(&across, &[]), none);
+    // The workbook's bar is 1 mm longer: a rapid in front of Z0 meets it.
+    let sawn = stopped(&across, &["--tools", "lathe.xlsx"]);
+    assert!(sawn.iter().any(|one| one.starts_with("101 ")), "{sawn:?}");
+    let folder = bench(TURNS);
+    for (language, wanted) in
+        [("en", ["already faced", "Z0", "L5", "--tools"]), ("es", ["ya refrentada", "Z0", "L5", "--tools"])]
+    {
+        let said = simulate(folder.path(), &["--stock", "D50xL120", "--lang", language]);
+        let note = said.out.lines().find(|line| line.contains("U0124")).unwrap();
+        for part in wanted {
+            assert!(note.contains(part), "{part}: {note}");
+        }
+    }
+}
+
+#[test]
 fn the_example_s_tools_cut_as_a_program_of_m4_alone_turns_and_a_drill_never_does() {
     let none: [&str; 0] = [];
     let turned =
