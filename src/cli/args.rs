@@ -155,8 +155,9 @@ pub(super) enum Command {
     Verify(Verify),
     /// Simulate a turning program: metal removed, times, alarms
     ///
-    /// Stock, machine and turret come from a lathe workbook (--tools), or the stock from --stock and the rest
-    /// from the example of `rodete new lathe`. With -o, results, viewer (HTML), solid (STL) and contour (DXF, SVG) go to that
+    /// Stock, machine and turret come from a lathe workbook (--tools), or the stock from --stock, and machine and turret
+    /// from the example of `rodete new lathe`. That bar is already faced and ends at Z0 (L5 = 0): for a sawn one give L5 in
+    /// a lathe workbook. With -o, results, viewer (HTML), solid (STL) and contour (DXF, SVG) go to that
     /// folder; without -o nothing is written. Exit 3 if the program is rejected or an alarm stops it; the files are
     /// still written, because they show why.
     #[command(after_help = "Example: rodete simulate part.nc --dialect fanuc-lathe-a --stock D50xL100 -o out")]

@@ -26,7 +26,20 @@ const fn decimals(unit: Unit) -> usize {
 
 /// The quantities as lines, symbols, decimal points and meanings under one another.
 pub(super) fn table(quantities: &[Quantity], language: Language, width: Option<usize>) -> String {
-    let rows: Vec<_> = quantities.iter().map(|one| (one, number(one.value, one.unit))).collect();
+    table_of(quantities, |_| true, language, width)
+}
+
+/// The same with a dash in place of each value that is not `known`.
+pub(super) fn table_of(
+    quantities: &[Quantity],
+    known: impl Fn(&Quantity) -> bool,
+    language: Language,
+    width: Option<usize>,
+) -> String {
+    let shown = |one: &Quantity| {
+        if known(one) { number(one.value, one.unit) } else { ("-".to_owned(), String::new()) }
+    };
+    let rows: Vec<_> = quantities.iter().map(|one| (one, shown(one))).collect();
     let symbols = rows.iter().map(|(one, _)| display_width(one.symbol)).max().unwrap_or(0);
     let wholes = rows.iter().map(|(_, (whole, _))| whole.len()).max().unwrap_or(0);
     let ends = rows.iter().map(|(one, (_, decimals))| end(one, decimals)).map(|end| display_width(&end)).max();

@@ -16,8 +16,9 @@ use crate::escape::printable_path;
 use crate::finding::{Exit, Place, Refusal};
 use crate::kind::{Kind, Wants};
 use crate::kinds::lathe::Raised;
+use crate::kinds::lathe::quantities::SET_UP;
 use crate::store::{self, Existing, Folder, Set};
-use crate::table::Unit;
+use crate::table::{Quantity, Unit};
 use crate::workbook::results::Tables;
 use crate::workbook::{self, Input};
 
@@ -40,7 +41,9 @@ pub(super) fn run(arguments: &Simulate, kinds: &[&dyn Kind], terminal: &mut Term
     let (name, width) = (printable_path(&arguments.program), terminal.width);
     if let Some(followed) = &followed {
         terminal.out(&format!("{name}: {}, {}\n", followed.dialect.name, followed.stock));
-        terminal.out(&quantity::table(&verdict.quantities, language, width));
+        // Behind a rejected block nothing was measured: a 0 would say that there is no alarm.
+        let known = |one: &Quantity| followed.whole || SET_UP.contains(&one.symbol);
+        terminal.out(&quantity::table_of(&verdict.quantities, known, language, width));
     }
     let beside = arguments.tools.as_deref().map(printable_path);
     let names = finding::Names { input: &name, workbook: beside.as_ref().unwrap_or(&name) };

@@ -76,6 +76,8 @@ pub(super) struct Followed {
     pub(super) outcome: Outcome,
     /// Every alarm, in the order of the motions.
     pub(super) alarms: Vec<Raised>,
+    /// The program was followed to its end, without a rejected block.
+    pub(super) whole: bool,
 }
 
 /// Follows the program and puts what was found into the verdict.
@@ -125,13 +127,14 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
         sha256,
         version: env!("CARGO_PKG_VERSION"),
     };
-    let Simulated { outcome, alarms } = lathe::simulated(Fields::of(&FORM, values)?, source, Some(program), wants)
-        .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
+    let Simulated { outcome, alarms, whole } =
+        lathe::simulated(Fields::of(&FORM, values)?, source, Some(program), wants)
+            .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
     verdict.findings.extend(outcome.findings.iter().cloned());
     verdict.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     verdict.quantities.clone_from(&outcome.quantities);
     verdict.exit = outcome.exit();
-    Ok(Followed { dialect, stock, outcome, alarms })
+    Ok(Followed { dialect, stock, outcome, alarms, whole })
 }
 
 /// A workbook in place of a program.

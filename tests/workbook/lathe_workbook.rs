@@ -249,7 +249,7 @@ fn an_alarm_that_is_told_at_the_end_stands_in_the_row_of_its_motion() {
         }
     });
     let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
-    let Simulated { outcome, alarms } =
+    let Simulated { outcome, alarms, .. } =
         watched(Fields::of(&FORM, read(&bytes).unwrap()).unwrap(), source, None, &mut |_| ()).unwrap();
     let table = outcome.table("blocks").unwrap();
     let column = |name: &str| &table.column(name).unwrap().values;

@@ -102,6 +102,16 @@ impl<'l> Cursor<'l> {
         Some(round)
     }
 
+    /// The number without a sign right behind the letter in hand, as it stands there; empty if there is none.
+    pub(super) fn size_behind(&self) -> &'l str {
+        let rest = self.line.get(self.at + 1..).unwrap_or_default();
+        let end = rest.iter().position(|byte| !byte.is_ascii_digit() && *byte != b'.').unwrap_or(rest.len());
+        std::str::from_utf8(&rest[..end])
+            .ok()
+            .filter(|size| size.contains(|digit: char| digit.is_ascii_digit()))
+            .unwrap_or_default()
+    }
+
     /// Refuses a comment here: it would part a word from its number, which controls read in more than one way.
     pub(super) fn no_comment(&self) -> Result<()> {
         let mut column = self.at;

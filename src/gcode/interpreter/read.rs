@@ -18,7 +18,7 @@ use crate::gcode::rules::words::{
 use crate::limits::COUNT;
 use crate::machine::length_unit::LengthUnit;
 use crate::number::grid::LIMIT;
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// Addresses whose numbers are lengths or angles on the part.
 const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
@@ -245,7 +245,7 @@ impl Reader<'_, '_> {
             return Err(letter_for_zero(column));
         }
         if !(known || (self.fagor_cycle() && TurningCycle::Fagor(0).letters().has(index))) {
-            return Err(self.unknown_letter(letter, column));
+            return Err(self.unknown_letter(letter, cursor));
         }
         cursor.pass();
         cursor.no_comment()?;
@@ -293,7 +293,8 @@ impl Reader<'_, '_> {
     }
 
     #[cold]
-    fn unknown_letter(&self, letter: u8, column: usize) -> Box<Refused> {
+    fn unknown_letter(&self, letter: u8, cursor: &Cursor<'_>) -> Box<Refused> {
+        let column = cursor.column();
         let (name, dialect) = (name(letter), self.memory.setting.control.name);
         if let Some(G::Turning(cycle)) = self.block.g(Group::NonModal)
             && matches!(name, 'A' | 'D')
@@ -302,9 +303,24 @@ impl Reader<'_, '_> {
             return Refused::of(&CycleInOneBlock { letter: name, number: cycle.number() }, &[column]);
         }
         if self.memory.control.lexis.refused.has(letter - b'a') {
-            Refused::of(&LetterNotSupported { letter: name, dialect }, &[column])
+            let comma = self.without_comma(letter, cursor);
+            Refused::of(&LetterNotSupported { letter: name, dialect, comma }, &[column])
         } else {
             Refused::of(&LetterUnknown { letter: name, dialect }, &[column])
         }
+    }
+
+    /// What to write in place of a C that stands as a chamfer without its comma; nothing where it can be none: the control breaks
+    /// no corners by words, or the block is no line at feed.
+    fn without_comma(&self, letter: u8, cursor: &Cursor<'_>) -> Text {
+        let line = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion) == G::Linear;
+        let size = cursor.size_behind();
+        if letter != b'c' || !self.memory.control.corners.by_words() || !line || size.is_empty() {
+            return t("", "");
+        }
+        Text::new(
+            format!("para un chaflán escriba ,C{size} con coma; "),
+            format!("for a chamfer write ,C{size} with a comma; "),
+        )
     }
 }

@@ -120,10 +120,10 @@ rules! {
         why "Ningún control admite un número así: será erróneo.",
             "No control accepts such a number: it is probably wrong.";
         example Example::program("linuxcnc", "G21 G90 F100|T10000000000|M2", "2:2");
-    "G0117" LetterNotSupported Stop { letter: char, dialect: &'static str }
+    "G0117" LetterNotSupported Stop { letter: char, dialect: &'static str, comma: Text }
         es "la letra {letter} no está implementada en el dialecto {dialect}"
         en "letter {letter} is not supported in the dialect {dialect}"
-        remedy "si el programa es de otro control, indíquelo con --dialect; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it with --dialect; if not, delete or replace it: rodete cannot verify a program that contains it";
+        remedy "{comma}si el programa es de otro control, indíquelo con --dialect; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "{comma}if the program is for another control, name it with --dialect; if not, delete or replace it: rodete cannot verify a program that contains it";
         why "El control conoce esta letra y rodete no: rodete no puede comprobarla.",
             "The control knows this letter but rodete does not, and so cannot verify it.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 Y5.|M30", "2:4");

@@ -15,7 +15,7 @@ mod measures;
 pub mod parameters;
 mod part_view;
 mod profile;
-mod quantities;
+pub mod quantities;
 pub mod rules;
 pub mod scene;
 pub mod setup;
@@ -88,6 +88,8 @@ pub struct Simulated {
     pub outcome: Outcome,
     /// Every alarm of the programs, in their order.
     pub alarms: Vec<Raised>,
+    /// True if the programs were followed to their ends; else no figure of them is that of the whole.
+    pub whole: bool,
 }
 
 /// The kind.
@@ -262,6 +264,7 @@ fn outcome(
     let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let mut quantities = quantities::quantities(given, &followed);
+    let whole = !followed.iter().any(|one| one.lost || one.endless);
     let mut tables = Rows::tables(followed.iter_mut().map(|one| std::mem::take(&mut one.rows)).collect());
     tables.push(lines_table(&tables));
     tables.push(alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
@@ -346,5 +349,5 @@ fn outcome(
         end,
         source,
     };
-    Simulated { outcome, alarms }
+    Simulated { outcome, alarms, whole }
 }

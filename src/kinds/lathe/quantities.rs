@@ -8,6 +8,9 @@ use crate::removal::turning::step::Total;
 use crate::table::{Quantity, Unit};
 use crate::text::t;
 
+/// The symbols of those that the set-up gives without a program.
+pub const SET_UP: [&str; 2] = ["L3", "Z_W1"];
+
 /// What the programs come to.
 pub(super) fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
     let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };

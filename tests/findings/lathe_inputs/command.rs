@@ -126,6 +126,74 @@ fn stopped(program: &str, more: &[&str]) -> Vec<String> {
 }
 
 #[test]
+fn without_a_workbook_the_bar_is_faced_and_the_note_says_so_and_names_the_cell_of_its_allowance() {
+    let across = program("G0 Z.5|X20.|Z5.").join("|");
+    let none: [&str; 0] = [];
+    assert_eq!(stopped(&across, &[]), none);
+    // The workbook's bar is 1 mm longer: a rapid in front of Z0 meets it.
+    let sawn = stopped(&across, &["--tools", "lathe.xlsx"]);
+    assert!(sawn.iter().any(|one| one.starts_with("101 ")), "{sawn:?}");
+    let folder = bench(TURNS);
+    for (language, wanted) in
+        [("en", ["already faced", "Z0", "L5", "--tools"]), ("es", ["ya refrentada", "Z0", "L5", "--tools"])]
+    {
+        let said = simulate(folder.path(), &["--stock", "D50xL120", "--lang", language]);
+        let note = said.out.lines().find(|line| line.contains("U0124")).unwrap();
+        for part in wanted {
+            assert!(note.contains(part), "{part}: {note}");
+        }
+    }
+}
+
+#[test]
+fn a_chamfer_without_its_comma_is_told_with_it_and_any_other_c_is_not() {
+    let remedy = |blocks: &str| {
+        let folder = bench(blocks);
+        let said = simulate(folder.path(), &["--stock", "D50xL120", "--json"]);
+        let document: Json = serde_json::from_str(&said.out).unwrap();
+        let findings = document["findings"].as_array().unwrap();
+        let found = findings.iter().find(|one| one["code"] == "G0117").unwrap();
+        ["es", "en"].map(|language| found["remedy"][language].as_str().unwrap().to_owned())
+    };
+    for blocks in ["G1 X40. C1.5 F.2|Z-20.", "G1 Z0. F.2|X40. C1.5|Z-20."] {
+        let [es, en] = remedy(blocks);
+        assert!(es.starts_with("para un chaflán escriba ,C1.5 con coma; si "), "{es}");
+        assert!(en.starts_with("for a chamfer write ,C1.5 with a comma; if "), "{en}");
+    }
+    // In rapid, of another letter, or with a sign it is no chamfer.
+    for blocks in ["G0 X40. C1.5", "G1 X40. B1.5 F.2", "G1 X40. C-1.5 F.2"] {
+        let [es, en] = remedy(blocks);
+        assert!(es.starts_with("si el programa") && en.starts_with("if the program"), "{es} {en}");
+    }
+}
+
+#[test]
+fn of_a_rejected_program_no_figure_is_shown_and_of_a_whole_one_each_is() {
+    let figures = |blocks: &str| {
+        let folder = bench(blocks);
+        let said = simulate(folder.path(), &["--stock", "D50xL120", "--lang", "en"]);
+        let figure = |line: &str| {
+            let (symbol, rest) = line.strip_prefix("  ")?.split_once(" = ")?;
+            Some((symbol.trim().to_owned(), rest.split_whitespace().next()?.to_owned()))
+        };
+        said.out.lines().filter_map(figure).collect::<Vec<_>>()
+    };
+    let rejected = figures("G1 X46. C1. F.2|Z-20.");
+    let dashes = rejected.iter().filter(|(symbol, value)| {
+        assert_eq!(value == "-", !["L3", "Z_W1"].contains(&symbol.as_str()), "{symbol} {value}");
+        value == "-"
+    });
+    assert!(dashes.count() > 10, "{rejected:?}");
+    for symbol in ["alarms", "stops", "V_r", "V_c"] {
+        assert!(rejected.iter().any(|(one, _)| one == symbol), "{symbol}");
+    }
+    // An alarm rejects no block.
+    let whole = figures("G0 X40. Z-10.|X54.");
+    assert!(whole.len() > 12 && whole.iter().all(|(_, value)| value != "-"), "{whole:?}");
+    assert!(whole.iter().any(|(symbol, value)| symbol == "alarms" && value != "0"), "{whole:?}");
+}
+
+#[test]
 fn the_example_s_tools_cut_as_a_program_of_m4_alone_turns_and_a_drill_never_does() {
     let none: [&str; 0] = [];
     let turned =
