@@ -1,7 +1,7 @@
 //! The codes that are meant where one is not known: what is nearly typed.
 
 use crate::finding::Rule;
-use crate::text::Text;
+use crate::text::{Text, one_of};
 
 /// How many are named at most.
 const MOST: usize = 4;
@@ -11,14 +11,11 @@ const MOST: usize = 4;
 /// Those with its letters and its number come first, whatever zeros it lacks and whatever stands behind them; then those with its
 /// number under other letters; then those that one character more, less or other makes of it, or two that changed places.
 pub(super) fn near(typed: &str, rows: &[&Rule]) -> Text {
-    let named = nearest(typed, &known(rows));
-    let (last, others) = match named.split_last() {
-        None => return Text::same(""),
-        Some((last, [])) => (last, String::new()),
-        Some((last, others)) => (last, others.join(", ")),
-    };
-    let list = |or: &str| if others.is_empty() { last.clone() } else { format!("{others} {or} {last}") };
-    Text::new(format!("; ¿quería decir {}?", list("o")), format!("; did you mean {}?", list("or")))
+    let named = one_of(nearest(typed, &known(rows)).into_iter().map(Text::same));
+    if named.is_empty() {
+        return named;
+    }
+    Text::new(format!("; ¿quería decir {}?", named.es), format!("; did you mean {}?", named.en))
 }
 
 /// Every code, and every alarm as its control writes it, once, in order.

@@ -164,6 +164,7 @@ pub(super) fn compared(part: &Comparison<'_>, wanted: &Wanted, quantities: &mut 
 mod tests {
     use super::*;
     use crate::finding::Grade;
+    use crate::removal::turning::thread_groove::OUTSIDE;
 
     /// A bar of radius 10 less so much, against a profile of radius 10: what is told.
     fn told(under: f64, second: bool) -> Vec<Finding> {
@@ -212,14 +213,6 @@ mod tests {
 
     #[test]
     fn a_thread_excuses_no_metal_missing_elsewhere() {
-        let groove = ThreadGroove {
-            way: [[5.0, 9.0], [-20.0, 9.0]],
-            along: 0,
-            into: -1.0,
-            flank: 0.577_350_269_189_625_7,
-            apex: 0.0,
-            most: 1.732_050_807_568_877_2,
-        };
         // Radius 9 under the thread; behind it 10 as wanted, or 1.5 mm less in one place.
         let told = |less: f64| {
             let r = 10.0 - less;
@@ -229,7 +222,7 @@ mod tests {
                 contours: &contours,
                 tolerance: 0.0002,
                 second: false,
-                grooves: &[groove],
+                grooves: &[OUTSIDE],
                 most_work: 1_000_000,
             };
             compared(&part, &line([-40.0, 10.0]), &mut Vec::new()).0

@@ -9,17 +9,17 @@ use crate::number::trig::{hypot, sin, tan};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThreadGroove {
     /// The root from the start of the pass to its end, `[z, r]` in mm.
-    pub(crate) way: Piece,
+    way: Piece,
     /// The axis along which the thread runs: 0 for z, 1 for r.
-    pub(crate) along: usize,
+    along: usize,
     /// 1 where the tip points towards greater values across the thread, else -1.
-    pub(crate) into: f64,
+    into: f64,
     /// The tangent of half the thread's angle.
-    pub(crate) flank: f64,
+    flank: f64,
     /// How far the apex of the sharp profile is below the tip, mm.
-    pub(crate) apex: f64,
+    apex: f64,
     /// How deep a groove of the lead has crests, mm.
-    pub(crate) most: f64,
+    most: f64,
 }
 
 impl ThreadGroove {
@@ -84,19 +84,20 @@ pub fn explained(grooves: &[ThreadGroove], place: [f64; 2], off: f64) -> bool {
     explained
 }
 
+/// A thread of lead 2 mm and 60° with a sharp tip, its root at r 9, from z 5 to z -20.
+#[cfg(test)]
+pub(crate) const OUTSIDE: ThreadGroove = ThreadGroove {
+    way: [[5.0, 9.0], [-20.0, 9.0]],
+    along: 0,
+    into: -1.0,
+    flank: 0.577_350_269_189_625_7,
+    apex: 0.0,
+    most: 1.732_050_807_568_877_2,
+};
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// A thread of lead 2 mm and 60° with a sharp tip, its root at r 9, from z 5 to z -20.
-    const OUTSIDE: ThreadGroove = ThreadGroove {
-        way: [[5.0, 9.0], [-20.0, 9.0]],
-        along: 0,
-        into: -1.0,
-        flank: 0.577_350_269_189_625_7,
-        apex: 0.0,
-        most: 1.732_050_807_568_877_2,
-    };
 
     #[test]
     fn a_thread_explains_metal_between_its_root_and_its_crest_alone() {
