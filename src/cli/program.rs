@@ -15,7 +15,8 @@ use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::tool_table;
-use crate::gcode::interpreter::{Files, Setting, Tools};
+use crate::gcode::interpreter::{Files, Interpreter, Setting, Tools};
+use crate::kinds::lathe::findings::{Reached, assumed_of};
 use crate::kinds::lathe::parameters::FORM;
 use crate::kinds::lathe::setup::Given;
 use crate::machine::length_unit::LengthUnit;
@@ -179,6 +180,17 @@ impl<'a> Shared<'a> {
             return Ok(());
         }
         Err(LatheToolsForMill { control: dialect.name }.refused(Exit::Refused, Place::File))
+    }
+
+    /// What the lathe workbook leaves to be assumed for a program that has been read; with a parameter file, nothing.
+    pub(super) fn assumed(&self, interpreter: &Interpreter<'_>) -> Vec<Finding> {
+        let Some(given) = self.workbook.as_ref().filter(|_| self.var_file.is_empty()) else { return Vec::new() };
+        let reached = Reached {
+            machine: interpreter.moves_in_machine(),
+            reference: interpreter.returns_to_reference(),
+            set: interpreter.sets_position(),
+        };
+        assumed_of(given, &reached)
     }
 
     /// What a program is read with.

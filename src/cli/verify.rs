@@ -177,6 +177,7 @@ fn follow(
     // Behind a rejected block nobody knows where the program ends.
     let mut remarks: Vec<Finding> = drift(&interpreter, &start).filter(|_| total == 0).into_iter().collect();
     remarks.extend(interpreter.remarks());
+    remarks.extend(shared.assumed(&interpreter));
     remarks.extend(settled);
     remarks.extend(made_from);
     if !named {

@@ -492,6 +492,7 @@ impl Reader<'_, '_> {
         let unit = self.state.modal.unit;
         let machine = self.block.groups & (1 << Group::NonModal as u16) != 0
             && self.block.g(Group::NonModal) == Some(G::MachineCoordinates);
+        self.memory.in_machine |= machine;
         let mut to = if machine { self.state.frame.to_machine(&self.state.at) } else { self.state.at };
         for (letter, axis) in AXES.into_iter().zip(Axis::ALL) {
             if let Some(word) = self.block.get(letter) {

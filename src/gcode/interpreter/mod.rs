@@ -161,6 +161,9 @@ struct Memory<'a> {
     units: UnitsSeen,
     /// A block of a lathe has given the place where the turret stands coordinates.
     position_set: bool,
+    /// A block of a lathe has gone to a reference point, and one has moved in machine coordinates.
+    referred: bool,
+    in_machine: bool,
     spindle: SpindleSeen,
     repeated: u64,
     /// An absolute motion has been made, and an incremental one.
@@ -262,6 +265,8 @@ impl<'a> Interpreter<'a> {
             uncut: false,
             units: UnitsSeen::default(),
             position_set: false,
+            referred: false,
+            in_machine: false,
             spindle: SpindleSeen::default(),
             repeated: 0,
             distances: [false; 2],
@@ -283,6 +288,18 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub const fn sets_position(&self) -> bool {
         self.memory.position_set
+    }
+
+    /// Whether a block of a lathe has gone to a reference point (G28, G30).
+    #[must_use]
+    pub const fn returns_to_reference(&self) -> bool {
+        self.memory.referred
+    }
+
+    /// Whether a block has moved in machine coordinates (G53).
+    #[must_use]
+    pub const fn moves_in_machine(&self) -> bool {
+        self.memory.in_machine
     }
 
     /// What is worth saying about the program as far as it has been read.

@@ -97,18 +97,34 @@ pub(super) fn assumed(given: &Given, program: &str, sets_position: bool) -> Vec<
             .match_indices(code)
             .any(|(at, _)| !program[at + code.len()..].starts_with(|next: char| next.is_ascii_digit()))
     };
+    assumed_of(given, &Reached { machine: has("G53"), reference: has("G28") || has("G30"), set: sets_position })
+}
+
+/// What of the machine's places a program counts on.
+#[derive(Clone, Copy, Debug)]
+pub struct Reached {
+    /// It moves in machine coordinates: G53.
+    pub machine: bool,
+    /// It goes to the reference point: G28 or G30.
+    pub reference: bool,
+    /// It gives coordinates to where the turret stands: G50 X Z.
+    pub set: bool,
+}
+
+/// What is assumed of the machine where the form does not give the reference point.
+pub fn assumed_of(given: &Given, reached: &Reached) -> Vec<Finding> {
     let mut found = Vec::new();
-    if !given.referred && has("G53") {
+    if !given.referred && reached.machine {
         found.push(MachineZeroAssumed {}.at(Place::File));
     }
     let reference = || {
         let [X, Z] = given.reference();
         [2.0 * X, Z].map(|at| Bare::mm(at, 3))
     };
-    if !given.referred && sets_position {
+    if !given.referred && reached.set {
         let [X, Z] = reference();
         found.push(PositionAssumed { X, Z }.at(Place::File));
-    } else if !given.referred && (has("G28") || has("G30")) {
+    } else if !given.referred && reached.reference {
         let [X, Z] = reference();
         found.push(ReferenceAssumed { X, Z }.at(Place::File));
     }

@@ -7,7 +7,7 @@ pub mod cases;
 pub mod catalogue;
 pub mod drawn;
 pub mod figures;
-mod findings;
+pub mod findings;
 mod follow;
 mod form_sketch;
 mod live_form;

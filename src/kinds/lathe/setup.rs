@@ -254,11 +254,14 @@ impl Given {
     }
 
     /// The settings for reading a program with only the tools of the workbook: its offsets, the places of the turret, and how the
-    /// control reads its words; and its zeros and reference point, if it gives that point and no parameter file is there.
+    /// control reads its words; and its zeros and reference point, given or assumed, if no parameter file is there. The turret then
+    /// starts at that point.
     pub fn lend(&self, setting: &mut Setting) {
-        if self.referred && setting.var_file.is_empty() {
+        if setting.var_file.is_empty() {
             let unit = setting.unit;
-            self.put_places(&mut setting.var_file, |length| unit.from_mm(length));
+            let reference = self.put_places(&mut setting.var_file, |length| unit.from_mm(length));
+            setting.start.machine.set(Axis::X, reference[0]);
+            setting.start.machine.set(Axis::Z, reference[1]);
         }
         setting.tools = Some(self.offsets.clone());
         setting.places = Some(self.setup.turret.tools.keys().copied().collect());

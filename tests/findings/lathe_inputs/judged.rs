@@ -163,7 +163,7 @@ fn a_blank_line_before_a_contour_is_no_block_left_out() {
 }
 
 #[test]
-fn verify_takes_the_reference_point_from_the_workbook_and_else_names_its_cells() {
+fn verify_takes_the_reference_point_from_the_workbook_and_else_assumes_it_as_build_does() {
     let folder = tempfile::tempdir().unwrap();
     let [path, beside] = ["p.nc", "tools.xlsx"].map(|name| folder.path().join(name));
     fs::write(&path, "G21 G40 G97 G99\nT0202 S900 M3\nG0 X30. Z2.\nG28 U0. W0.\nM30\n").unwrap();
@@ -189,6 +189,35 @@ fn verify_takes_the_reference_point_from_the_workbook_and_else_names_its_cells()
         assert!(referred["end"]["machine"][axis].as_f64().unwrap().abs() < 1e-9, "{referred}");
     }
     assert!(referred["end"]["program"]["Z"].as_f64().unwrap() > 100.0, "{referred}");
-    let remedy = finding(&verified(&Book::new(&plain))).unwrap();
-    assert!(remedy.contains("R_X and R_Z"), "{remedy}");
+    // With the cells empty it is assumed, and told, as when the workbook is built.
+    let code = |findings: &Json, code: &str| {
+        findings
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|one| one["code"] == code)
+            .map(|one| [&one["grade"], &one["what"]].map(Json::clone))
+    };
+    let read = verified(&Book::new(&plain));
+    assert_eq!(finding(&read), None);
+    let (_folder, built, _) = super::bench::build(&Book::new(&plain).bytes());
+    let told = code(&read["findings"], "L0211");
+    assert!(told.is_some(), "{}", read["findings"]);
+    assert_eq!(told, code(&built["findings"], "L0211"), "{built}");
+    // Program and machine lie apart by W1 and the tool's offset: 60 mm on the radius and 40 mm along Z.
+    let end = |pose: &str| ["X", "Z"].map(|axis| read["end"][pose][axis].as_f64().unwrap());
+    let zero = super::bench::quantity(&built, "Z_W1");
+    let (machine, program) = (end("machine"), end("program"));
+    let apart = [0, 1].map(|axis| machine[axis] - program[axis]);
+    assert!((apart[0] - 120.0).abs() < 1e-9 && (apart[1] - zero - 40.0).abs() < 1e-9, "{read}");
+    // Beyond the surface and the end of the bar, not behind the axis.
+    assert!(program[0] > 50.0 && program[1] > 0.0, "{read}");
+    assert!(read["extents"]["program"]["X"][0].as_f64().unwrap() >= 0.0, "{read}");
+    for (blocks, wanted) in [("G53 X400. Z400.", "L0210"), ("G50 X54. Z2.\nG28 U0. W0.", "L0235"), ("G0 X60. Z9.", "")]
+    {
+        fs::write(&path, format!("G21 G40 G97 G99\nT0202 S900 M3\nG0 X30. Z2.\n{blocks}\nM30\n")).unwrap();
+        let read = verified(&Book::new(&plain));
+        let found = ["L0210", "L0211", "L0235"].into_iter().filter(|one| code(&read["findings"], one).is_some());
+        assert_eq!(found.collect::<String>(), wanted, "{read}");
+    }
 }
