@@ -54,13 +54,15 @@ pub struct ShownTurning {
     parted: Option<(u32, Vec<Contour>)>,
     /// Chuck, jaws, tailstock.
     pub fixtures: Vec<Fixture>,
+    /// Whether +X is shown upwards, where Z points to the right: true for a turret behind the axis, and where no machine is known.
+    pub x_up: bool,
 }
 
 impl ShownTurning {
     /// The stock before the first motion.
     #[must_use]
     pub fn new(stock: Vec<Contour>) -> Self {
-        Self { now: stock.clone(), stock, edits: Vec::new(), parted: None, fixtures: Vec::new() }
+        Self { now: stock.clone(), stock, edits: Vec::new(), parted: None, fixtures: Vec::new(), x_up: true }
     }
 
     /// How many changes there are.
@@ -166,6 +168,7 @@ impl Serialize for ShownTurning {
             inserted: Vec<[f64; 2]>,
             parted: Option<Parted>,
             fixtures: &'a [Fixture],
+            up: bool,
         }
         let whole = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
         Whole {
@@ -178,6 +181,7 @@ impl Serialize for ShownTurning {
             inserted: self.edits.iter().flat_map(|edit| edit.inserted.iter().copied()).collect(),
             parted: self.parted.as_ref().map(|(motion, piece)| Parted { motion: *motion, piece: Outlines::of(piece) }),
             fixtures: &self.fixtures,
+            up: self.x_up,
         }
         .serialize(serializer)
     }

@@ -10,13 +10,14 @@ const FIELD = Math.tan(Math.PI / 12);
 const DEGREE = Math.PI / 180;
 
 /** The viewpoint. Directions are those of the machine: to the right, away, up; a turning machine has its Z to the
- * right and its X up. */
+ * right and its X towards the turret: up, or down to a turret in front of the axis. */
 class Camera {
-  constructor(turning) {
+  constructor(turning, down) {
+    const x = down ? -1 : 1;
     /** Right, away and up in coordinates of the part. */
-    this.basis = turning ? [[0, 0, 1], [0, -1, 0], [1, 0, 0]] : [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    this.basis = turning ? [[0, 0, 1], [0, -x, 0], [x, 0, 0]] : [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
     this.presets = turning
-      ? { iso: [38, 24], plan: [0, 0], above: [0, 90], face: [90, 0] }
+      ? { iso: [38, 24 * x], plan: [0, 0], above: [0, 90 * x], face: [90, 0] }
       : { iso: [-45, 35.264], plan: [0, 90], front: [0, 0], side: [90, 0] };
     this.centre = [0, 0, 0];
     this.radius = 1;

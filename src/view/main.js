@@ -105,7 +105,7 @@ function chooseProgram(index) {
   path = run.path();
   const turning = run.data.diameter, [low, high] = extent();
   const size = Math.hypot(...high.map((value, axis) => value - low[axis]));
-  camera = new Camera(turning);
+  camera = new Camera(turning, run.data.turning?.up === false);
   camera.untouched = true;
   camera.sectionAt = turning || scene.meshes.length ? [0, 0, 0].map((zero, axis) => (low[axis] < 0 && high[axis] > 0 ? zero : (low[axis] + high[axis]) / 2)) : undefined;
   camera.bounds(low, high);

@@ -451,6 +451,31 @@ fn the_display_of_a_turning_says_what_is_in_force_at_blocks_without_motion() {
 }
 
 #[test]
+fn the_x_of_a_lathe_points_to_its_turret_down_in_front_of_the_axis_and_up_behind_it() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let browser = Browser::start(true);
+    for (up, sign) in [(false, -1.0), (true, 1.0)] {
+        let mut scene = turned::scene(1);
+        scene.programs[0].turning.as_mut().expect("a turning").x_up = up;
+        let page = folder.path().join(format!("{up}.html"));
+        fs::write(&page, rodete::view::html(&scene)).expect("a page");
+        // Z is to the right from every side; the eye of the views from the turret is on its side of the axis.
+        for (view, along) in [("plan", 0.0), ("above", 1.0), ("iso", 0.4)] {
+            browser.open(&page, &format!("view={view}"));
+            let of = |axis: &str, at: usize| real(&browser.run(&format!("return camera.axes().{axis}[{at}];")));
+            assert!(of("right", 2) > 0.7, "{view}");
+            assert!(sign * of("up", 0) >= if view == "above" { -1e-9 } else { 0.8 }, "{view} {up}");
+            assert!(of("eye", 0).abs() >= along - 1e-9 && of("eye", 0) >= -1e-9, "{view} {up}");
+        }
+        drawn(&browser, &format!("turning-x-{}", if up { "up" } else { "down" }));
+    }
+    quiet(&browser);
+}
+
+#[test]
 fn metal_is_turned_away_as_the_program_goes_on() {
     if !chromium() {
         return;

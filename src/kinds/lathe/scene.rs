@@ -109,6 +109,7 @@ impl Watching {
         program.tools = tools(setup);
         program.known = true;
         let mut turning = ShownTurning::new(simulation.contours());
+        turning.x_up = setup.lathe.x_up();
         let fixtures = setup.fixtures();
         turning.fixtures = fixtures
             .into_iter()

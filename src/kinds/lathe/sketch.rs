@@ -15,7 +15,7 @@ pub struct Held {
     pub machine: f64,
     /// The face of the jaws.
     pub jaws: f64,
-    /// The turret is behind the axis.
+    /// The turret is behind the axis: +X points up.
     pub behind: bool,
     /// The stock of the form, so its lengths have the form's symbols; false for a part that was turned round.
     pub first: bool,
@@ -28,7 +28,7 @@ impl Held {
         Self {
             machine: -setup.stock.zero(&setup.lathe),
             jaws: setup.stock.held(&setup.lathe)[1],
-            behind: setup.lathe.turret_behind,
+            behind: setup.lathe.x_up(),
             first: setup.part.is_none(),
         }
     }

@@ -53,6 +53,15 @@ pub struct Tailstock {
     pub beyond: f64,
 }
 
+impl Lathe {
+    /// Whether +X points up where the machine is seen with its spindle on the left: away from the operator, to a turret behind the
+    /// axis. To a turret in front of it +X points down, to the operator.
+    #[must_use]
+    pub const fn x_up(&self) -> bool {
+        self.turret_behind
+    }
+}
+
 impl Default for Lathe {
     /// A medium lathe with a turret in front of the axis.
     fn default() -> Self {
