@@ -268,6 +268,8 @@ pub enum Shown {
     Length(f64),
     /// Words of a program.
     Words(String),
+    /// Rows of a table, each with the texts of its cells.
+    Rows(Vec<Vec<Text>>),
 }
 
 /// How the work ended: the one thing that says whether programs are handed over.

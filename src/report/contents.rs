@@ -114,7 +114,7 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Manuscript, ReportFai
             .collect(),
         figures,
         programs,
-        setup: outcome.setup.iter().map(|(name, shown)| (*name, SetUp::from(shown.clone()))).collect(),
+        setup: outcome.setup.iter().map(|(name, shown)| (*name, set_up(shown, &mut words))).collect(),
         answers: outcome.checks.iter().map(|check| answer(check, outcome, &mut words)).collect(),
         checks: Vec::new(),
         files,
@@ -146,12 +146,13 @@ fn without_glyph(missing: &[char]) -> Finding {
     CharactersByCode {}.at(Place::File).with(list, "")
 }
 
-impl From<Shown> for SetUp {
-    fn from(shown: Shown) -> Self {
-        match shown {
-            Shown::Whether(so) => Self::Whether(so),
-            Shown::Length(length) => Self::Length(number::trimmed(length, 4)),
-            Shown::Words(words) => Self::Words(words),
+fn set_up(shown: &Shown, words: &mut Words) -> SetUp {
+    match shown {
+        Shown::Whether(so) => SetUp::Whether(*so),
+        Shown::Length(length) => SetUp::Length(number::trimmed(*length, 4)),
+        Shown::Words(line) => SetUp::Words(words.line(line)),
+        Shown::Rows(rows) => {
+            SetUp::Rows(rows.iter().map(|row| row.iter().map(|cell| words.text(cell)).collect()).collect())
         }
     }
 }

@@ -73,6 +73,8 @@ pub(super) enum SetUp {
     Length(String),
     /// Words of a program.
     Words(String),
+    /// Rows of a table, each with its cells.
+    Rows(Vec<Vec<String>>),
 }
 
 /// Parameters under one heading.

@@ -2,15 +2,16 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 
 use calamine::{Reader, Xlsx};
 use rodete::figure::Ink;
 use rodete::finding::{CellPlace, Exit, Finding, Grade, Place, Refusal};
-use rodete::kind::{Provenance, Shown};
+use rodete::kind::{Outcome, Provenance, Shown};
 use rodete::kinds;
 use rodete::kinds::lathe::cases::CASES;
-use rodete::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
+use rodete::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, TOOLS_KEY};
 use rodete::kinds::lathe::setup::Given;
 use rodete::kinds::lathe::{Simulated, catalogue, watched};
 use rodete::machine::axis::Axis;
@@ -178,12 +179,126 @@ fn what_a_program_comes_to_is_what_its_simulation_says_cycles_of_two_blocks_amon
         assert!(reach.of(Axis::Z)[0] < -10.0 && reach.of(Axis::Z)[1] > 30.0, "{reach:?}");
         // What was compared with a profile says how far it is off; else page 1 of the report says that there was none.
         let wanted = !outcome.fields.values().rows("profile").is_empty();
-        assert_eq!(outcome.setup, [("supported", Shown::Whether(false)), ("profile", Shown::Whether(wanted))]);
+        let [supported, profile, (tools, Shown::Rows(_))] = outcome.setup.as_slice() else {
+            panic!("{}: {:?}", case.name, outcome.setup)
+        };
+        assert_eq!(
+            (supported, profile, *tools),
+            (&("supported", Shown::Whether(false)), &("profile", Shown::Whether(wanted)), "tools")
+        );
         assert_eq!(outcome.quantities.iter().any(|quantity| quantity.symbol == "dev_plus"), wanted, "{}", case.name);
         // The figures of the report: one path, and every key once.
         let keys: Vec<_> = outcome.figures.iter().map(|figure| figure.key).collect();
         assert_eq!(keys, ["cover", "half-section", "setup", "path"]);
     }
+}
+
+/// The outcome of the first case with these blocks for its program and, where there are any, for that of the second set-up.
+fn turned(first: &[&str], second: &[&str]) -> Outcome {
+    let rows = |blocks: &[&str]| -> Vec<Row> {
+        let values = |block: &&str| BTreeMap::from([("program/BLOCK", Value::Line((*block).to_owned()))]);
+        blocks.iter().map(|block| Row { values: values(block), ..Row::default() }).collect()
+    };
+    let bytes = book(0, Language::En, |lists| {
+        *list(lists, PROGRAM_KEY) = rows(first);
+        if !second.is_empty() {
+            lists.push(Rows { list: SECOND_KEY, sheet: String::new(), rows: rows(second) });
+        }
+    });
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
+    kinds::run(&FORM, read(&bytes).unwrap(), source).unwrap()
+}
+
+/// The rows that the set-up sheet prints under a key, in English, cells joined with ` | `.
+fn sheet_rows(outcome: &Outcome, key: &str) -> Vec<String> {
+    let found = outcome.setup.iter().find(|(name, _)| *name == key).map(|(_, shown)| shown);
+    let Some(Shown::Rows(rows)) = found else { panic!("{key}: {found:?}") };
+    rows.iter().map(|row| row.iter().map(|cell| cell.en.to_string()).collect::<Vec<_>>().join(" | ")).collect()
+}
+
+#[test]
+fn the_set_up_sheet_gives_each_tool_the_conditions_under_which_it_cuts_or_says_that_it_does_not() {
+    let outcome = kinds::run(
+        &FORM,
+        read(&book(0, Language::En, |_| ())).unwrap(),
+        Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" },
+    )
+    .unwrap();
+    assert_eq!(
+        sheet_rows(&outcome, "tools"),
+        [
+            "G96 180 m/min ≤ 2500 rpm M3 | 0.15, 0.25 mm/rev | yes",
+            "G96 220 m/min ≤ 2500 rpm M3 | 0.12 mm/rev | yes",
+            "G97 800 rpm M3 | 0.08 mm/rev | yes",
+            "G97 600 rpm M3 | lead 1.5 mm | yes",
+            "G97 1200 rpm M3 | 0.12 mm/rev | yes",
+            "not used",
+        ]
+    );
+    // Without a limit, with many feeds, a feed per minute and coolant in part; a tool that moves and does not cut, one that is only called.
+    let blocks = [
+        "G21 G40 G97 G99",
+        "T0101",
+        "G96 S150 M3",
+        "G0 X48. Z2.",
+        "G1 Z-5. F0.1",
+        "Z-10. F0.2",
+        "M8",
+        "Z-15. F0.3",
+        "Z-20. F0.4",
+        "G98 G1 Z-25. F80.",
+        "G0 X100. Z50.",
+        "T0202",
+        "G0 X90. Z40.",
+        "T0303",
+        "T0101",
+        "M30",
+    ];
+    let outcome = turned(&blocks, &[]);
+    let rows = sheet_rows(&outcome, "tools");
+    assert_eq!(
+        rows[0], "G96 150 m/min, no limit, M3 | 0.1 … 0.4 mm/rev; 80 mm/min | yes and no",
+        "{:?}",
+        outcome.findings
+    );
+    assert_eq!(rows[1..4], ["called, does not cut", "called, does not cut", "not used"]);
+}
+
+#[test]
+fn a_tool_of_the_other_set_up_alone_is_not_told_as_unused() {
+    let program = |tool| {
+        let call: &'static str = tool;
+        ["G21 G40 G97 G99", call, "G97 S900 M3", "M8", "G0 X54. Z2.", "X48.", "G1 Z-10. F0.2", "G0 X100. Z50.", "M30"]
+    };
+    let outcome = turned(&program("T0101"), &program("T0202"));
+    let [first, second] = ["tools", "tools-2"].map(|key| sheet_rows(&outcome, key));
+    assert_eq!(first[..3], ["G97 900 rpm M3 | 0.2 mm/rev | yes", "only in the other set-up", "not used"]);
+    assert_eq!(second[1..3], ["G97 900 rpm M3 | 0.2 mm/rev | yes", "not used"]);
+}
+
+#[test]
+fn the_set_up_sheet_says_which_program_counts_on_an_assumed_reference_point_and_which_cells_give_it() {
+    let goes = ["G21 G40 G97 G99", "T0101", "G97 S900 M3", "M8", "G0 X48. Z2.", "G1 Z-5. F0.1", "G28 U0. W0.", "M30"];
+    let stays = ["G21 G40 G97 G99", "T0101", "G97 S900 M3", "M8", "G0 X48. Z2.", "G1 Z-5. F0.1", "G0 X90. Z50.", "M30"];
+    let told = |outcome: &Outcome| -> Vec<(&str, Shown)> {
+        outcome
+            .setup
+            .iter()
+            .filter(|(key, _)| key.starts_with("assumed") || key.starts_with("reference"))
+            .cloned()
+            .collect()
+    };
+    let outcome = turned(&goes, &[]);
+    let on_sheet = told(&outcome);
+    let [(key, so), (_, Shown::Words(point)), (_, Shown::Words(cells))] = on_sheet.as_slice() else {
+        panic!("{on_sheet:?}")
+    };
+    assert_eq!((*key, so), ("assumed-program", &Shown::Whether(true)));
+    let found = outcome.findings.iter().find(|one| one.code() == "L0211").unwrap();
+    assert!(found.what.en.contains(point.as_str()), "{point}: {}", found.what.en);
+    assert!(cells.starts_with("R_X (DATA!C") && cells.contains(", R_Z (DATA!C"), "{cells}");
+    assert_eq!(told(&turned(&stays, &goes))[0].0, "assumed-program-2");
+    assert_eq!(told(&turned(&stays, &[])), []);
 }
 
 #[test]

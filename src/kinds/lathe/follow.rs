@@ -8,6 +8,7 @@ use super::drawn::Drawn;
 use super::findings::{Faults, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
 use super::rules::{FeedBeyondRapid, InInches, NoMotion, NothingCut, ToolCutsNothing};
 use super::setup::Given;
+use super::setup_sheet::CuttingConditions;
 use super::tables::Rows;
 use super::text::SheetProgram;
 use super::{Raised, Seen};
@@ -40,6 +41,8 @@ pub(super) struct Followed<'a> {
     pub(super) files: Vec<String>,
     pub(super) simulation: Simulation,
     pub(super) rows: Rows,
+    /// How its tools cut.
+    pub(super) conditions: CuttingConditions,
     pub(super) alarms: Vec<Raised>,
     pub(super) findings: Vec<Finding>,
     /// A budget ended before the program did.
@@ -147,6 +150,7 @@ pub(super) fn follow<'a>(
         files: Vec::new(),
         simulation,
         rows: Rows::default(),
+        conditions: CuttingConditions::default(),
         alarms: Vec::new(),
         findings: Vec::new(),
         endless: false,
@@ -212,6 +216,7 @@ impl<'a> Following<'_, 'a> {
         for stood in interpreter.stood().into_iter().filter(|_| !self.one.uncut) {
             if stood.control.tool != self.place {
                 (self.place, self.turned) = (stood.control.tool, Some((stood.control.file, stood.line)));
+                self.one.conditions.call(stood.control.tool);
             }
             watch(Seen::Stood(&stood, &self.one.simulation, interpreter.file(stood.control.file)));
         }
@@ -257,6 +262,7 @@ impl<'a> Following<'_, 'a> {
             paths.push(step.way.clone());
         }
         let source = self.one.source;
+        self.one.conditions.take(&step);
         self.one.rows.push(&step, source.text(file).unwrap_or(&source.main));
         watch(Seen::Step(&step, &self.one.simulation, file));
         ControlFlow::Continue(())

@@ -19,6 +19,7 @@ pub mod quantities;
 pub mod rules;
 pub mod scene;
 pub mod setup;
+mod setup_sheet;
 pub mod sketch;
 pub(crate) mod tables;
 pub mod text;
@@ -261,6 +262,7 @@ fn outcome(
     mut followed: Vec<Followed>,
     wanted: Option<Wanted>,
 ) -> Simulated {
+    let on_sheet = setup_sheet::shown_on_sheet(&fields, given, &followed);
     let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let mut quantities = quantities::quantities(given, &followed);
@@ -341,6 +343,7 @@ fn outcome(
             .into_iter()
             .chain(second)
             .chain(grip.into_iter().flatten())
+            .chain(on_sheet)
             .collect(),
         checks: Vec::new(),
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
