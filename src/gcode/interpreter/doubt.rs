@@ -82,6 +82,8 @@ fn of_code(number: f64, codes: &Codes) -> State {
     match usize::try_from(whole.saturating_mul(10)).ok().and_then(|tenths| codes.get(tenths)) {
         Some(G::Pass(_)) => return MOTION,
         Some(G::Feed(_)) => return FEED,
+        // G70 and G71 of a Fagor, which on a lathe of system A are cycles.
+        Some(G::Inch | G::Millimetre) => return UNIT,
         _ => {}
     }
     match whole {

@@ -2,7 +2,7 @@
 //! control does what its reference does not say.
 
 use rodete::finding::Grade;
-use rodete::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FANUC_LATHE_A, LINUXCNC};
+use rodete::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A, LINUXCNC};
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::machine::axis::Axis;
 
@@ -146,6 +146,27 @@ fn a_motion_a_feed_a_tool_or_a_parameter_that_a_refused_block_named_is_in_doubt(
     // What the refused block did not name is not in doubt, nor what was given again.
     for program in ["G77 X1\nG1 X2\nM2\n", "G1 F1,5 X1\nF0\nG0 X1\nG1 X2\nM2\n", "#<b>=[1/0]\nG0 X#<a>\nM2\n"] {
         assert_eq!(read(&LINUXCNC, &format!("G21 G90\n{program}")).refused.len(), 2, "{program}");
+    }
+}
+
+/// G70 and G71 are inches and millimetres there, as G20 and G21 elsewhere: an arc that hangs on the unit is not refused again.
+#[test]
+fn a_refused_block_with_the_unit_of_a_fagor_leaves_the_unit_in_doubt() {
+    let left_out = "1 error that follows omitted, caused by rejected blocks; unknown from here on: the unit";
+    for dialect in [&FAGOR_8055, &FAGOR_8070, &FAGOR_8055_T] {
+        let plane = if dialect.turns() { "G18" } else { "G17" };
+        let arc = if dialect.turns() { "G2 X20 Z0 I0 K9" } else { "G2 X10 Y0 I9 J0" };
+        for (unit, other) in [("G70", "G71"), ("G71", "G70")] {
+            let program = format!("{other} {plane} G90 G94 F100\n{unit} S1,5\n{arc}\nM30\n");
+            let found = read(dialect, &program);
+            assert_eq!(found.refused.len(), 1, "{}: {program}\n{found:?}", dialect.name);
+            assert!(found.cautions.iter().any(|caution| caution == left_out), "{}: {found:?}", dialect.name);
+            // What the refused block did not name is refused as ever, and so is an arc once the unit is given again.
+            for named in ["S1,5".to_owned(), format!("{unit} S1,5\n{unit}")] {
+                let found = read(dialect, &format!("{other} {plane} G90 G94 F100\n{named}\n{arc}\nM30\n"));
+                assert_eq!(found.refused.len(), 2, "{}: {named}\n{found:?}", dialect.name);
+            }
+        }
     }
 }
 
