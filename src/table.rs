@@ -15,35 +15,35 @@ use crate::text::{Text, t};
 pub enum Unit {
     /// A pure number.
     One,
-    /// A count.
+    /// A whole number of things.
     Count,
     /// Text: no unit.
     None,
-    /// Millimetres.
+    /// A length, mm.
     Millimetre,
-    /// Radians.
+    /// An angle, rad.
     Radian,
-    /// Degrees.
+    /// An angle, °.
     Degree,
-    /// Intervals of the discretisation.
+    /// Intervals of the discretisation, h.
     Step,
-    /// Millimetres a minute.
+    /// A speed or a feed, mm/min.
     MillimetrePerMinute,
-    /// Degrees a minute.
+    /// The speed of a rotary axis, °/min.
     DegreePerMinute,
-    /// Millimetres a revolution.
+    /// A feed or a lead, mm/rev.
     MillimetrePerRevolution,
-    /// Metres a minute.
+    /// A cutting speed, m/min.
     MetrePerMinute,
-    /// Revolutions a minute.
+    /// A spindle speed, rpm.
     RevolutionPerMinute,
-    /// Seconds.
+    /// A time, s.
     Second,
-    /// Square millimetres.
+    /// An area, mm².
     SquareMillimetre,
-    /// Cubic millimetres.
+    /// A volume, mm³.
     CubicMillimetre,
-    /// Cubic centimetres a minute.
+    /// A rate of metal removal, cm³/min.
     CubicCentimetrePerMinute,
 }
 
@@ -73,20 +73,20 @@ impl Unit {
 /// The values of a column, one for each row.
 #[derive(Clone, Debug)]
 pub enum Cells {
-    /// Numbers.
+    /// A number for each row, in the column's unit.
     Numbers(Arc<[f64]>),
     /// One component (0, 1, 2) of a list of vectors.
     Component(Arc<[Vector3<f64>]>, usize),
-    /// Texts.
+    /// A text for each row.
     Texts(Arc<[Text]>),
 }
 
 /// One cell of a table.
 #[derive(Clone, Copy, Debug)]
 pub enum Entry<'a> {
-    /// A number.
+    /// A number, in the column's unit.
     Number(f64),
-    /// A text.
+    /// A text in both languages.
     Text(&'a Text),
 }
 
@@ -152,7 +152,7 @@ pub type Formula = Cow<'static, str>;
 /// The formulas of a column.
 #[derive(Clone, Debug)]
 pub enum Live {
-    /// One for every row.
+    /// One for all rows.
     Rows(Formula),
     /// Each row has its own, as many as there are values.
     Cells(Vec<Formula>),
@@ -174,7 +174,7 @@ impl Live {
 pub struct Column {
     /// The symbol, as in the source.
     pub symbol: Text,
-    /// The unit.
+    /// The unit of its values.
     pub unit: Unit,
     /// How the values come about.
     pub law: Law,
@@ -182,7 +182,7 @@ pub struct Column {
     pub live: Option<Live>,
     /// The formulas take a value that stands as it is: when an input changes they follow it only in part.
     pub in_part: bool,
-    /// The values.
+    /// The values, one for each row.
     pub values: Cells,
 }
 
@@ -295,7 +295,7 @@ pub struct Table {
     pub key: &'static str,
     /// The sheet's name.
     pub name: Text,
-    /// The title.
+    /// The title above it.
     pub title: Text,
     /// Equation and annex; "derived here" where the columns' own formulas are the derivation.
     pub source: Text,
@@ -324,7 +324,7 @@ impl Table {
         })
     }
 
-    /// The column with a symbol.
+    /// The column with this symbol, as it is in English; `None` where there is none.
     #[must_use]
     pub fn column(&self, symbol: &str) -> Option<&Column> {
         self.columns.iter().find(|column| column.symbol.en == symbol)
@@ -338,9 +338,9 @@ pub struct Quantity {
     pub symbol: &'static str,
     /// What it is.
     pub meaning: Text,
-    /// The value.
+    /// The value, in the unit.
     pub value: f64,
-    /// The unit.
+    /// The unit of the value.
     pub unit: Unit,
     /// Equation or derivation.
     pub source: Text,

@@ -14,7 +14,7 @@ use crate::text::{Language, Text, t};
 /// The names that places are reported with.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Names<'a> {
-    /// The input.
+    /// The name of the input, as it was given.
     pub(super) input: &'a str,
     /// The workbook in which sheets and cells stand, where it is another file than the input.
     pub(super) workbook: &'a str,

@@ -22,7 +22,7 @@ struct Document<'a> {
     workbooks: Vec<Workbook<'a>>,
 }
 
-/// One workbook.
+/// One of the workbooks that a command was given, with what came of it.
 #[derive(Serialize)]
 struct Workbook<'a> {
     workbook: String,

@@ -15,7 +15,7 @@ pub(super) struct Made {
     pub(super) verdict: Verdict,
     /// The form that it fills in; `None` where it could not be read.
     pub(super) form: Option<&'static Form>,
-    /// Its values.
+    /// Its values; `None` where it could not be read.
     pub(super) values: Option<Values>,
     /// What came of them; `None` where they contradict each other.
     pub(super) outcome: Option<Outcome>,

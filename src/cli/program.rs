@@ -32,7 +32,7 @@ pub(super) const PACKAGE: &[u8] = b"PK\x03\x04";
 /// A file that was read beside a program, with its SHA-256.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub(super) struct Consulted {
-    /// Its path.
+    /// As it was given, in characters.
     path: String,
     /// The SHA-256 of its bytes, in lower-case hexadecimal.
     sha256: String,

@@ -14,7 +14,7 @@ pub(super) struct Layer {
     pub line: &'static str,
 }
 
-/// The layer of words.
+/// The layer of the labels, whatever they stand beside.
 pub(super) const WORDS: Layer = Layer { name: t("TEXTO", "TEXT"), colour: 8, line: FULL };
 
 /// The name of the full line.
@@ -24,7 +24,7 @@ pub(super) const DASHED: &str = "DASHED";
 /// The name of the dash-dotted line.
 pub(super) const CENTRE: &str = "CENTER";
 
-/// The layer of an ink.
+/// The layer that strokes of an ink are drawn on.
 pub(super) const fn layer(ink: Ink) -> Layer {
     const fn of(es: &'static str, en: &'static str, colour: u8, line: &'static str) -> Layer {
         Layer { name: t(es, en), colour, line }

@@ -43,7 +43,7 @@ pub enum Ink {
     Face(u8),
 }
 
-/// A polyline.
+/// A polyline, in mm of the thing drawn or in the units of a graph's axes.
 #[derive(Clone, Debug)]
 pub struct Stroke {
     /// How it looks.
@@ -69,9 +69,9 @@ impl Stroke {
 pub struct Arc {
     /// How it looks.
     pub ink: Ink,
-    /// The centre.
+    /// The centre, x right and y up, mm.
     pub centre: [f64; 2],
-    /// The radius.
+    /// The radius, mm.
     pub radius: f64,
     /// Where it begins and ends, anticlockwise.
     pub ends: [[f64; 2]; 2],
@@ -103,7 +103,7 @@ impl Arc {
 pub struct Label {
     /// The middle of the foot of its letters.
     pub at: [f64; 2],
-    /// The word.
+    /// The word; `_` sets what follows as a subscript.
     pub text: Text,
 }
 
@@ -133,13 +133,13 @@ pub struct Figure {
     /// Greatest height in print, mm: what its page leaves beside the table that it belongs to. A graph has that of its
     /// plot.
     pub height: f64,
-    /// The caption.
+    /// The caption under the figure.
     pub caption: Text,
     /// Titles of the axes, for a graph.
     pub axes: Option<Axes>,
     /// Strokes, the first drawn first.
     pub strokes: Vec<Stroke>,
-    /// Labels.
+    /// Words on the drawing, drawn over the strokes.
     pub labels: Vec<Label>,
     /// Legend: ink and meaning.
     pub legend: Vec<(Ink, Text)>,

@@ -21,7 +21,7 @@ const EXTENSION: [f64; 2] = [0.8, 1.2];
 const SHORT: f64 = 6.0;
 const OUTSIDE: f64 = 4.0;
 
-/// A sketch in the making.
+/// A sketch in the making: strokes and labels in mm of the thing drawn, sizes of words and arrows in mm of paper.
 #[derive(Debug)]
 pub struct Sketch {
     strokes: Vec<Stroke>,
@@ -33,13 +33,13 @@ pub struct Sketch {
 /// On which side of its point a label stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// To its left.
+    /// Left of the point.
     Left,
-    /// To its right.
+    /// Right of the point.
     Right,
-    /// Above it.
+    /// Above the point.
     Above,
-    /// Below it.
+    /// Below the point.
     Below,
 }
 
@@ -62,7 +62,7 @@ impl Sketch {
         mm * self.unit
     }
 
-    /// A line through points.
+    /// An open line through points, mm.
     pub fn line(&mut self, ink: Ink, points: impl Into<Vec<[f64; 2]>>) {
         self.strokes.push(Stroke::line(ink, points.into()));
     }
@@ -86,7 +86,7 @@ impl Sketch {
         self.shape(ink, [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]);
     }
 
-    /// A circle.
+    /// A whole circle of a centre and a radius, mm.
     pub fn ring(&mut self, ink: Ink, centre: [f64; 2], radius: f64) {
         self.line(ink, arc(centre, radius, [0.0, 360.0]));
     }
@@ -216,7 +216,7 @@ impl Sketch {
         room
     }
 
-    /// The figure of it.
+    /// The finished figure; `height` is its greatest height in print, mm.
     #[must_use]
     pub fn figure(self, key: &'static str, height: f64, caption: Text) -> Figure {
         let Self { strokes, labels, .. } = self;

@@ -13,7 +13,7 @@ use crate::text::{Language, Text};
 pub enum Datum {
     /// A number with its unit; `null` where it has no bound.
     Number {
-        /// The number.
+        /// The number itself; `null` where it is not finite.
         value: Option<f64>,
         /// Its unit as it is printed, empty for none.
         unit: &'static str,
@@ -43,7 +43,7 @@ pub struct Size {
     pub value: f64,
     /// The unit as it is printed, empty for none.
     pub unit: &'static str,
-    /// The most decimals.
+    /// The most decimals that it is said with.
     pub decimals: usize,
 }
 
@@ -141,7 +141,7 @@ impl Said for Bare {
 /// A number as somebody typed it, with its unit: in the fewest digits that give it back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Typed {
-    /// The number.
+    /// The number, in the unit.
     pub value: f64,
     /// The unit as it is printed, empty for none.
     pub unit: &'static str,

@@ -119,7 +119,7 @@ pub struct Finding {
     pub grade: Grade,
     /// What was found, as a sentence without a full stop.
     pub what: Text,
-    /// Where.
+    /// Where it was found.
     pub place: Place,
     /// The value found, with its unit; empty where there is none.
     pub value: String,
@@ -285,7 +285,7 @@ impl Serialize for Named<'_> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[repr(u8)]
 pub enum Exit {
-    /// Done.
+    /// All that was asked for was done.
     Done = 0,
     /// A fault in rodete itself.
     Fault = 1,
@@ -310,7 +310,7 @@ pub enum Exit {
 /// Why nothing was made: the exit code and every finding.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Refusal {
-    /// The exit code.
+    /// With what exit code the command ends.
     pub exit: Exit,
     /// All findings; at least one of them is a [`Grade::Stop`].
     pub findings: Vec<Finding>,

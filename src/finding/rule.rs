@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use crate::finding::{Datum, Exit, Finding, Grade, Place, Refusal, Said};
 use crate::text::{Language, Text};
 
-/// A row.
+/// A row: what rodete can find under one code.
 #[derive(Debug)]
 pub struct Rule {
     /// The code, as `L0131`.
@@ -61,7 +61,7 @@ pub enum Example {
         control: &'static str,
         /// The stock, as `simulate --stock` takes it.
         stock: &'static str,
-        /// The program.
+        /// The program, its blocks parted by `|`.
         program: &'static str,
         /// Parameters of the lathe workbook that differ from the example's, by symbol.
         machine: &'static [(&'static str, &'static str)],
@@ -89,7 +89,7 @@ pub enum Example {
     },
     /// A command, and the files that it finds: each with its name and its lines, joined with `|`.
     Command {
-        /// The files.
+        /// The name of each file, and its lines joined with `|`.
         files: &'static [(&'static str, &'static str)],
         /// The words behind `rodete`.
         words: &'static [&'static str],
@@ -183,12 +183,12 @@ impl Example {
 ///
 /// All that a row has of its own is in these two: what follows from them stands once, below, not once for each of a thousand rows.
 pub trait Raise {
-    /// The row.
+    /// The row whose values these are.
     fn rule(&self) -> &'static Rule;
     /// Its values, in the order of the row's fields.
     fn values(&self) -> Vec<&dyn Said>;
 
-    /// The finding at a place.
+    /// The finding that the row makes of its values, at a place.
     fn at(&self, place: Place) -> Finding {
         raised(self.rule(), self.values(), place)
     }

@@ -13,7 +13,7 @@ pub enum Group {
     NonModal,
     /// Motion and canned cycles.
     Motion,
-    /// Plane.
+    /// The plane of arcs and cycles (G17 to G19).
     Plane,
     /// Absolute or incremental coordinates.
     Distance,
@@ -21,15 +21,15 @@ pub enum Group {
     Centre,
     /// What F means.
     Feed,
-    /// Units of length.
+    /// Inches or millimetres.
     Units,
-    /// Cutter radius compensation.
+    /// Cutter or nose radius compensation (G40 to G42).
     CutterCompensation,
-    /// Tool length offset.
+    /// Tool length offset, on or off.
     ToolLength,
     /// Where canned cycles retract to.
     Retract,
-    /// Work offset.
+    /// Work offset, as G54.
     WorkOffset,
     /// Exact stop or blending.
     Path,
@@ -68,7 +68,7 @@ impl Group {
     }
 }
 
-/// A drilling cycle.
+/// A drilling cycle, by what it does at the bottom and on the way out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cycle {
     /// Peck drilling with chip breaking (G73).
@@ -169,7 +169,7 @@ impl TurningCycle {
 pub enum SinglePassCycle {
     /// Along Z, or along a cone (G90).
     Axial,
-    /// A thread (G92).
+    /// A pass of a thread, along Z or along a cone (G92).
     Thread,
     /// Along X, or along a cone (G94).
     Radial,
@@ -190,21 +190,21 @@ impl SinglePassCycle {
 /// The meaning of a G code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum G {
-    /// Rapid move.
+    /// Rapid move (G0).
     Rapid,
     /// Straight move at feed.
     Linear,
     /// Arc or helix; true for clockwise.
     Arc(bool),
-    /// Dwell.
+    /// Dwell (G4).
     Dwell,
     /// Work offset or tool table by program (G10).
     SetOffsets,
     /// Plane of arcs and cycles.
     Plane(Plane),
-    /// Inches.
+    /// Lengths in inches (G20, G70).
     Inch,
-    /// Millimetres.
+    /// Lengths in millimetres (G21, G71).
     Millimetre,
     /// To a reference point: false G28, true G30.
     Reference(bool),
@@ -232,7 +232,7 @@ pub enum G {
     PathControl,
     /// The same, with tolerances P and Q (G64).
     PathTolerance,
-    /// Canned cycle.
+    /// Canned cycle for holes.
     Cycle(Cycle),
     /// Turning cycle of one call.
     Turning(TurningCycle),
@@ -242,11 +242,11 @@ pub enum G {
     Thread(bool),
     /// No canned cycle, no motion.
     Cancel,
-    /// Absolute coordinates.
+    /// Words are coordinates (G90).
     Absolute,
-    /// Incremental coordinates.
+    /// Words are increments (G91).
     Incremental,
-    /// Absolute arc centres.
+    /// Arc centres are coordinates (G90.1).
     CentreAbsolute,
     /// Arc centres from the start of the arc.
     CentreIncremental,
@@ -264,7 +264,7 @@ pub enum G {
     ReturnInitial,
     /// Cycles return to R (G99).
     ReturnR,
-    /// Constant surface speed.
+    /// S is the cutting speed at the tool, m/min or feet a minute (G96).
     ConstantSurfaceSpeed,
     /// Revolutions per minute.
     Rpm,
@@ -272,7 +272,7 @@ pub enum G {
     SetPositionOrSpeed,
     /// Known to the control and refused by name.
     Refused(Group, &'static Name),
-    /// The same of a cycle.
+    /// A cycle: known to the control and refused by name.
     RefusedCycle(&'static Name),
 }
 
@@ -280,7 +280,7 @@ pub enum G {
 pub type Name = (&'static str, &'static str);
 
 impl G {
-    /// Its group.
+    /// The modal group; a block may name one code of it.
     #[must_use]
     pub const fn group(self) -> Group {
         match self {

@@ -128,7 +128,8 @@ struct Following<T> {
     held: Held<T>,
 }
 
-/// The stage.
+/// Radius compensation of a mill: pieces of the programmed path go in, pieces of the way of the cutter's centre come
+/// out.
 pub struct Stage<T> {
     /// 1 for left, −1 for right.
     side: f64,

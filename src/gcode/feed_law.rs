@@ -45,7 +45,7 @@ impl FeedLaw {
         }
     }
 
-    /// The greatest F word.
+    /// The greatest number that an F word may have; where it is a time, that of the slowest move.
     #[must_use]
     pub const fn greatest(self) -> f64 {
         match self {
@@ -92,9 +92,9 @@ impl FeedLaw {
 /// Which number of an F word makes a move slower.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slower {
-    /// A greater one.
+    /// A greater number: it is a time.
     More,
-    /// A lesser one.
+    /// A lesser number: it is a speed, or the inverse of a time.
     Less,
 }
 

@@ -23,7 +23,7 @@ pub const fn decimals(law: FeedLaw, word: f64) -> u8 {
     }
 }
 
-/// The step from one F word to the next.
+/// The step between F words about as great as this, by their decimals.
 #[must_use]
 pub const fn step(law: FeedLaw, word: f64) -> f64 {
     match decimals(law, word) {
@@ -90,7 +90,7 @@ impl FeedWord {
         }
     }
 
-    /// The number.
+    /// The number as it is written: mm/min, seconds or 1/min, by the control's law.
     #[must_use]
     pub fn value(self) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "a whole number up to 4·10^15")]

@@ -10,10 +10,10 @@ use crate::text::t;
 /// The cell that says which form and version a workbook follows.
 pub static SCHEMA: Field<String, Required> = Field::schema();
 
-/// The part.
+/// The part's name, for headers and the report: one line of at most 200 characters.
 pub static PART: Field<String, Required> = Field::line("part", "part", 200, t("Pieza", "Part"), t("", ""));
 
-/// The material.
+/// The material, likewise; empty where it is not said.
 pub static MATERIAL: Field<String, Optional> =
     Field::line("material", "material", 200, t("Material", "Material"), t("", ""));
 

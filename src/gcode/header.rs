@@ -23,9 +23,9 @@ pub struct Origin<'a> {
 pub struct Work<'a> {
     /// The part's name.
     pub part: &'a str,
-    /// The material.
+    /// The material; a header does not name an empty one.
     pub material: &'a str,
-    /// The program number.
+    /// The program number, written with four digits at least.
     pub number: u32,
 }
 

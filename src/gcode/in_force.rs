@@ -54,7 +54,7 @@ pub enum Compensation {
     Right,
 }
 
-/// What is in force.
+/// What is in force when a motion is made, beside where the axes stand.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct InForce {
     /// The tool in the spindle, or the turret's place at work; 0 for none.

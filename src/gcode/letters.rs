@@ -1,6 +1,6 @@
 //! Sets of address letters.
 
-/// Letters of the alphabet.
+/// A set of the letters A to Z, one bit each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Letters(u32);
 

@@ -11,7 +11,7 @@ fn refused((es, en): (&str, &str)) -> Text {
 }
 
 impl G {
-    /// The meaning.
+    /// What the code does, in words for lists and messages.
     #[must_use]
     pub fn told(self) -> Text {
         match self {
@@ -171,7 +171,7 @@ impl FeedMode {
 }
 
 impl M {
-    /// The meaning.
+    /// What the code does, in words for lists and messages.
     #[must_use]
     pub fn told(self) -> Text {
         match self {

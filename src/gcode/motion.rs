@@ -65,7 +65,7 @@ pub struct Feed {
 /// A circular arc or helix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
-    /// The plane.
+    /// The plane in which it is an arc.
     pub plane: Plane,
     /// The centre in program coordinates, along the plane's first and second axis; mm.
     pub centre: [f64; 2],

@@ -12,7 +12,7 @@ use crate::text::Text;
 /// How programs are laid out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
-    /// As the published annexes.
+    /// As the published annexes: blocks alone, without header and safety block.
     Annex,
     /// What a machinist expects: header, safety block, feed and speed, fixed decimals.
     Full,
@@ -99,14 +99,14 @@ pub enum Part {
     Path(Path),
 }
 
-/// A program.
+/// A program as rodete plans it; its text is written from it line by line.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// Its name in files and findings: `blade`, `splitter`, `impeller`, `blank`.
+    /// Its name in files and findings, as `blade` or `hole`.
     pub key: &'static str,
     /// What it does.
     pub title: Text,
-    /// The control.
+    /// The control that it is written for.
     pub control: &'static Control,
     /// What F is in its moves at feed.
     pub law: FeedLaw,
@@ -116,7 +116,7 @@ pub struct Program {
     pub block_step: Option<u32>,
     /// Where the first path starts.
     pub start: Position,
-    /// The parts.
+    /// Its lines, blocks and paths, in order.
     pub parts: Vec<Part>,
 }
 

@@ -7,9 +7,9 @@ use crate::number::grid::Milli;
 /// What the text of a program amounts to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Summary {
-    /// Numbered blocks.
+    /// How many lines may carry a block number.
     pub blocks: u64,
-    /// Bytes of the text.
+    /// How long the text is, in bytes.
     pub bytes: u64,
 }
 

@@ -19,9 +19,9 @@ pub enum NumberFormat {
 /// Coordinates that follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Distance {
-    /// G90.
+    /// Coordinates from the work zero (G90).
     Absolute,
-    /// G91.
+    /// Increments from where the tool is (G91).
     Incremental,
 }
 
@@ -39,9 +39,9 @@ pub enum Number {
 /// An address letter with its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Word {
-    /// The address.
+    /// The address, a capital letter.
     pub letter: char,
-    /// The number.
+    /// The number behind it.
     pub number: Number,
 }
 

@@ -38,12 +38,12 @@ impl Writer {
         self.law
     }
 
-    /// A part as it is.
+    /// Appends a part as it is.
     pub fn part(&mut self, part: Part) {
         self.parts.push(part);
     }
 
-    /// A block of words.
+    /// Appends a block of these words.
     pub fn block(&mut self, words: impl Into<Vec<Word>>) {
         self.parts.push(Part::Block(words.into()));
     }
@@ -75,13 +75,13 @@ impl Writer {
         Ok(Word::size('X', Milli::round(self.post.control.axes.x.of_diameter(diameter))?))
     }
 
-    /// The control that is written for.
+    /// The control that the program is written for.
     #[must_use]
     pub const fn control(&self) -> &'static Control {
         self.post.control
     }
 
-    /// A rapid move.
+    /// Appends a rapid move: G0 before these words.
     pub fn rapid(&mut self, words: impl IntoIterator<Item = Word>) {
         self.block(std::iter::once(Word::whole('G', 0)).chain(words).collect::<Vec<_>>());
     }

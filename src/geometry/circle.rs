@@ -5,9 +5,9 @@ use nalgebra::Vector2;
 /// A circle with the direction in which it is run through.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
-    /// The centre.
+    /// The centre, in the frame and the unit of the three points.
     pub centre: Vector2<f64>,
-    /// The radius.
+    /// The radius, in their unit.
     pub radius: f64,
     /// True where the three points turn left, that is counter-clockwise.
     pub left: bool,

@@ -29,7 +29,7 @@ use crate::number::trig::{hypot, sin_cos};
 pub struct PipeWall {
     /// The bore over the header.
     bore: PipePair,
-    /// The radius of the outside.
+    /// The radius of the outside, mm.
     outside: f64,
     /// The angles at which touching passes from bore or outside into the wall, in ascending order; infinite beyond the last.
     turns: [f64; MOST],
@@ -166,7 +166,8 @@ impl PipeWall {
         self.kinks.into_iter().take_while(|kink| kink.is_finite())
     }
 
-    /// All its corners in one turn, from 0 on.
+    /// The angles φ at which the envelope has a corner, radians, in ascending order in one turn from 0 on: those of the
+    /// bore's curve among them.
     #[must_use]
     pub fn corners(&self) -> Vec<f64> {
         let mut corners: Vec<f64> = self.bore.corners().into_iter().chain(self.kinks()).collect();
@@ -269,7 +270,7 @@ impl PipeWall {
         y * y + z * z
     }
 
-    /// The same as a jet, for every ρ of an interval.
+    /// [`Self::square`] as a jet, mm², for every ρ of an interval.
     #[must_use]
     pub fn square_jet(&self, phi: Jet, s: Jet, rho: Interval) -> Jet {
         let [sin, cos] = self.bore.angle();
@@ -286,7 +287,7 @@ impl PipeWall {
 pub enum Seat {
     /// One curve of the branch, of radius r: equation 9 of the published source.
     Edge(PipePair),
-    /// The envelope over the wall.
+    /// The envelope over the wall: at each φ the line of the wall that touches the header first.
     Envelope(PipeWall),
 }
 
@@ -327,7 +328,7 @@ impl Seat {
         }
     }
 
-    /// The corners in one turn, from 0 on.
+    /// The angles φ at which the curve has a corner, radians, in one turn from 0 on.
     #[must_use]
     pub fn corners(&self) -> Vec<f64> {
         match self {

@@ -9,7 +9,7 @@ pub struct Crossing {
     pub along_first: f64,
     /// Position along the second, likewise.
     pub along_second: f64,
-    /// The point.
+    /// Where they cross, in the frame and the unit of their points.
     pub at: Vector2<f64>,
 }
 

@@ -32,7 +32,7 @@ impl Camera {
         [self.right.dot(point), self.up.dot(point)]
     }
 
-    /// A curve as a stroke.
+    /// A curve, its points in mm in the part frame, as a stroke of the drawing.
     #[must_use]
     pub fn curve(&self, ink: Ink, points: impl IntoIterator<Item = Vector3<f64>>) -> Stroke {
         Stroke::line(ink, points.into_iter().map(|point| self.see(&point)).collect())

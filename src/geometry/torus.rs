@@ -29,7 +29,7 @@ impl Torus {
         self.R + self.r * sin_cos(v).1
     }
 
-    /// The point P(u, v).
+    /// The point P(u, v), mm: (ρ cos u, ρ sin u, r sin v).
     #[must_use]
     pub fn point(self, u: f64, v: f64) -> Vector3<f64> {
         let (sin_u, cos_u) = sin_cos(u);

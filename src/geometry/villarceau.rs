@@ -17,7 +17,7 @@ use crate::number::trig::{asin, atan2, sin_cos};
 /// The Villarceau circle through (u, v) = (π/2, π).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Villarceau {
-    /// The torus it lies on.
+    /// The torus on which it lies, its R and r in mm.
     pub torus: Torus,
     /// k = √(R² − r²).
     pub k: f64,
@@ -37,7 +37,7 @@ impl Villarceau {
         asin(self.torus.r / self.torus.R)
     }
 
-    /// u(v) in [0, 2π).
+    /// u, radians in [0, 2π), of the circle's point at v (radians).
     #[must_use]
     pub fn u(self, v: f64) -> f64 {
         let (sin_v, cos_v) = sin_cos(v);
@@ -46,7 +46,7 @@ impl Villarceau {
         if u < 0.0 { u + TAU } else { u }
     }
 
-    /// du/dv = k/ρ.
+    /// du/dv = k/ρ at v, radians a radian.
     #[must_use]
     pub fn du_dv(self, v: f64) -> f64 {
         self.k / self.torus.rho(v)

@@ -16,9 +16,9 @@ const LARGEST_ID: u32 = 65_534;
 /// A sheet as the workbook part lists it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
-    /// Its name.
+    /// Its name, as the tab shows it.
     pub name: String,
-    /// Its number.
+    /// Its number, `sheetId`: 0 where it cannot be read.
     pub id: u32,
     /// Its state where it is not shown, as `hidden`.
     pub state: Option<String>,
@@ -29,7 +29,7 @@ pub struct Sheet {
 /// A defined name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Name {
-    /// The name.
+    /// The name, in the capitals that it was given.
     pub name: String,
     /// The sheet that it is of, counted from 0; `None` for one of the workbook.
     pub sheet: Option<usize>,
@@ -50,7 +50,7 @@ impl Name {
 #[derive(Debug)]
 pub struct Book {
     text: String,
-    /// Its root.
+    /// The element that holds all others, as it was read.
     pub root: Element,
     /// Its sheets in order.
     pub sheets: Vec<Sheet>,

@@ -15,7 +15,7 @@ use super::styles;
 /// A workbook that `rodete` wrote, and which of its sheets go into another.
 #[derive(Clone, Debug)]
 pub struct Donor<'a> {
-    /// Its bytes.
+    /// The bytes of its `.xlsx` file.
     pub bytes: &'a [u8],
     /// Its sheets in order.
     pub sheets: &'a [Made],
@@ -35,13 +35,13 @@ impl Donor<'_> {
 /// The donor's parts.
 #[derive(Debug)]
 pub struct Opened<'a> {
-    /// The package.
+    /// The package, with its parts by their normal names.
     pub parts: Parts<'a>,
     /// The workbook part.
     pub book: Book,
     /// The part of each sheet, in order.
     pub sheets: Vec<String>,
-    /// The types of its parts.
+    /// What type each of its parts has.
     pub types: ContentTypes,
     /// Its shared texts.
     pub strings: Vec<String>,

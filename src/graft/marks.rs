@@ -18,7 +18,7 @@ const KEPT: usize = 200;
 pub struct Mark {
     /// The sheet's slug.
     pub slug: String,
-    /// The hidden name.
+    /// The hidden name that leads to the sheet.
     pub name: String,
     /// The sheet and the cell that it leads to; `None` where they were deleted.
     pub place: Option<(String, String)>,

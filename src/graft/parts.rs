@@ -25,7 +25,7 @@ pub mod kind {
     pub const CALC_CHAIN: &str = "/calcChain";
     /// Shared texts.
     pub const STRINGS: &str = "/sharedStrings";
-    /// The theme.
+    /// The theme: colours and fonts of the workbook.
     pub const THEME: &str = "/theme";
 }
 
@@ -39,9 +39,9 @@ pub const CONTENT_TYPES: &str = "[Content_Types].xml";
 /// A relationship of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relation {
-    /// Its id.
+    /// Its id, by which the part names it.
     pub id: String,
-    /// Its type.
+    /// Its type, an address whose ending says what it leads to.
     pub kind: String,
     /// What it leads to: the normal name of a part, or an address outside of the package.
     pub target: String,
@@ -98,7 +98,7 @@ pub fn relations_of(part: &str) -> String {
 /// A package whose parts are found by their normal names.
 #[derive(Debug)]
 pub struct Parts<'a> {
-    /// The package.
+    /// The package itself.
     pub package: Package<'a>,
     /// The names as they stand in it, by their normal names.
     names: BTreeMap<String, String>,

@@ -15,7 +15,7 @@ pub enum Title {
     /// Nothing, or what is no text.
     #[default]
     None,
-    /// A text.
+    /// A text, as the cell shows it.
     Text(String),
     /// The result of a formula: it may change.
     Formula,
@@ -24,7 +24,7 @@ pub enum Title {
 /// A sheet that was moved.
 #[derive(Debug)]
 pub struct Moved {
-    /// Its part.
+    /// The text of its part, for the other workbook.
     pub text: String,
     /// What stands in its first cell.
     pub title: Title,
@@ -128,7 +128,7 @@ struct Cell {
     /// It holds a text.
     texts: bool,
     formula: bool,
-    /// In its value.
+    /// The walk is inside the element of its value.
     value: bool,
     said: String,
 }

@@ -135,7 +135,6 @@ pub fn place(place: &Place) -> Text {
     }
 }
 
-/// A line and its columns.
 fn on_line(word: &str, line: usize, before: &str, columns: &[usize]) -> String {
     let columns = columns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
     if columns.is_empty() { format!("{word} {line}") } else { format!("{word} {line}, {before} {columns}") }

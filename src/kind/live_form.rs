@@ -6,7 +6,7 @@
 use crate::table::{Formula, Unit};
 use crate::text::Text;
 
-/// The live part of a form.
+/// What a form computes on its own sheet while it is filled in, without rodete.
 #[derive(Clone, Debug)]
 pub struct LiveForm {
     /// The defined names of the inputs that must be numbers within their ranges before anything is computed.
@@ -28,7 +28,7 @@ pub struct LiveRow {
     pub symbol: &'static str,
     /// The defined name of its cell.
     pub name: &'static str,
-    /// The unit.
+    /// The unit that stands behind the value.
     pub unit: Unit,
     /// What it is, while it is right.
     pub meaning: Text,
@@ -135,10 +135,10 @@ pub struct LiveCurve {
 /// How a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LiveLook {
-    /// The part.
+    /// The part, in a strong line.
     Part,
     /// What stands between.
     Dashed,
-    /// An outline.
+    /// An outline, thin and grey.
     Faint,
 }

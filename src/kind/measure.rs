@@ -28,7 +28,7 @@ pub enum Source {
     Time(&'static [&'static str]),
     /// The greatest number that checks with these keys measured.
     Greatest(&'static [&'static str]),
-    /// The least.
+    /// The least number that checks with these keys measured.
     Least(&'static [&'static str]),
     /// How far programs enter what they must not: the number that a finding carries under a name, or what checks with these keys
     /// measured below 0; 0 where neither tells of it.
@@ -131,7 +131,7 @@ fn time<'a>(programs: impl Iterator<Item = &'a Proved>) -> Option<f64> {
 pub struct Known<'a> {
     /// Derived values.
     pub quantities: &'a [Quantity],
-    /// The programs.
+    /// The programs, with their times.
     pub programs: &'a [Proved],
     /// The checks of the programs.
     pub checks: &'a [Check],
@@ -173,7 +173,7 @@ pub struct Suggested {
 /// How an input is varied.
 #[derive(Clone, Copy, Debug)]
 pub enum Varied {
-    /// From, to and step.
+    /// From, to and step, in the unit of the input.
     Steps(f64, f64, f64),
     /// Values, as they stand in their cell.
     Values(&'static str),

@@ -168,7 +168,7 @@ pub trait Method: Send + Sync + 'static {
         Vec::new()
     }
 
-    /// Drawings at 1:1.
+    /// Drawings at 1:1, mm, each with files of its own.
     fn drawings(_: &Self::Design, _: &Self::Model) -> Vec<Drawing> {
         Vec::new()
     }

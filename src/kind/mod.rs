@@ -155,7 +155,7 @@ pub struct Series {
 pub struct Chart {
     /// The key of the table on whose sheet it stands.
     pub table: &'static str,
-    /// The title.
+    /// The title above it.
     pub title: Text,
     /// Titles of the x and y axes, with units.
     pub axes: [Text; 2],
@@ -175,7 +175,7 @@ pub type Figures = LazyLock<Vec<Figure>, Box<dyn FnOnce() -> Vec<Figure> + Send 
 pub struct Drawing {
     /// One of [`Form::drawings`]: what its files are called, as `<stem>-<key>.dxf`.
     pub key: &'static str,
-    /// What it is.
+    /// What it is, as it is printed on it.
     pub title: Text,
     /// The drawing, in millimetres.
     pub figure: Figure,
@@ -208,7 +208,7 @@ pub struct Duration {
 /// A program that is handed over, with what was found when it was followed. It is the program wherever one is asked for.
 #[derive(Clone, Debug)]
 pub struct Proved {
-    /// The program.
+    /// The program as it was planned.
     pub program: Program,
     /// How far it reaches and how long its path is.
     pub account: Account,
@@ -307,7 +307,7 @@ pub struct NamedFile {
 /// What came of a design: parts that are the same of every kind, so that who delivers them asks no kind.
 #[derive(Debug)]
 pub struct Outcome {
-    /// The workbook kind.
+    /// The workbook kind whose design it is.
     pub kind: &'static dyn Kind,
     /// The values it was computed from.
     pub fields: Fields,
@@ -382,7 +382,7 @@ impl Outcome {
         self.fields.form().material.map_or("", |material| self.fields.values().line(material))
     }
 
-    /// The table with a key.
+    /// The table whose [`Table::key`] this is; `None` where the kind has no such table.
     #[must_use]
     pub fn table(&self, key: &str) -> Option<&Table> {
         self.tables.iter().find(|table| table.key == key)

@@ -57,7 +57,7 @@ impl Axis {
 pub struct Position([Milli; 9]);
 
 impl Position {
-    /// The position of one axis.
+    /// The position of one axis, mm or degrees, in whole thousandths.
     #[must_use]
     pub const fn get(&self, axis: Axis) -> Milli {
         self.0[axis as usize]
@@ -70,7 +70,7 @@ impl Position {
         self
     }
 
-    /// The position with one axis moved on.
+    /// The position with one axis moved on by mm or degrees.
     #[must_use]
     pub fn moved(self, axis: Axis, by: Milli) -> Self {
         self.with(axis, self.get(axis) + by)
@@ -98,7 +98,7 @@ impl From<Position> for Pose {
 pub struct Pose(pub [f64; 9]);
 
 impl Pose {
-    /// The position of one axis.
+    /// The position of one axis, mm or degrees.
     #[must_use]
     pub const fn get(&self, axis: Axis) -> f64 {
         self.0[axis as usize]

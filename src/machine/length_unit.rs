@@ -13,7 +13,7 @@ pub enum LengthUnit {
 }
 
 impl LengthUnit {
-    /// One of it in millimetres.
+    /// How many millimetres one of it is.
     #[must_use]
     pub const fn millimetres(self) -> f64 {
         match self {

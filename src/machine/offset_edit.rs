@@ -121,7 +121,7 @@ impl Edit {
 /// A letter in capitals and what follows it up to the next letter or blank.
 type Word<'t> = (char, &'t str);
 
-/// The words of an edit.
+/// The words of an edit, letters in capitals; refused where something does not begin with a letter.
 fn words(text: &str) -> Result<Vec<Word<'_>>, Box<Finding>> {
     let mut words = Vec::new();
     let mut rest = text.trim_start();

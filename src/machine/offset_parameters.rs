@@ -10,9 +10,9 @@ pub const G92_FIRST: u32 = 5211;
 pub const G28_FIRST: u32 = 5161;
 /// X of the position of G30; the other axes follow.
 pub const G30_FIRST: u32 = 5181;
-/// The axes that have one each.
+/// How many axes there are, X to W: the parameters of a position follow each other.
 pub const AXES: u32 = 9;
-/// The coordinate systems.
+/// How many coordinate systems there are, G54 to G59.3.
 pub const SYSTEMS: u32 = 9;
 
 /// The origin in X of a coordinate system, 1 to 9; those of the other axes follow, and its rotation behind them.

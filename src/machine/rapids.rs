@@ -9,7 +9,7 @@ pub struct Rapids {
     pub linear: Option<f64>,
     /// Of each rotary axis, °/min.
     pub rotary: Option<f64>,
-    /// A change of the tool, s.
+    /// How long a change of the tool takes, s.
     pub tool_change: Option<f64>,
 }
 

@@ -30,7 +30,7 @@ pub struct Turned {
 }
 
 impl Turned {
-    /// The axes at B and C.
+    /// The axes turned to B and C, radians.
     #[must_use]
     pub fn to(B: f64, C: f64) -> Self {
         Self { B: sin_cos(B), C: sin_cos(C) }

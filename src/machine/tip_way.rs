@@ -56,7 +56,7 @@ impl Ways {
         Self { machine, found: FxHashMap::with_hasher(FxBuildHasher) }
     }
 
-    /// The same as [`longest`].
+    /// The same as [`longest`], looked up where the block was asked for before.
     pub fn longest(&mut self, from: &Pose, to: &Pose) -> f64 {
         let block = block(from, to);
         *self.found.entry(block.map(key)).or_insert_with(|| of(self.machine, block))

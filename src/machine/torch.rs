@@ -25,7 +25,7 @@ pub struct TorchPose {
     pub axis: Vector3<f64>,
 }
 
-/// The five axes.
+/// Where the five axes stand: X and Z in mm, A, B and C in radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TorchAxes {
     /// A, how far the torch has gone round the pipe.

@@ -9,9 +9,9 @@ pub type Travel = [Option<f64>; 2];
 /// The travel of an axis, with the parameters that say it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisTravel {
-    /// The axis.
+    /// The axis that is limited.
     pub axis: Axis,
-    /// Its travel.
+    /// Its least and greatest position, mm or degrees.
     pub ends: Travel,
     /// The parameters of the lower and the upper end.
     pub keys: [Key; 2],
@@ -20,9 +20,9 @@ pub struct AxisTravel {
 /// Where an axis leaves its travel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Excess {
-    /// The position.
+    /// Where the axis would stand, mm or degrees.
     pub position: f64,
-    /// The limit it leaves.
+    /// The end of the travel that it leaves, mm or degrees.
     pub limit: f64,
 }
 

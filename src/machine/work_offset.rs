@@ -52,7 +52,7 @@ impl System {
         self as u32 + 1
     }
 
-    /// The system of a number.
+    /// The system of a number from 1 to 9; `None` for any other.
     #[must_use]
     pub fn from_number(number: u32) -> Option<Self> {
         Self::ALL.into_iter().find(|system| system.number() == number)
@@ -86,7 +86,7 @@ impl System {
         system_first(self.number())
     }
 
-    /// The parameter that holds its rotation.
+    /// The parameter that holds its rotation about Z, in degrees.
     #[must_use]
     pub const fn rotation_parameter(self) -> u32 {
         self.first_parameter() + 9
@@ -153,7 +153,7 @@ fn turned(mut pose: Pose, angle: f64) -> Pose {
 /// What a var file holds of coordinate systems.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Offsets {
-    /// The systems, in the order of [`System::ALL`].
+    /// Origin and rotation of each system, in the order of [`System::ALL`].
     pub systems: [WorkOffset; 9],
     /// The system that is active after a start.
     pub active: System,

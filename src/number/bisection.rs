@@ -9,11 +9,11 @@ use rustc_hash::FxHashMap;
 /// A box of two coordinates on one of several sheets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// Which sheet.
+    /// The number of the sheet.
     pub sheet: usize,
     /// The first coordinate, from and to.
     pub s: [f64; 2],
-    /// The second.
+    /// The second coordinate, from and to.
     pub t: [f64; 2],
 }
 

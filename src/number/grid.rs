@@ -24,10 +24,10 @@ pub struct Milli(i32);
 pub struct OutOfFormat(pub f64);
 
 impl Milli {
-    /// Zero.
+    /// 0 mm or 0°.
     pub const ZERO: Self = Self(0);
 
-    /// Whole thousandths.
+    /// So many thousandths of a millimetre or of a degree; what a program may carry is not asked.
     #[must_use]
     pub const fn new(thousandths: i32) -> Self {
         Self(thousandths)
@@ -47,7 +47,7 @@ impl Milli {
         }
     }
 
-    /// The thousandths.
+    /// The value in whole thousandths of a millimetre or of a degree.
     #[must_use]
     pub const fn thousandths(self) -> i32 {
         self.0

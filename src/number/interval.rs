@@ -11,9 +11,9 @@ use crate::number::trig;
 /// All numbers from the one to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// The least.
+    /// The lower end; −∞ where nothing bounds it.
     pub low: f64,
-    /// The greatest.
+    /// The upper end; ∞ where nothing bounds it.
     pub high: f64,
 }
 
@@ -61,7 +61,7 @@ impl Interval {
         self.low.abs().max(self.high.abs())
     }
 
-    /// The square of each.
+    /// The squares of all numbers in it.
     #[must_use]
     pub fn square(self) -> Self {
         let most = self.size();
@@ -69,7 +69,7 @@ impl Interval {
         Self::outwards(least * least, most * most)
     }
 
-    /// The inverse of each.
+    /// The inverses of all numbers in it; the whole line where 0 is among them.
     #[must_use]
     pub fn inverse(self) -> Self {
         if self.low > 0.0 || self.high < 0.0 { Self::outwards(1.0 / self.high, 1.0 / self.low) } else { Self::WHOLE }

@@ -10,7 +10,7 @@ use crate::number::interval::Interval;
 /// A value and its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet {
-    /// The value.
+    /// The values over the span of the parameter.
     pub value: Interval,
     /// Its first derivative.
     pub first: Interval,
@@ -53,13 +53,13 @@ impl Jet {
         }
     }
 
-    /// Its square.
+    /// The square of the quantity.
     #[must_use]
     pub fn square(self) -> Self {
         self.through(self.value.square(), self.value * 2.0, Interval::of(2.0))
     }
 
-    /// Its root.
+    /// The root of the quantity; where its values reach down to 0, nothing is known of its derivatives.
     #[must_use]
     pub fn sqrt(self) -> Self {
         let root = self.value.sqrt();
@@ -67,7 +67,7 @@ impl Jet {
         self.through(root, half, -(half * (self.value * 2.0).inverse()))
     }
 
-    /// Its inverse.
+    /// The inverse of the quantity; nothing is known of one whose values hold 0.
     #[must_use]
     pub fn inverse(self) -> Self {
         let inverse = self.value.inverse();

@@ -5,11 +5,11 @@ use std::cmp::Ordering;
 /// Something that waits, with a lower bound and its age.
 #[derive(Clone, Copy, Debug)]
 pub struct Waiting<T> {
-    /// The lower bound.
+    /// The lower bound, by which it is taken out.
     pub bound: f64,
     /// Its age: of those with equal bounds the one with the lowest comes first.
     pub order: usize,
-    /// What it is.
+    /// The thing that waits.
     pub what: T,
 }
 

@@ -109,13 +109,13 @@ impl Typed for String {
 /// A type that is chosen from a list: an enum whose variants, keys and labels stand in one place (see
 /// `choices!`).
 pub trait Chosen: Copy + 'static {
-    /// The list.
+    /// The keys with their labels in both languages, in the order in which a cell offers them.
     const CHOICES: &'static [Choice];
 
     /// What the key of a choice stands for.
     fn of(key: &str) -> Option<Self>;
 
-    /// Its key.
+    /// The key of the choice, as [`Self::of`] takes it.
     fn key(self) -> &'static str
     where
         Self: PartialEq,
@@ -251,7 +251,7 @@ impl<T: Typed, P: Presence> Field<T, P> {
 }
 
 impl<T: Typed, P: Bare> Field<T, P> {
-    /// One of a list.
+    /// One of a list, whose key is the value.
     #[must_use]
     pub const fn of_list(
         key: &'static str,

@@ -92,7 +92,7 @@ impl Fields {
         self.values.locate(finding)
     }
 
-    /// The form.
+    /// The form that the values fill in.
     #[must_use]
     pub const fn form(&self) -> &'static Form {
         self.form

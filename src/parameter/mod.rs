@@ -196,7 +196,7 @@ pub struct Form {
     pub earlier: &'static [Earlier],
     /// The parameter that names the part, for the headings of sheets, drawings, pages and reports.
     pub part: &'static Field<String, Required>,
-    /// That of its material.
+    /// The parameter that names its material; `None` where a form has none.
     pub material: Option<&'static Field<String, Optional>>,
     /// The keys of the programs that its builds may write, in the order of their sheets: a program of another key is a fault.
     pub programs: &'static [&'static str],
@@ -244,7 +244,7 @@ impl Form {
         self.parameters().map(|(_, parameter)| parameter).find(|one| matches!(one.kind, FieldKind::Schema))
     }
 
-    /// The parameter with a key.
+    /// The parameter with this key; `None` where the form has no such parameter.
     #[must_use]
     pub fn parameter(&self, key: &str) -> Option<&'static Parameter> {
         self.parameters().map(|(_, parameter)| parameter).find(|parameter| parameter.key == key)

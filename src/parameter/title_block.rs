@@ -17,7 +17,7 @@ pub static CUSTOMER: Field<String, Optional> =
 /// The number of the drawing.
 pub static DRAWING: Field<String, Optional> =
     Field::line("drawing", "title_drawing", NAME, t("Número de plano", "Drawing number"), NONE);
-/// Its revision.
+/// The revision of that drawing, as text.
 pub static REVISION: Field<String, Optional> =
     Field::line("revision", "title_revision", 20, t("Revisión", "Revision"), NONE);
 /// The date of the report.
@@ -45,7 +45,7 @@ pub static LOGO: Field<String, Optional> = Field::line(
     ),
 );
 
-/// Its parameters.
+/// The parameters of the title block, in their order.
 pub const PARAMETERS: &[&Parameter] =
     &[&CUSTOMER.row, &DRAWING.row, &REVISION.row, &DATE.row, &AUTHOR.row, &CHECKER.row, &LOGO.row];
 

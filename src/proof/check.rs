@@ -23,19 +23,19 @@ pub struct At {
 }
 
 impl At {
-    /// A line of the text.
+    /// A line of the text, counted from 1, without a block number.
     #[must_use]
     pub const fn line(line: usize) -> Self {
         Self { line, n: None, along: None }
     }
 
-    /// Where a motion is.
+    /// Line and block number of the block that a motion comes from.
     #[must_use]
     pub const fn motion(motion: &Motion) -> Self {
         Self { line: motion.line, n: motion.n, along: None }
     }
 
-    /// The place in words.
+    /// The place as findings say it: line, block number, and the point along what is followed.
     #[must_use]
     pub fn words(&self) -> Text {
         let block = self.n.map(|n| format!(" (N{n})")).unwrap_or_default();
@@ -58,7 +58,7 @@ pub struct Extreme {
 }
 
 impl Extreme {
-    /// Of nothing yet.
+    /// Nothing measured yet: the value is 0.
     #[must_use]
     pub const fn nothing() -> Self {
         Self { value: 0.0, at: None, seen: 0 }
@@ -78,7 +78,8 @@ impl Extreme {
         self.value
     }
 
-    /// Where it is.
+    /// Where the greatest value was first found; `None` where nothing was measured, or it belongs to the program as a
+    /// whole.
     #[must_use]
     pub const fn at(&self) -> Option<At> {
         self.at
@@ -291,7 +292,7 @@ impl Check {
         }
     }
 
-    /// The answer in a word.
+    /// The answer in the table of checks: passed, or the name of its grade.
     #[must_use]
     pub fn word(&self) -> Text {
         self.grade().map_or(t("Cumple", "Passed"), Grade::name)

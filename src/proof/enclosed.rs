@@ -9,9 +9,7 @@ use crate::text::{Language, Text, t};
 /// The greatest values of K questions, with where they were found.
 #[derive(Clone, Copy, Debug)]
 pub struct Enclosed<const K: usize> {
-    /// The values.
     found: Enclosure<K>,
-    /// Where.
     at: [Option<At>; K],
     /// How many motions were taken in.
     seen: usize,
@@ -96,7 +94,7 @@ impl<const K: usize> Enclosed<K> {
         if self.seen == 0 { 0.0 } else { self.found.reached[k] }
     }
 
-    /// Where that is.
+    /// Where the `k`th was seen; `None` where nothing was looked at.
     #[must_use]
     pub const fn at(&self, k: usize) -> Option<At> {
         self.at[k]

@@ -72,7 +72,7 @@ pub struct Feeds {
     F: Option<f64>,
     F_max: Option<f64>,
     axis: Extreme,
-    /// The axis that is the fastest.
+    /// The axis whose speed `axis` is.
     fastest: Axis,
     tip: Extreme,
     rounded: Extreme,
@@ -119,7 +119,7 @@ impl Feeds {
         Self { slower: Some(slower), ..self }
     }
 
-    /// F of a motion.
+    /// F for a motion, mm/min, or the part of it that its pass is run at; `None` where no F is given.
     fn of(&self, step: &Step<'_>) -> Option<f64> {
         let part = self.slower.filter(|(ending, _)| {
             let Stage::Planned(planned) = &step.stage else { return false };

@@ -22,7 +22,7 @@ pub fn same(one: &Pose, other: &Pose) -> bool {
 /// How a planned move runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Run {
-    /// At rapid.
+    /// At rapid: no metal is meant to be cut.
     Rapid,
     /// Straight, at feed.
     Straight,
@@ -53,7 +53,7 @@ pub struct Planned<'a> {
     pub from: Pose,
     /// Where it ends.
     pub to: Pose,
-    /// How it runs.
+    /// How it runs from there.
     pub run: Run,
     /// How long it takes.
     pub time: Time,

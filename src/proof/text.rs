@@ -151,7 +151,6 @@ fn timed(number: &str, law: FeedLaw) -> bool {
         }
 }
 
-/// Between one and `most` digits.
 fn digits(text: &str, most: usize) -> bool {
     (1..=most).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit())
 }

@@ -69,7 +69,7 @@ impl Route {
         self.moves.len()
     }
 
-    /// The plan of the program.
+    /// The moves so far as the plan of a program; every axis begins at zero.
     #[must_use]
     pub fn plan<'a>(self) -> Plan<'a> {
         let moves: Vec<Planned<'a>> = self.moves;

@@ -40,7 +40,7 @@ pub(super) struct Contents<'a> {
     pub logo: Option<&'a Logo>,
     /// The findings about the report so far.
     pub found: Vec<Finding>,
-    /// Its language.
+    /// The language that it is set in.
     pub language: Language,
 }
 

@@ -71,7 +71,7 @@ pub struct Attachment<'a> {
 /// A finished report.
 #[derive(Debug)]
 pub struct Report {
-    /// The PDF.
+    /// The report, as the bytes of a PDF.
     pub pdf: Vec<u8>,
     /// The set-up sheet, a PDF of its own: the page of the report that is for the machinist.
     pub setup: Vec<u8>,
@@ -108,7 +108,6 @@ pub fn typeset(
     set.map_err(|failure| if templates.is_empty() { failure } else { failure.of_own_templates() })
 }
 
-/// Sets the report from its contents.
 #[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
 fn set(contents: &Contents<'_>, templates: &[Template], typst: &Typst) -> Result<Report, ReportFailure> {
     let folder = tempfile::Builder::new().prefix("rodete-").tempdir()?;

@@ -9,7 +9,7 @@ use crate::text::{Text, t};
 /// A user's logo and templates; empty by default.
 #[derive(Clone, Debug, Default)]
 pub struct Stationery<'a> {
-    /// The logo.
+    /// The picture for the title block, where there is one.
     pub logo: Option<Logo>,
     /// The templates; each replaces rodete's of the same name.
     pub templates: &'a [Template],

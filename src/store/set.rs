@@ -24,7 +24,7 @@ use crate::finding::{Exit, Place, Raise, Refusal};
 /// What happens to a file that already has the name of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Existing {
-    /// It is replaced.
+    /// It is replaced, once all of the set is written.
     Replace,
     /// The set is refused.
     Keep,
@@ -37,7 +37,7 @@ pub struct WrittenFile {
     pub name: OsString,
     /// Its path: the folder as it was given, and the name.
     pub path: PathBuf,
-    /// Its size.
+    /// Its size in bytes.
     pub bytes: u64,
     /// The SHA-256 of its bytes, in lower-case hexadecimal.
     pub sha256: String,

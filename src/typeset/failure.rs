@@ -72,7 +72,7 @@ pub enum ReportFailure {
     /// The typst command line gave no report.
     #[error("{} gave no report: {ending:?}", program.display())]
     Failed {
-        /// The program.
+        /// The program that was started.
         program: PathBuf,
         /// It is the compiler inside the binary.
         built_in: bool,

@@ -35,7 +35,7 @@ const BOX: [f64; 2] = [4.2, 1.9];
 /// A figure in millimetres of paper, on its way to a sheet.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawn<'a> {
-    /// The figure.
+    /// The figure, in mm of paper.
     pub figure: &'a Figure,
     /// The language of its words.
     pub language: Language,

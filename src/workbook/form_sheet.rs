@@ -59,7 +59,7 @@ pub struct Filling<'a, V> {
 pub struct Layout {
     /// The row of the column headings, from 0.
     pub header: RowNum,
-    /// The last row.
+    /// The last row that a parameter stands in, from 0.
     pub last: RowNum,
     /// The last column that is printed.
     last_column: ColNum,

@@ -19,7 +19,7 @@ use super::shared_tables::{self, structure};
 /// A workbook that passed the gate.
 #[derive(Debug)]
 pub struct Gated<'a> {
-    /// The package.
+    /// The package, whose entries and sizes are within the limits.
     pub package: Package<'a>,
     /// The sheets in their order.
     pub sheets: Vec<SheetEntry>,

@@ -52,9 +52,9 @@ const FILE: &str = "SHA-256 ";
 /// What an input held when the programs were verified.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Copy {
-    /// A number.
+    /// A number, in the unit of its cell.
     Number(f64),
-    /// A text.
+    /// A text, as the cell held it.
     Text(String),
     /// Nothing.
     Empty,
@@ -110,7 +110,7 @@ pub struct Column {
     pub key: &'static str,
     /// The list's sheet.
     pub sheet: String,
-    /// The column, from 0.
+    /// The column on the sheet, from 0.
     pub column: ColNum,
     /// The row of the first cell, from 0.
     pub first: RowNum,

@@ -23,11 +23,11 @@ const SPARE: usize = 25;
 /// What fills a list's sheet.
 #[derive(Clone, Copy, Debug)]
 pub struct ListSheet<'a> {
-    /// The list.
+    /// The list whose sheet it is.
     pub list: &'static List,
     /// The sheet's name.
     pub name: &'a str,
-    /// Its rows.
+    /// The rows that are filled in already.
     pub rows: &'a [Row],
     /// The language of everything but the values.
     pub language: Language,

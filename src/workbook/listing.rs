@@ -29,7 +29,7 @@ pub enum SheetKind {
 /// A sheet as the workbook lists it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SheetEntry {
-    /// Its name.
+    /// The name on its tab.
     pub name: String,
     /// The package's part that holds its cells.
     pub part: String,

@@ -23,7 +23,7 @@ pub enum Tables {
     /// Formulas with their values, up to [`LIVE_INTERVALS`] intervals.
     #[default]
     Live,
-    /// Values.
+    /// Values alone.
     Values,
 }
 

@@ -38,7 +38,7 @@ pub struct LivePart<'a> {
     pub sheet: &'static Sheet,
     /// Its first column.
     pub column: ColNum,
-    /// The language.
+    /// The language of its words.
     pub language: Language,
 }
 

@@ -27,7 +27,7 @@ pub type RowWriter<'a> = Box<dyn FnOnce(&mut Rows<'_>) -> Result<(), WriteError>
 pub struct LongRows<'a> {
     /// The sheet, counted from 0.
     pub sheet: usize,
-    /// Its name.
+    /// The name on its tab.
     pub name: String,
     /// The row, from 0, that holds formatted empty cells: the first to be written.
     pub first: RowNum,

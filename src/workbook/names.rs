@@ -41,7 +41,7 @@ pub enum Role {
 /// A sheet of a workbook that was written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Made {
-    /// Its name.
+    /// The name on its tab.
     pub name: String,
     /// What it is.
     pub role: Role,

@@ -106,7 +106,7 @@ const fn mark(key: &'static str) -> Parameter {
 /// A column of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Column {
-    /// An axis.
+    /// The origins along an axis, in the machine's unit of length or in degrees.
     Axis(Axis),
     /// The rotation about Z.
     Rotation,

@@ -18,7 +18,7 @@ use super::rules::file::*;
 /// A kind of file that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Input {
-    /// A workbook.
+    /// A workbook, `.xlsx`.
     Workbook,
     /// LinuxCNC's parameter file.
     VarFile,

@@ -41,7 +41,7 @@ pub(super) struct Look<'a> {
 pub struct Further {
     /// The sheet, counted from 0.
     pub sheet: usize,
-    /// The areas.
+    /// The areas, in the order of their pages.
     pub areas: Vec<Area>,
 }
 

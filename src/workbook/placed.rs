@@ -12,6 +12,6 @@ pub const FIRST: RowNum = 4;
 pub struct Placed<'a> {
     /// The sheet's name.
     pub sheet: String,
-    /// The table.
+    /// The table that stands on it.
     pub table: &'a Table,
 }

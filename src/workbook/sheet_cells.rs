@@ -50,11 +50,11 @@ pub type Blanks = BTreeMap<Position, String>;
 /// Where the columns of a form stand on a sheet, counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Columns {
-    /// The symbols.
+    /// The column of the symbols.
     pub symbol: u32,
-    /// The values.
+    /// The column of the values.
     pub value: u32,
-    /// The units.
+    /// The column of the units.
     pub unit: u32,
 }
 
@@ -79,7 +79,7 @@ pub struct SheetCells {
 }
 
 impl SheetCells {
-    /// The cell of a row in a column.
+    /// The cell of a row and a column, from 0; `None` where it is empty or not read.
     #[must_use]
     pub fn cell(&self, (row, column): Position) -> Option<&Cell> {
         self.rows.get(&row)?.get(usize::try_from(column).ok()?)?.as_ref()

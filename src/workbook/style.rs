@@ -26,13 +26,13 @@ pub struct Styles {
     pub header: Format,
     /// A section heading.
     pub section: Format,
-    /// A symbol.
+    /// A symbol of a parameter or of a derived value.
     pub symbol: Format,
     /// Running text: wrapped.
     pub text: Format,
     /// Running text of less weight: wrapped.
     pub faint: Format,
-    /// A unit.
+    /// A unit, beside a value.
     pub unit: Format,
     /// A value cell for a number, to be filled in.
     pub input_number: Format,

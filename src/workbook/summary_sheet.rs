@@ -45,7 +45,7 @@ pub struct Summary<'a> {
     pub live: LiveTables<'a>,
     /// What tells whether the inputs are those that were verified.
     pub guard: &'a Guard,
-    /// The language.
+    /// The language of its words.
     pub language: Language,
 }
 

@@ -33,7 +33,7 @@ const TEXT_MOST: usize = 40;
 pub struct SweepBook<'a> {
     /// What came of the sweep.
     pub results: Results<'a>,
-    /// The language.
+    /// The language of its words.
     pub language: Language,
 }
 

@@ -49,9 +49,9 @@ const TEXTS: usize = 3;
 /// A table on its way to a sheet.
 #[derive(Clone, Copy, Debug)]
 pub struct TableSheet<'a> {
-    /// The table.
+    /// The table that is written.
     pub table: &'a Table,
-    /// The language.
+    /// The language of headings and texts.
     pub language: Language,
 }
 

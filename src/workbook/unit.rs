@@ -28,7 +28,7 @@ pub fn says(unit: Unit, cell: &str) -> bool {
     cell == unit.label() || spellings.contains(&cell)
 }
 
-/// A number with its unit.
+/// A number with its unit behind it, as messages say it; no unit for a pure number.
 #[must_use]
 pub fn with(number: f64, unit: Unit) -> String {
     let number = decimal(number);

@@ -43,9 +43,7 @@ const CHUNK: u64 = 1000;
 
 /// A workbook with its plan.
 pub(super) struct Study<'a> {
-    /// The workbook.
     workbook: &'a Path,
-    /// The kind.
     kind: &'a dyn Kind,
     /// The SHA-256 of its bytes.
     sha256: String,
@@ -53,7 +51,6 @@ pub(super) struct Study<'a> {
     values: Values,
     /// Its values without cells, as every design begins with them.
     base: Values,
-    /// The plan.
     plan: Plan,
     /// What the plan says, for files and for comparison.
     told: String,

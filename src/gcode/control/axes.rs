@@ -7,7 +7,7 @@ use crate::number::grid::Milli;
 /// What a word of X is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AcrossWord {
-    /// The coordinate.
+    /// The coordinate itself.
     Radius,
     /// Twice the coordinate.
     Diameter,
@@ -56,7 +56,7 @@ pub enum Increments {
 pub struct AxisWords {
     /// X.
     pub x: AcrossWord,
-    /// Increments.
+    /// By G91, or by U and W.
     pub increments: Increments,
 }
 
@@ -120,14 +120,14 @@ impl NegativeRadius {
     }
 }
 
-/// The words of an arc.
+/// Which words an arc takes, and what they say.
 #[derive(Clone, Copy, Debug)]
 pub struct ArcWords {
     /// Beside the axes.
     pub letters: Letters,
     /// The centre word of the axis across the plane.
     pub across: Across,
-    /// A negative R.
+    /// What an R below 0 says.
     pub negative: NegativeRadius,
     /// How much the radii at start and end may differ.
     pub radii: Radii,

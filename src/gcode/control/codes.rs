@@ -79,7 +79,7 @@ impl Codes {
     }
 }
 
-/// The name of a code by its number in tenths.
+/// The name of a code by its number in tenths: 591 is `G59.1`, 10 is `G1`.
 #[must_use]
 pub fn code_name(tenths: usize) -> String {
     match tenths % 10 {

@@ -6,7 +6,7 @@ use crate::number::grid::{Milli, OutOfFormat};
 /// An address of G4.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DwellWord {
-    /// The address.
+    /// The letter of the word, as P or X.
     pub letter: char,
     /// What its number counts, seconds.
     pub unit: f64,
@@ -19,7 +19,7 @@ impl DwellWord {
         (self.letter as u8 - b'A') as usize
     }
 
-    /// The seconds that a number says.
+    /// The seconds that the word's number says.
     #[must_use]
     pub fn seconds(self, number: f64) -> f64 {
         number * self.unit

@@ -162,7 +162,7 @@ static WRITING_8055: Writing = Writing {
 static WRITING_8055_T: Writing =
     Writing { safety: &[('G', 71), ('G', 90), ('G', 94)], tool: ToolBlocks::Turret, height: HeightHold::Builder };
 
-/// The 8055 T, to be written for.
+/// The Fagor 8055 T, a lathe, as rodete writes for it.
 pub const POST_8055_T: Post = Post { control: &FAGOR_8055_T, writing: &WRITING_8055_T };
 
 /// How rodete writes for the 8070.

@@ -26,7 +26,7 @@ impl MissingFeed {
 /// What is left of F where a code changes what F means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FeedChange {
-    /// Nothing.
+    /// Nothing: F must be given again.
     Forgets,
     /// Its number; moving with it gets a Caution.
     KeepsStale,
@@ -35,7 +35,7 @@ pub enum FeedChange {
 /// Which axes F belongs to in a feed per minute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FeedPath {
-    /// All that move.
+    /// All that move, rotary ones too.
     AllAxes,
     /// X, Y and Z; where they stand still U, V and W; else the rotary axes.
     LinearFirst,
@@ -67,9 +67,9 @@ impl FeedPath {
 /// The G codes of F.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FeedCodes {
-    /// G93, G94, G95.
+    /// G94 a minute, G95 a revolution, G93 the time of the move or its inverse.
     G94,
-    /// G98 and G99.
+    /// G98 a minute, G99 a revolution.
     G98,
 }
 
@@ -89,9 +89,9 @@ impl FeedCodes {
 pub struct FeedRule {
     /// In a move that linear and rotary axes make together.
     pub law: FeedLaw,
-    /// Its codes.
+    /// The codes that say what F means.
     pub codes: FeedCodes,
-    /// Without it.
+    /// What a move at feed is to which no F was given.
     pub missing: MissingFeed,
     /// Where a code changes its meaning.
     pub change: FeedChange,

@@ -6,7 +6,7 @@ use crate::gcode::letters::Letters;
 /// What a control reads beside letters with numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
-    /// Words alone.
+    /// Nothing: words alone.
     Words,
     /// Parameters `#`, expressions, polar words, and O-words that steer the program.
     OWords,
@@ -102,7 +102,7 @@ impl BlockDelete {
 /// What a dimension without a decimal point is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DimensionPoint {
-    /// The same as with one.
+    /// The same as with one, in the program's unit.
     Free,
     /// Millimetres or micrometres: a setting of the control decides.
     BySetting,
@@ -203,7 +203,7 @@ impl LoneReturn {
 /// What a block without words is: an empty line, a block number alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EmptyBlock {
-    /// Passed over.
+    /// Passed over: nothing is done.
     Passed,
     /// Rejected; a comment may stand alone.
     Rejected,
@@ -243,7 +243,7 @@ impl Decimals {
 /// Whether M codes of the machine's builder exclude one another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BuilderCodes {
-    /// One in a block.
+    /// They do: one in a block.
     One,
     /// Several in a block: clamps M11 and M13 stand together.
     Several,
@@ -275,7 +275,7 @@ pub struct Lexis {
     pub dwell: &'static [DwellWord],
     /// Beside letters with numbers.
     pub language: Language,
-    /// Comments.
+    /// How comments are marked.
     pub comments: Comments,
     /// `/`
     pub delete: BlockDelete,
@@ -287,9 +287,9 @@ pub struct Lexis {
     pub lone_return: LoneReturn,
     /// A block without words.
     pub empty: EmptyBlock,
-    /// The greatest block number.
+    /// The greatest block number N that is read.
     pub greatest_number: u32,
-    /// Decimals of a dimension.
+    /// How many decimals a dimension may have.
     pub decimals: Decimals,
     /// Dimensions without a decimal point.
     pub point: DimensionPoint,

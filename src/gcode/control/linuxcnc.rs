@@ -16,7 +16,7 @@ use crate::gcode::letters::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::text::t;
 
-/// LinuxCNC, milling.
+/// LinuxCNC for mills, with rotary axes.
 pub static LINUXCNC: Control = Control {
     name: "linuxcnc",
     sources: &[t(

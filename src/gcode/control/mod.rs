@@ -63,7 +63,7 @@ pub struct Start {
     pub motion: G,
     /// What F means.
     pub feed: FeedMode,
-    /// The plane.
+    /// The plane of arcs and cycles.
     pub plane: Plane,
     /// Where canned cycles return to.
     pub retract: Retract,
@@ -95,19 +95,19 @@ pub struct Control {
     pub class: Class,
     /// The characters of a program.
     pub lexis: Lexis,
-    /// The G codes.
+    /// What each number of a G code means.
     pub codes: &'static Codes,
-    /// The meaning of an M code.
+    /// What the number of an M code means; `None` where the control has no such code.
     pub machine_code: fn(u32) -> Option<M>,
     /// What is in force at the start.
     pub start: Start,
-    /// The order of execution.
+    /// In which order a block is obeyed.
     pub order: Order,
-    /// Axis words.
+    /// What axis words say.
     pub axes: AxisWords,
-    /// Words of arcs.
+    /// What the words of an arc say.
     pub arcs: ArcWords,
-    /// Rotary axes.
+    /// How rotary axes count.
     pub rotary: RotaryRule,
     /// F.
     pub feed: FeedRule,
@@ -121,9 +121,9 @@ pub struct Control {
     pub length: LengthWord,
     /// G54 to G59, G50 and G92.
     pub offsets: OffsetRule,
-    /// G80.
+    /// What G80 does.
     pub cancel: Cancel,
-    /// G53.
+    /// How G53 moves.
     pub machine_move: MachineMove,
     /// G28 and G30.
     pub reference: Reference,
@@ -133,7 +133,7 @@ pub struct Control {
     pub radius: RadiusRule,
     /// G81 to G89.
     pub drilling: Drilling,
-    /// Subprograms.
+    /// How subprograms are called.
     pub calls: Calls,
     /// How rodete writes for it; `None` where it reads only.
     pub written: Option<&'static Writing>,
@@ -144,7 +144,7 @@ pub struct Control {
 /// All controls, as they are named on the command line.
 pub static ALL: [&Control; 5] = [&LINUXCNC, &FAGOR_8055, &FAGOR_8070, &FAGOR_8055_T, &FANUC_LATHE_A];
 
-/// The milling controls.
+/// The milling controls, for all of which rodete writes.
 pub static MILLING: [&Control; 3] = [&FAGOR_8055, &FAGOR_8070, &LINUXCNC];
 
 /// The lathes whose programs are followed over their stock.
@@ -166,7 +166,7 @@ impl Control {
         }
     }
 
-    /// The control with a name.
+    /// The control with this [`Self::name`]; `None` for any other text.
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
         ALL.into_iter().find(|control| control.name == name)

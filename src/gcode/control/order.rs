@@ -2,7 +2,7 @@
 
 use crate::gcode::letters::Letters;
 
-/// The order of execution.
+/// In which order the words of a block are obeyed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     /// That of RS274: M codes before the motion, the unit with the other modes.
@@ -159,7 +159,7 @@ impl CallBy {
     }
 }
 
-/// Subprograms.
+/// How subprograms are called.
 #[derive(Clone, Copy, Debug)]
 pub struct Calls {
     /// How they are called.

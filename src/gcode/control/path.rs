@@ -67,7 +67,7 @@ impl RadiusRule {
 /// How holes are drilled by cycles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drilling {
-    /// By none that is followed.
+    /// By no cycle that rodete follows.
     None,
     /// Along the axis across the plane, with R and L.
     Rs274,

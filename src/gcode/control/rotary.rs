@@ -29,7 +29,7 @@ pub enum Rollover {
     Wrapped,
 }
 
-/// Rotary axes.
+/// How rotary axes count.
 #[derive(Clone, Copy, Debug)]
 pub struct RotaryRule {
     /// What they are on a machine as the control is delivered.

@@ -30,11 +30,11 @@ impl Turns {
     }
 }
 
-/// The spindle.
+/// What S means on the control.
 #[derive(Clone, Copy, Debug)]
 pub struct SpindleRule {
     /// What it turns.
     pub turns: Turns,
-    /// Its greatest speed.
+    /// Which code says its greatest speed.
     pub limit: SpeedLimit,
 }

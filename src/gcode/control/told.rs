@@ -17,10 +17,10 @@ use crate::gcode::letters::Letters;
 use crate::gcode::word::{NumberFormat, Word};
 use crate::text::{Text, t};
 
-/// One feature of a control.
+/// One feature of a control, for `rodete explain --controls`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Feature {
-    /// What it is of.
+    /// What of the control it is, as a heading.
     pub of: Text,
     /// What the control does.
     pub does: Text,

@@ -80,7 +80,7 @@ pub enum LengthWord {
 }
 
 impl LengthWord {
-    /// The letter.
+    /// H or D, as a program writes it.
     #[must_use]
     pub const fn letter(self) -> char {
         match self {

@@ -28,7 +28,7 @@ impl CommentForm {
 /// The first line of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Opening {
-    /// None.
+    /// There is none: the program begins with its first block.
     None,
     /// `%name,MX--,`: name and attributes (modifiable, executable).
     NameAndAttributes,
@@ -52,11 +52,11 @@ impl Opening {
 pub struct TextForm {
     /// The first line.
     pub opening: Opening,
-    /// The form of comments.
+    /// How comments are marked where rodete writes them.
     pub comment: CommentForm,
-    /// The end of a line.
+    /// What ends a line: LF, or CR and LF.
     pub end_of_line: &'static str,
-    /// The greatest block number.
+    /// The greatest block number N that rodete writes.
     pub greatest_number: u32,
     /// Memory for one program in bytes, beyond which a Caution is given.
     pub memory: u64,
@@ -78,7 +78,7 @@ impl TextForm {
 /// The post-processor of a control that rodete writes for.
 #[derive(Clone, Copy, Debug)]
 pub struct Post {
-    /// The control.
+    /// The control that is written for.
     pub control: &'static Control,
     /// How rodete writes for it.
     pub writing: &'static Writing,
@@ -97,14 +97,14 @@ impl Post {
 pub struct Writing {
     /// The block that puts the control into a known state: plane, units, no compensation, absolute, work offset.
     pub safety: &'static [(char, u32)],
-    /// The blocks that call a tool.
+    /// In which blocks a tool is called.
     pub tool: ToolBlocks,
     /// The height control of a torch.
     pub height: HeightHold,
 }
 
 impl Writing {
-    /// The safety block.
+    /// The words of [`Self::safety`], in one block.
     #[must_use]
     pub fn safety_block(&self) -> Vec<Word> {
         self.safety.iter().map(|&(letter, number)| Word::whole(letter, number)).collect()

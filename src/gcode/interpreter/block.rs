@@ -5,7 +5,7 @@ use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::turning::edge::Square;
 
-/// A letter, counted from A = 0.
+/// The letters of words as indices, counted from A = 0.
 pub(super) mod letter {
     macro_rules! letters {
         ($($name:ident = $character:literal),*) => { $(pub(in super::super) const $name: usize = ($character - b'A') as usize;)* };
@@ -84,7 +84,7 @@ pub(super) struct Block {
     pub(super) pointless: u32,
     /// How the corner behind the block is broken.
     pub(super) edge: Option<EdgeWord>,
-    /// `@` and `^`.
+    /// `@` and `^`: distance and angle of a polar position.
     pub(super) polar: Polar,
     values: [f64; 26],
     columns: [u16; 26],
@@ -189,7 +189,7 @@ impl Block {
         value
     }
 
-    /// The G code of a group.
+    /// The G code of a group that stands in the block; `None` where there is none.
     pub(super) fn g(&self, group: Group) -> Option<G> {
         let at = group as usize;
         if self.groups & (1 << at) != 0 { self.g.get(at).copied() } else { None }

@@ -171,7 +171,7 @@ impl Reader<'_, '_> {
         self.memory.remarks.row(&PassesNotCompensated {}, spot, None);
     }
 
-    /// A block begins.
+    /// Counts a block, by which it is seen how far ahead the control would have to look.
     pub(super) fn count_block(&mut self) {
         self.memory.compensator.blocks = self.memory.compensator.blocks.saturating_add(1);
     }
@@ -360,7 +360,7 @@ fn radius(from: &Pose, centre: Point) -> f64 {
     crate::number::trig::hypot(from.get(Axis::Z) - centre[0], from.get(Axis::X) - centre[1])
 }
 
-/// The time of a motion under a control.
+/// The time that a motion takes with what is in force, s; `None` at rapid.
 fn time(motion: &Motion, control: &InForce) -> Option<f64> {
     let by = motion.to.differences(&motion.from);
     let straight = by.iter().map(|share| share * share).sum::<f64>().sqrt();

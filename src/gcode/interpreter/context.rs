@@ -49,7 +49,8 @@ fn written(number: f64, decimals: usize) -> f64 {
 }
 
 impl Reader<'_, '_> {
-    /// M70 to M73.
+    /// M70 keeps what is in force, M71 discards that, M72 takes it up again; M73 keeps it up to the return of its
+    /// subprogram.
     pub(super) fn context_code(&mut self, code: M) -> Result<()> {
         match code {
             M::SaveState(at_return) => {

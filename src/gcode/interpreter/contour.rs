@@ -39,7 +39,6 @@ use crate::text::t;
 const LETTERS: Letters = Letters::of("FIKRSTUWXZ");
 const MOVES: Letters = Letters::of("IKRUWXZ");
 
-/// A block of a contour.
 #[derive(Clone, Debug)]
 pub(super) struct ContourBlock {
     /// Its words, where they stand.

@@ -28,7 +28,6 @@ use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
 use crate::text::Text;
 
-/// The letters of the axes.
 const AXES: u32 = Letters::of("UWXZ").mask();
 
 /// A line whose end is to be broken.
@@ -36,7 +35,6 @@ const AXES: u32 = Letters::of("UWXZ").mask();
 pub(super) struct Corner {
     word: EdgeWord,
     edge: Edge,
-    /// Its block.
     spot: Spot,
     from: Pose,
     feed: Feed,

@@ -27,9 +27,8 @@ pub(super) const SPEED: State = 1 << 11;
 pub(super) const SPINDLE: State = 1 << 12;
 /// Tool and offset.
 pub(super) const TOOL: State = 1 << 13;
-/// The plane.
 pub(super) const PLANE: State = 1 << 14;
-/// The unit.
+/// The program's unit of length.
 pub(super) const UNIT: State = 1 << 15;
 /// Absolute or incremental.
 pub(super) const DISTANCE: State = 1 << 16;

@@ -21,7 +21,6 @@ use crate::gcode::rules::modes::{
 use crate::gcode::rules::words::{CycleInOneBlock, DwellBesideArc, TaperByOtherLetter};
 use crate::machine::axis::{Axis, Pose};
 
-/// The axis words.
 const AXIS_WORDS: u32 = Letters::of("ABCUVWXYZ").mask();
 const CENTRE_WORDS: u32 = Letters::of("IJK").mask();
 

@@ -116,7 +116,7 @@ impl Reader<'_, '_> {
         self.told(section(self.here(), along, &parameters))
     }
 
-    /// G83.
+    /// G83 of the 8055 T: drilling; refused where its words ask for tapping.
     fn fagor_drill(&self) -> Result<Vec<Move>> {
         let step = self.length(letter::B);
         let tapping_words = [letter::C, letter::H, letter::L, letter::R];

@@ -12,7 +12,7 @@ use crate::gcode::interpreter::structure::Structure;
 pub(super) struct Mark {
     /// The text, 0 for the program's own.
     pub(super) text: usize,
-    /// The line in it.
+    /// Where the line begins in that text.
     pub(super) line: Position,
 }
 
@@ -37,7 +37,6 @@ impl<'a> Indexed<'a> {
     }
 }
 
-/// The texts.
 pub(super) struct Library<'a> {
     texts: Vec<Indexed<'a>>,
     lone_return: LoneReturn,

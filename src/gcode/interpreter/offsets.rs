@@ -266,7 +266,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// G92.1, G92.2, G92.3.
+    /// G92.1 clears the offsets of G92, G92.2 sets them aside, G92.3 takes them up again.
     pub(super) fn change_position(&mut self, code: G) {
         let registers = self.g92_registers().1;
         let (on, in_force, kept) = match code {

@@ -24,7 +24,6 @@ pub(super) enum Pending {
 /// The holes of a block that are still to be made. Lengths are mm; heights lie on the axis across the plane.
 #[derive(Clone, Debug)]
 pub(super) struct Holes {
-    /// The cycle.
     pub(super) cycle: Cycle,
     /// How many holes are left.
     pub(super) left: i64,

@@ -14,7 +14,7 @@ use crate::text::Text;
 pub struct ToolOffset {
     /// The offset that G43 puts into force.
     pub offset: Pose,
-    /// The diameter.
+    /// The diameter of a mill, from which the radius compensation is made.
     pub diameter: f64,
     /// Of a turning tool its nose; `None` where the table gives none: it cannot be compensated then.
     pub nose: Option<Nose>,
@@ -88,7 +88,7 @@ pub struct Start {
 
 /// What a program is read with.
 pub struct Setting {
-    /// The control.
+    /// The control whose program it is.
     pub control: &'static Control,
     /// The machine's unit: of the var file, of parameters that hold lengths, and of a program that does not say its own.
     pub unit: LengthUnit,
@@ -116,7 +116,7 @@ pub struct Setting {
     pub part: bool,
     /// Subprograms in files of their own.
     pub files: Box<dyn Files>,
-    /// The budget.
+    /// How many repeated blocks and calls the program may ask for.
     pub budget: Budget,
 }
 

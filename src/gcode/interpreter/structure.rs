@@ -365,7 +365,7 @@ impl Structure {
         self.lines.get(&line).copied()
     }
 
-    /// The subprogram with a label.
+    /// The number of the O-word that begins the subprogram with this label; `None` where none does.
     pub(super) fn sub(&self, label: &str) -> Option<usize> {
         self.subs.get(label).copied()
     }
@@ -375,12 +375,12 @@ impl Structure {
         self.programs.get(number).copied()
     }
 
-    /// The O-word at an index.
+    /// The O-word of this number in the order of the text; `None` beyond the last.
     pub(super) fn o_word(&self, index: usize) -> Option<&OWord> {
         self.words.get(index)
     }
 
-    /// The ENDIF of a clause.
+    /// The number of the ENDIF that closes the clauses of an IF, from one of them on; `None` for a number beyond the last.
     pub(super) fn end_of_clauses(&self, mut index: usize) -> Option<usize> {
         while let Some(next) = self.words.get(index)?.next {
             index = next;

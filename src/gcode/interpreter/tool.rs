@@ -46,7 +46,8 @@ impl Reader<'_, '_> {
         number.ok_or_else(|| Refused::of(&NoToolNumber { value }, &[self.block.column(letter)]))
     }
 
-    /// M6 and M61.
+    /// M6 brings the tool that T selected into the spindle, M61 says by Q which is there. M61 is refused without Q, M6
+    /// on some controls without a T before it.
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn change_tool(&mut self, code: M) -> Result<()> {
         let column = self.block.m_column(6);
@@ -86,7 +87,7 @@ impl Reader<'_, '_> {
         self.memory.tools.get(&number).map_or_else(Pose::default, |tool| tool.offset)
     }
 
-    /// G43, G43.1, G43.2 and G49.
+    /// Length offset: of the table (G43), of the block (G43.1), one more on top (G43.2), or none (G49).
     pub(super) fn tool_length(&mut self, code: G) -> Result<()> {
         let column = self.block.g_column(Group::ToolLength);
         let H = self.block.get(letter::H);

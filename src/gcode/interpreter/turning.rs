@@ -32,7 +32,6 @@ use crate::machine::axis::Axis;
 /// The words of the first block of a cycle of two: of each letter of [`FIRST`] that it gave, the number as programmed.
 pub(super) type First = [Option<f64>; 5];
 
-/// The letters of a first block.
 const FIRST: [usize; 5] = [letter::P, letter::Q, letter::R, letter::U, letter::W];
 
 impl Reader<'_, '_> {
@@ -158,7 +157,7 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    /// G76.
+    /// G76, of two blocks: the first one's words are kept for the second.
     fn threading(&mut self, cycle: TurningCycle) -> Result<()> {
         if !self.has_axes() {
             self.keep_first(cycle);

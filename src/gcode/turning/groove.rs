@@ -61,7 +61,7 @@ fn steps(way: f64, step: f64) -> f64 {
     if way.abs() < EPS { 0.0 } else { (way.abs() / step - EPS).ceil().max(1.0) }
 }
 
-/// Where step `n` of `count` ends.
+/// Where step `n` of `count` ends, mm; the last one ends at `to` itself.
 #[expect(clippy::cast_precision_loss, reason = "steps are counted up to 100,000")]
 fn step_end(from: f64, to: f64, step: f64, n: usize, count: usize) -> f64 {
     if n == count { to } else { from + (to - from).signum() * step * n as f64 }

@@ -32,7 +32,7 @@ use crate::gcode::motion::Thread;
 /// How a move goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
-    /// At rapid.
+    /// At rapid, straight or bent as the machine goes.
     Rapid,
     /// Straight at feed; with its own F (in the units of the feed mode in force, mm) or with the cycle's.
     Feed(Option<f64>),
@@ -45,7 +45,7 @@ pub enum Way {
         /// Its own F, as for [`Way::Feed`].
         feed: Option<f64>,
     },
-    /// A thread.
+    /// A pass of a thread, led by the spindle.
     Thread(Thread),
     /// Not at all, for some seconds.
     Dwell(f64),
@@ -54,9 +54,9 @@ pub enum Way {
 /// One move of an expanded cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move {
-    /// How.
+    /// At rapid, at feed, as a thread, or standing still.
     pub way: Way,
-    /// Where to, `[X, Z]`.
+    /// Where to, `[X, Z]`, mm, X on the radius.
     pub to: [f64; 2],
     /// The line of the block of a contour that it follows; `None` for the moves of the cycle's own block.
     pub line: Option<usize>,

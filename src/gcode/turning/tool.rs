@@ -27,12 +27,12 @@ impl CycleMoves {
         }
     }
 
-    /// At rapid.
+    /// Goes to `[u, v]` at rapid.
     pub fn rapid(&mut self, to: [f64; 2]) {
         self.go(to, Way::Rapid, None);
     }
 
-    /// Straight at feed.
+    /// Goes straight to `[u, v]` at feed, with this F, or with the cycle's where there is none.
     pub fn feed(&mut self, to: [f64; 2], feed: Option<f64>) {
         self.go(to, Way::Feed(feed), None);
     }

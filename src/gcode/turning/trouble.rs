@@ -6,7 +6,7 @@ use crate::text::Text;
 /// Why a cycle is not made: a row, with what it carries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trouble {
-    /// The row.
+    /// The row of which it is a finding.
     pub rule: &'static Rule,
     /// What it carries, by name, unrounded.
     pub data: Vec<(&'static str, Datum)>,
@@ -21,7 +21,7 @@ pub struct Trouble {
 }
 
 impl Trouble {
-    /// A refusal of a row.
+    /// The refusal that a row makes of its values, at the cycle's own block.
     #[must_use]
     pub fn of(row: &dyn Raise) -> Box<Self> {
         let (rule, data) = (row.rule(), row.carries());

@@ -80,7 +80,7 @@ impl Convex {
         self.corners.is_empty()
     }
 
-    /// The corners.
+    /// The corners, counter-clockwise, in nanometres.
     #[must_use]
     pub fn corners(&self) -> &[Point] {
         &self.corners

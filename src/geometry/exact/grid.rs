@@ -11,9 +11,9 @@ pub const LIMIT: i64 = 1 << 30;
 /// A point of the grid, also the step between two: along z and r, in nanometres.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Point {
-    /// Along the axis.
+    /// Along the axis, nm.
     pub z: i64,
-    /// Away from it.
+    /// Away from the axis, nm.
     pub r: i64,
 }
 
@@ -101,7 +101,7 @@ impl Line {
         Self { a: -self.a, b: -self.b, c: -self.c }
     }
 
-    /// The direction.
+    /// The step from the first of the points that the line goes through to the second.
     #[must_use]
     pub const fn direction(self) -> Point {
         Point { z: self.b, r: -self.a }

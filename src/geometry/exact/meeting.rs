@@ -35,7 +35,6 @@ pub(super) struct Hit {
 /// A place where the region's contour gets into the polygon or out of it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gate {
-    /// The number of the hit.
     pub hit: usize,
     /// In, not out.
     pub inward: bool,

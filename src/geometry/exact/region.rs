@@ -214,7 +214,7 @@ impl Region {
         }))
     }
 
-    /// One edge of each ring.
+    /// One edge of each ring that is left, by which [`Self::around`] visits it.
     pub(super) fn ring_edges(&self) -> Vec<u32> {
         let mut seen = vec![false; self.edges.len()];
         let mut found = Vec::new();
@@ -240,7 +240,7 @@ impl Region {
         }
     }
 
-    /// The ring of an edge, with its labels.
+    /// The ring of an edge with its labels, from its corner of least z (and among those, of least r) on.
     pub(super) fn ring(&self, edge: u32) -> Labelled {
         let (mut ring, mut labels) = Labelled::default();
         self.around(edge, |edge| {

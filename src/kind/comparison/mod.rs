@@ -18,7 +18,7 @@ pub use self::motions::{Apart, Block, Difference, ProgramPair};
 /// The last decimal that is shown of a derived value.
 const LAST_DECIMAL: f64 = 1e-6;
 
-/// One of the two.
+/// One of the two workbooks that are compared.
 #[derive(Clone, Copy, Debug)]
 pub struct Side<'a> {
     /// The values of the form.
@@ -34,9 +34,9 @@ pub struct Side<'a> {
 pub struct Input {
     /// The symbol, as it stands on the sheet; of a list with its row, as `R (TOOLS, row 3)`.
     pub symbol: Text,
-    /// What it is.
+    /// What it is, as the form has it.
     pub meaning: Text,
-    /// The unit.
+    /// The unit of both values.
     pub unit: Unit,
     /// The values, of each side; `None` for an empty cell or a row that is not there.
     pub values: [Option<Shown>; 2],
@@ -53,14 +53,14 @@ pub enum Shown {
     Text(Text),
 }
 
-/// A derived value.
+/// A derived value of both sides.
 #[derive(Clone, Debug)]
 pub struct Derived {
-    /// The symbol.
+    /// The symbol, as in the source.
     pub symbol: &'static str,
-    /// What it is.
+    /// What it is, in words.
     pub meaning: Text,
-    /// The unit.
+    /// The unit of both values.
     pub unit: Unit,
     /// The values, of each side; `None` where it is not derived.
     pub values: [Option<f64>; 2],
@@ -115,7 +115,7 @@ pub struct Comparison<'a> {
     pub quantities: Vec<Derived>,
     /// All findings, those of one side first.
     pub findings: Vec<Found<'a>>,
-    /// All programs.
+    /// All programs of either side, paired by their keys.
     pub programs: Vec<ProgramPair>,
 }
 

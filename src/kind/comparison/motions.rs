@@ -30,7 +30,7 @@ pub struct Difference {
 /// How far the ends of two motions of the same number are apart at most, along one axis of a sort.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Apart {
-    /// The axis.
+    /// The axis along which they are.
     pub axis: Axis,
     /// How far: mm, of a rotary axis degrees.
     pub by: f64,
@@ -43,7 +43,7 @@ pub struct Apart {
 pub struct Block {
     /// Its line, counted from 1.
     pub line: usize,
-    /// As it is written.
+    /// The block as it is written.
     pub text: String,
 }
 

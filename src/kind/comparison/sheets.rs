@@ -11,15 +11,15 @@ use crate::text::{Language, Text, t};
 /// What a cell holds.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Held {
-    /// Nothing.
+    /// It is empty.
     Nothing,
     /// A number.
     Number(f64),
-    /// A text.
+    /// A text in both languages.
     Text(Text),
 }
 
-/// A row.
+/// A row of a table of the comparison.
 #[derive(Clone, Debug)]
 pub struct Line {
     /// The cells, one for each heading.
@@ -53,16 +53,16 @@ impl Line {
     }
 }
 
-/// A table.
+/// A table of the comparison, on a sheet of its own.
 #[derive(Clone, Debug)]
 pub struct Sheet {
     /// The name of its sheet.
     pub name: Text,
     /// What it holds.
     pub title: Text,
-    /// The headings.
+    /// The headings, one for each column.
     pub headings: Vec<Text>,
-    /// The rows.
+    /// The rows below them.
     pub lines: Vec<Line>,
 }
 

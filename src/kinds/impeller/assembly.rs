@@ -236,7 +236,7 @@ impl<'a> Assembly<'a> {
         self.at = to;
     }
 
-    /// A pass, with C turned on.
+    /// The blocks of a pass and the one that leaves it, with C turned on by `turn` and by the turns made before.
     pub fn cut(&mut self, pass: &BladePass, turn: Milli) {
         let turn = turn + self.turns;
         let through = Path {

@@ -32,9 +32,9 @@ pub struct BlankTurning {
     pub T_b: u32,
     /// Offset number.
     pub D_b: u32,
-    /// Length of the stock.
+    /// Length of the stock, mm, from the turned face (Z 0) down: the facing takes C off beside it.
     pub L_b: f64,
-    /// Approach Z.
+    /// Z of the approach, mm over the turned face (Z 0).
     pub Z_b: f64,
     /// Clearance for facing, on the diameter.
     pub c_f: f64,
@@ -44,7 +44,7 @@ pub struct BlankTurning {
     pub c_c: f64,
     /// End X, on the diameter: that of the form, else 2·R + 30.
     pub X_e: f64,
-    /// End Z.
+    /// Z at which the tool ends, mm over the turned face.
     pub Z_e: f64,
     /// Greatest spindle speed under constant surface speed, rpm.
     pub S_m: Option<u32>,

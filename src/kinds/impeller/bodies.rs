@@ -47,7 +47,7 @@ pub struct Steps {
 pub enum Side {
     /// On the turned surface.
     Top,
-    /// On the floor.
+    /// On the floor, T = r + a_p.
     Foot,
     /// On the side of +b.
     Obverse,
@@ -57,7 +57,7 @@ pub enum Side {
     Begin,
     /// The half round of a splitter.
     Nose,
-    /// The end at the rim.
+    /// The end at the rim, x² + y² = R².
     End,
 }
 
@@ -73,7 +73,7 @@ pub struct Facet {
 /// A blade or a splitter.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// Its corners.
+    /// Its corners, mm, in the part frame.
     pub points: Vec<Vector3<f64>>,
     /// Its facets: every edge belongs to two.
     pub facets: Vec<Facet>,
@@ -84,16 +84,16 @@ pub struct Body {
 /// The bodies of a part: the first blade, and the splitter that stands half a pitch beside it.
 #[derive(Clone, Debug)]
 pub struct Bodies {
-    /// The blade.
+    /// Blade 0; blade i stands 2π·i/N further about Z.
     pub blade: Body,
-    /// The splitter.
+    /// `None` where the design has no splitters.
     pub splitter: Option<Body>,
 }
 
 /// How a body begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Beginning {
-    /// In the hub plane.
+    /// In the hub plane, z = 0.
     Hub,
     /// At v, with a flat end.
     Flat(f64),

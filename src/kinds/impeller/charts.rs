@@ -9,7 +9,8 @@ fn series(name: Text, x: (&'static str, &'static str), y: (&'static str, &'stati
     Series { name, x, y }
 }
 
-/// The charts of an impeller.
+/// The charts of the results workbook: those of the published paths only where the part is not cut `clear`, those of
+/// the splitters only where it has `splitters`.
 #[must_use]
 pub fn charts(splitters: bool, clear: bool) -> Vec<Chart> {
     let (obverse, reverse) = (t("anverso", "obverse"), t("reverso", "reverse"));

@@ -57,7 +57,7 @@ const BEYOND: f64 = 0.25;
 pub struct Stand {
     /// X, Y and Z.
     pub at: Vector3<f64>,
-    /// B, radians.
+    /// B, radians; 0 where the part stands upright.
     pub B: f64,
     /// C, radians.
     pub C: f64,
@@ -84,7 +84,7 @@ impl Stand {
 pub struct Place {
     /// The position along the way: the block, and the part of it.
     pub along: f64,
-    /// v on the face.
+    /// v of the ruling on the face, radians.
     pub v: f64,
 }
 
@@ -95,7 +95,7 @@ pub struct Bounds {
     pub lower: f64,
     /// Somewhere it is no more.
     pub upper: f64,
-    /// Where that is.
+    /// Where the tool comes as near as `upper`; `None` where no face is ever above the tool's end.
     pub place: Option<Place>,
     /// How many cells were evaluated.
     pub work: usize,
@@ -275,7 +275,7 @@ impl Search<'_> {
         f64::INFINITY
     }
 
-    /// The tool at one end of a time.
+    /// Notes where the tool is at one end of a span of time, beside the walls of one turn; returns the number of the note.
     fn end(&mut self, time: &Time, side: usize, turn: usize) -> usize {
         let Time { first, last, part } = *time;
         let (from, to) = (&self.way[first], &self.way[last]);
@@ -284,7 +284,7 @@ impl Search<'_> {
         self.ends.len() - 1
     }
 
-    /// The two halves of a cell.
+    /// The two halves of a cell, by time or, where it is one moment or `in_time` is false, by v.
     fn halves(&mut self, cell: &Cell, in_time: bool) -> [Cell; 2] {
         let Cell { time: Time { first, last, part }, ends, turn, piece, v, .. } = *cell;
         if !in_time || first == last {

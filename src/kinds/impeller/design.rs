@@ -25,11 +25,11 @@ use crate::parameter::field::{Field, Fields, Optional};
 pub struct Design {
     /// R and r.
     pub torus: Torus,
-    /// n, intervals.
+    /// n, intervals of the blade from hub to rim: n + 1 points.
     pub n: usize,
     /// Back-off of the last point, steps.
     pub eps_v: f64,
-    /// N, blades.
+    /// N, how many blades.
     pub N: u32,
     /// e, blade thickness.
     pub e: f64,
@@ -37,7 +37,7 @@ pub struct Design {
     pub a_p: f64,
     /// Splitter blades are wanted.
     pub splitters: bool,
-    /// How splitters fade.
+    /// Up to which point each side of a splitter fades.
     pub splitter_fade: Fade,
     /// d_t, tool diameter.
     pub d_t: f64,
@@ -67,29 +67,29 @@ pub struct Design {
     pub tol: Option<f64>,
     /// The part's name.
     pub part: String,
-    /// The material.
+    /// The material, as typed; empty where the cell is.
     pub material: String,
-    /// The program number.
+    /// The program number, of a clear cut that of the roughing program.
     pub program: u32,
     /// The dialect: the control, and how it is written for.
     pub post: Post,
-    /// The style.
+    /// `annex`: blocks as published; `full`: complete programs.
     pub style: Style,
     /// Absolute or incremental, in full style.
     pub distance: Distance,
     /// How the machine's rotary axes count in G90, as the workbook says or, where it does not, as the control is delivered.
     pub counting: RotaryMode,
-    /// M codes at the start.
+    /// M codes at the start, before anything cuts: the spindle, the clamps of the axes.
     pub start_codes: Vec<Word>,
     /// M codes for coolant.
     pub coolant: Vec<Word>,
     /// The block that takes the tool away before anything turns; empty where there is none.
     pub retract: Retract,
-    /// M codes at the end.
+    /// M codes at the end, M30 as published.
     pub end_codes: Vec<Word>,
-    /// Step of the block numbers.
+    /// By how much block numbers grow from block to block.
     pub block_step: u32,
-    /// The turning of the blank.
+    /// The turning of the blank, in a program of its own.
     pub blank: BlankTurning,
     /// The workbook says by which method it is cut.
     pub method_given: bool,

@@ -38,9 +38,9 @@ pub const CLOSE: f64 = 0.0002;
 pub struct Deepest<T = Track> {
     /// It is not more, mm below the floor.
     pub most: f64,
-    /// It is this at least.
+    /// The deepest place found, mm below the floor: the true one is no less.
     pub found: f64,
-    /// The pass.
+    /// The pass that goes deepest.
     pub track: T,
     /// The point index along it.
     pub x: f64,

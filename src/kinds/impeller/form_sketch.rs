@@ -13,7 +13,7 @@ const DEPTH: f64 = 4.0;
 const STOCK: f64 = 30.0;
 const NOSE: f64 = -52.0;
 const PIVOT: f64 = -74.0;
-/// The middle of the plan.
+/// The middle of the plan, mm of paper.
 const PLAN: [f64; 2] = [88.0, -13.0];
 /// Half the thickness of a blade in plan.
 const HALF: f64 = 1.3;

@@ -88,7 +88,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// The limits of a design.
+    /// The limits of a design, with its roughing tool.
     #[must_use]
     pub fn new(design: &Design) -> Self {
         Self::of(&Part::new(design), design.N, design.d_t)
@@ -251,7 +251,7 @@ struct Channel<'a> {
     pitch: f64,
     /// The tool's radius.
     a: f64,
-    /// The unit of run-outs.
+    /// What a run-out beyond the hub is counted in, mm: the tool's radius.
     run_out: f64,
 }
 

@@ -35,11 +35,11 @@ pub struct Ideal {
     n: f64,
     eps_v: f64,
     a_p: f64,
-    /// ±w.
+    /// +w on the side of +b, −w on that of −b, mm.
     w: f64,
     /// m of a splitter's side.
     m: Option<f64>,
-    /// Which track it is.
+    /// The track whose path it is.
     pub track: Track,
 }
 

@@ -24,7 +24,7 @@ impl Limit {
         Self { h, changes: [in_time, in_v] }
     }
 
-    /// All of them moved.
+    /// The limits at all four corners, `by` deeper (mm); how they change stays.
     #[must_use]
     pub fn moved(mut self, by: f64) -> Self {
         for h in &mut self.h {
@@ -42,7 +42,7 @@ impl Limit {
         held(a) && held(b) && held(c) && held(d)
     }
 
-    /// Their sum.
+    /// The sum of the four values, mm: four times their mean, to compare two limits by.
     #[must_use]
     pub fn sum(&self) -> f64 {
         let [[a, b], [c, d]] = self.h;

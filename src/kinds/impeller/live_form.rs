@@ -19,7 +19,7 @@ const CIRCLE: usize = 60;
 /// Where a splitter is drawn from, as a point of the face.
 const SPLITTER: usize = 3;
 
-/// The live part of the form.
+/// Inputs, limits and view of the form's sheet, as formulas that the workbook recomputes.
 #[must_use]
 pub fn live() -> LiveForm {
     LiveForm {
@@ -306,7 +306,7 @@ fn cell(letter: char, row: usize) -> String {
     format!("${letter}${}", row + 1)
 }
 
-/// A point of the blade, turned by an angle.
+/// x and y, as formulas, of the blade's point in a row of the hidden sheet, turned about the axis by an angle in radians.
 fn turned(point: usize, angle: &str) -> [Formula; 2] {
     let (x, y) = (cell('D', point), cell('E', point));
     [format!("{x}*COS({angle})-{y}*SIN({angle})").into(), format!("{x}*SIN({angle})+{y}*COS({angle})").into()]

@@ -97,7 +97,7 @@ use crate::text::{Text, t};
 /// The tables of the published passes: a clear cut has others.
 const PUBLISHED: [&str; 3] = ["annex-6", "annex-7", "annex-8"];
 
-/// The kind.
+/// The workbook kind `impeller`; it has no values, all of it is in its traits.
 #[derive(Debug)]
 pub enum Impeller {}
 
@@ -112,7 +112,7 @@ pub struct Model {
     limits: Limits,
     /// Passes on the output grid, where they fit it.
     tracks: Result<Tracks, OutOfFormat>,
-    /// The plan of a clear cut.
+    /// `None` where the part is cut as published.
     clear: Option<Plan>,
 }
 

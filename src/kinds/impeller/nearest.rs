@@ -51,7 +51,7 @@ const ARITHMETIC: f64 = 1e-9;
 /// A stretch of a tool's axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// A point of it.
+    /// A point of the axis, mm, in the part frame: heights count from it.
     pub foot: Vector3<f64>,
     /// Out of the metal, a unit vector.
     pub along: Vector3<f64>,
@@ -80,7 +80,7 @@ struct Line {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wall {
     part: Part,
-    /// From and to which v it goes.
+    /// From and to which v it goes, radians; run on beyond the ends of the blade at R a radian.
     v: [f64; 2],
     /// Where lines of obverse and reverse end: v and depth, straight between, and as deep as the last beyond.
     knots: [Vec<[f64; 2]>; 2],

@@ -11,7 +11,7 @@ pub enum Operation {
     Splitter,
     /// Mills all blades and splitters along the published paths.
     Whole,
-    /// Turns the blank.
+    /// Turns the blank on a lathe with G85.
     Blank,
     /// Roughs a clear cut.
     Rough,
@@ -34,7 +34,7 @@ impl Operation {
         keys
     };
 
-    /// The key of the program.
+    /// The key of its program, which names the sheet and the file.
     #[must_use]
     pub const fn key(self) -> &'static str {
         match self {

@@ -51,11 +51,11 @@ const PLACES: usize = 4;
 /// A tool and the stock on a machine.
 #[derive(Clone, Copy, Debug)]
 pub struct Outside {
-    /// The stock.
+    /// The turned blank, in the part frame.
     pub stock: Stock,
     /// L, the pivot length.
     pub L: f64,
-    /// The radius of the tool.
+    /// The tool's radius, mm.
     pub radius: f64,
     /// How much of the tool over its tip is looked at.
     pub reach: f64,
@@ -102,7 +102,7 @@ fn least_cosine([low, high]: [f64; 2], about: f64, angle: f64) -> (f64, f64, f64
 }
 
 impl Outside {
-    /// That of a design.
+    /// The stock of a design and its roughing tool, of the diameter d_t.
     #[must_use]
     pub const fn new(design: &Design) -> Self {
         Self::of(design, design.d_t)
@@ -325,7 +325,7 @@ impl<'a> Search<'a> {
 
 /// The machine in the middle of a cell's time.
 struct Seen {
-    /// Half of the time.
+    /// Half of the cell's span of time.
     half: f64,
     by: Vector3<f64>,
     way: f64,

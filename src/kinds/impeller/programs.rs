@@ -161,7 +161,7 @@ pub fn part_of_turn(k: u32, count: u32) -> Result<Milli, OutOfFormat> {
     Milli::round(360.0 * f64::from(k) / f64::from(count))
 }
 
-/// The programs of a design.
+/// The programs of a design, in the order of their sheets.
 #[derive(Debug)]
 pub struct Programs {
     /// `blade`, `splitter` where wanted, `impeller`, `blank`.

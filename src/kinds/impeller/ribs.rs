@@ -146,7 +146,6 @@ impl Line {
     }
 }
 
-/// The tool in a pose.
 struct Pose {
     tip: Vector3<f64>,
     axis: Vector3<f64>,
@@ -389,7 +388,7 @@ impl<'a> Band<'a> {
     }
 }
 
-/// An angle between −π and π.
+/// The angle, radians, turned by whole turns to between −π and π.
 fn remainder(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }

@@ -46,7 +46,7 @@ pub struct Room<'a> {
     design: &'a Design,
     blade: &'a Blade,
     walls: Walls,
-    /// ε.
+    /// ε, what rounding to the output grid may take, mm.
     least: f64,
 }
 

@@ -22,7 +22,7 @@ pub struct SafeEnd {
     pub reverse: Vector3<f64>,
 }
 
-/// Which end.
+/// The end of the blade at which a pass begins or ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// B = 90°: the safe points lie towards −x.

@@ -54,7 +54,7 @@ pub fn part(design: &Design, blade: &Blade, splitter: Option<&Splitter>, plan: O
     }
 }
 
-/// The tools, each once.
+/// The roughing and the finishing tool; one that both share comes once.
 fn tools(design: &Design) -> Vec<ShownTool> {
     let mut tools: Vec<ShownTool> = Vec::new();
     for which in [Which::Rough, Which::Finish] {

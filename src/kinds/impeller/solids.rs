@@ -11,7 +11,7 @@ use crate::number::trig::hypot;
 /// A convex piece of the stock: a cylinder about the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
-    /// Its radius.
+    /// Its radius, mm.
     pub radius: f64,
     /// Its lower and upper end.
     pub z: [f64; 2],

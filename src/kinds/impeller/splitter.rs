@@ -22,7 +22,7 @@ use crate::kinds::impeller::tool_path::{part_path, tapered};
 use crate::kinds::impeller::track::Track;
 use crate::number::trig::sin_cos;
 
-/// One side of a splitter.
+/// One side of a splitter, with the path beside it.
 #[derive(Clone, Debug)]
 pub struct Side {
     /// Where its path crosses that of the neighbour on its side, in plan: the index along it.

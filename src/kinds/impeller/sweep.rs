@@ -27,7 +27,7 @@ const SLACK: f64 = 0.0005;
 /// Where all axes stand: X, Y, Z in mm, B and C in radians.
 type Stand = [f64; 5];
 
-/// A stretch of the way.
+/// A block, or some that follow each other and are taken as one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
     from: Stand,
@@ -42,7 +42,7 @@ pub struct Stretch {
 /// The way along one track, or another pass.
 #[derive(Clone, Debug)]
 pub struct Sweep<T = Track> {
-    /// Which.
+    /// The track or pass that is followed.
     pub track: T,
     /// Its stretches, from the hub to the rim.
     pub stretches: Vec<Stretch>,

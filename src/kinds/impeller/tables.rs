@@ -81,7 +81,7 @@ fn offset(side: char, fraction: &str) -> [String; 3] {
 
 const XYZ: [&str; 3] = ["x", "y", "z"];
 
-/// Annexes 1 to 8, in order.
+/// Annexes 1 to 8, in order: the tables of the published passes, as the thesis prints them.
 #[must_use]
 pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
     vec![
@@ -96,7 +96,6 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
     ]
 }
 
-/// Annex 1.
 fn angles(blade: &Blade) -> Table {
     annex(
         "annex-1",
@@ -118,7 +117,6 @@ fn angles(blade: &Blade) -> Table {
     )
 }
 
-/// Annex 2.
 fn mean_line(blade: &Blade) -> Table {
     annex(
         "annex-2",
@@ -139,7 +137,6 @@ fn mean_line(blade: &Blade) -> Table {
     )
 }
 
-/// Annex 3.
 fn darboux_frame(blade: &Blade) -> Table {
     let frame = [
         vectors(
@@ -177,7 +174,6 @@ fn darboux_frame(blade: &Blade) -> Table {
     )
 }
 
-/// Annex 4.
 fn rotary_angles(blade: &Blade) -> Table {
     annex(
         "annex-4",
@@ -191,7 +187,6 @@ fn rotary_angles(blade: &Blade) -> Table {
     )
 }
 
-/// Annex 5.
 fn transformed(blade: &Blade) -> Table {
     annex(
         "annex-5",
@@ -215,7 +210,6 @@ fn transformed(blade: &Blade) -> Table {
     )
 }
 
-/// Annex 6.
 fn obverse(blade: &Blade, passes: &ToolPaths) -> Table {
     annex(
         "annex-6",
@@ -226,7 +220,6 @@ fn obverse(blade: &Blade, passes: &ToolPaths) -> Table {
     )
 }
 
-/// Annex 7.
 fn reverse(blade: &Blade, passes: &ToolPaths) -> Table {
     annex(
         "annex-7",
@@ -237,7 +230,7 @@ fn reverse(blade: &Blade, passes: &ToolPaths) -> Table {
     )
 }
 
-/// The columns of a path beside the blade.
+/// The columns of a path `side` (+ or −) of the blade: X, Y, Z in mm, B and C in radians.
 fn path(blade: &Blade, law: Law, points: &Vectors, side: char) -> Vec<Column> {
     let mut columns = vectors(XYZ, MM, law, points, offset(side, ""));
     columns.extend(turns(blade));
@@ -253,7 +246,6 @@ fn at_ends(axis: &str, and: &str) -> [String; 4] {
     ENDS.map(|end| format!("[annex-{}.{axis} {end}]{and}", annex.next().unwrap_or(6)))
 }
 
-/// Annex 8.
 fn safety(passes: &ToolPaths) -> Table {
     let rows: [(&SafeEnd, bool); 4] =
         [(&passes.entry, true), (&passes.entry, false), (&passes.exit, true), (&passes.exit, false)];

@@ -2,7 +2,7 @@
 
 use crate::text::{Text, t};
 
-/// A track.
+/// One of the published paths along which the tool cuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Track {
     /// The obverse of a blade, from the entry to the exit.
@@ -30,7 +30,7 @@ impl Track {
         }
     }
 
-    /// The track with a [`Self::key`].
+    /// The track whose [`Self::key`] this is; `None` for any other text.
     #[must_use]
     pub fn from_key(key: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|track| track.key() == key)

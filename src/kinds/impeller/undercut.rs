@@ -45,12 +45,12 @@ const CLOSE: f64 = 0.0004;
 const SHORT: f64 = 0.01;
 const LONGER: f64 = 4.0;
 
-/// The undercut of a face.
+/// How far a pass cuts into the face beside which it runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Undercut {
     /// It is not more, mm.
     pub most: f64,
-    /// It is this at least.
+    /// The deepest place found, mm: the true one is no less.
     pub found: f64,
     /// The point index of the tool where it is.
     pub x: f64,
@@ -171,7 +171,7 @@ impl Seen {
 struct Beside<'a> {
     part: &'a Part,
     stretch: &'a Stretch,
-    /// That of the sweep.
+    /// [`Sweep::height`], mm.
     height: f64,
     /// Tip and axis in the middle of a part of it.
     tool: (Vector3<f64>, Vector3<f64>),

@@ -13,9 +13,9 @@ use crate::text::{Language, Text, t};
 /// Outside diameter and wall of a pipe, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pipe {
-    /// D.
+    /// D, outside diameter, mm.
     pub D: f64,
-    /// t.
+    /// t, thickness of the wall, mm.
     pub t: f64,
 }
 
@@ -28,9 +28,7 @@ struct SizeFields {
     t: &'static Field<f64, Optional>,
 }
 
-/// The fields of the branch's size.
 const BRANCH: SizeFields = SizeFields { size: &BRANCH_SIZE, schedule: &BRANCH_SCHEDULE, D: &D_BRANCH, t: &T_BRANCH };
-/// The fields of the header's size.
 const HEADER: SizeFields = SizeFields { size: &HEADER_SIZE, schedule: &HEADER_SCHEDULE, D: &D_HEADER, t: &T_HEADER };
 
 impl Pipe {

@@ -125,7 +125,7 @@ pub(in crate::kinds) static E: Field<f64, Required> = Field::real(
     ),
 );
 
-/// The pierce delay.
+/// How long the torch stands after it pierces, s; 0 for no dwell.
 pub(in crate::kinds) static PIERCE_DELAY: Field<f64, Required> = Field::real(
     "pierce_delay",
     "pierce_delay",
@@ -135,7 +135,6 @@ pub(in crate::kinds) static PIERCE_DELAY: Field<f64, Required> = Field::real(
     t("0: sin espera", "0: none"),
 );
 
-/// The program number.
 pub(in crate::kinds) static NUMBER: Field<u32, Required> = Field::whole(
     "program",
     "program_number",
@@ -145,7 +144,6 @@ pub(in crate::kinds) static NUMBER: Field<u32, Required> = Field::whole(
     t("En la cabecera del programa", "In the program's header"),
 );
 
-/// The codes that turn the torch on.
 pub(in crate::kinds) static TORCH_ON: Field<Codes, Required> = Field::other(
     "torch_on",
     "torch_on",
@@ -154,7 +152,6 @@ pub(in crate::kinds) static TORCH_ON: Field<Codes, Required> = Field::other(
     t("Lo usual: M3", "Usual: M3"),
 );
 
-/// The codes that turn it off.
 pub(in crate::kinds) static TORCH_OFF: Field<Codes, Required> = Field::other(
     "torch_off",
     "torch_off",
@@ -163,7 +160,6 @@ pub(in crate::kinds) static TORCH_OFF: Field<Codes, Required> = Field::other(
     t("Lo usual: M5", "Usual: M5"),
 );
 
-/// The codes at the end.
 pub(in crate::kinds) static END_CODES: Field<Codes, Required> = Field::other(
     "end_codes",
     "end_codes",
@@ -172,7 +168,6 @@ pub(in crate::kinds) static END_CODES: Field<Codes, Required> = Field::other(
     t("Lo usual: M30", "Usual: M30"),
 );
 
-/// The step of the block numbers.
 pub(in crate::kinds) static BLOCK_STEP: Field<u32, Required> = Field::whole(
     "block_step",
     "block_step",

@@ -40,7 +40,7 @@ impl Names {
         format!("SUBSTITUTE(LOWER(TRIM({})),\" in\",\"\")", self.size)
     }
 
-    /// The key of the schedule that is chosen.
+    /// The key of the schedule that is chosen, as a formula: without the word of its label.
     fn schedule_key(&self) -> String {
         format!("SUBSTITUTE(LOWER(TRIM({})),\"sch \",\"\")", self.schedule)
     }

@@ -16,7 +16,7 @@ use crate::parameter::field::Typed;
 use crate::parameter::{Choice, Value};
 use crate::text::t;
 
-/// A nominal size.
+/// The pipes of one nominal size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {
     /// The nominal pipe size NPS, as `2-1/2`.

@@ -20,12 +20,12 @@ pub const TOUCH: f64 = 0.001;
 /// long as the insert's inscribed circle is wide: a tool that was plunged in and goes along the skin in rapid takes more.
 pub const SCRAPE: f64 = 0.5;
 
-/// What moves.
+/// What moves with the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moving {
-    /// The cutter.
+    /// What cuts, with its back.
     Cutter,
-    /// The holder.
+    /// What holds the cutter, up to the turret.
     Holder,
     /// The turret's body.
     Turret,
@@ -59,7 +59,7 @@ pub enum Cause {
     Travel(Axis),
     /// The cut is deeper than the cutting edge is long across the motion.
     DepthOfCut {
-        /// The depth of cut.
+        /// How deep the cut is, across the motion.
         depth: f64,
         /// The length of the edge across the motion.
         edge: f64,
@@ -71,16 +71,16 @@ pub enum Cause {
     NoLead,
     /// The lead is outside the insert's range.
     Lead {
-        /// The lead programmed.
+        /// The lead programmed, mm a revolution.
         lead: f64,
-        /// The minimum and the maximum of the insert.
+        /// The minimum and the maximum of the insert, mm a revolution.
         leads: [f64; 2],
     },
     /// A pass of a thread with another lead than the passes before.
     LeadDiffers {
-        /// The lead of this pass.
+        /// The lead of this pass, mm a revolution.
         lead: f64,
-        /// The lead of the earlier ones.
+        /// The lead of the earlier ones, mm a revolution.
         before: f64,
     },
     /// The tool that cuts a thread is not a threading tool.
@@ -113,7 +113,7 @@ pub enum Cause {
         /// The machine's greatest, rpm.
         most: f64,
     },
-    /// The spindle is stopped in the cut.
+    /// The spindle is stopped while the tool is fed into metal.
     SpindleStopped,
     /// A feed per revolution while the spindle is stopped: the slide does not move.
     FeedStands,
@@ -121,9 +121,9 @@ pub enum Cause {
     SpindleWrongWay,
     /// A drill works at a constant surface speed.
     DrillAtSurfaceSpeed,
-    /// No coolant in the cut.
+    /// The coolant is off while the tool cuts.
     NoCoolant,
-    /// A feed of 0.
+    /// A motion at feed with F 0: the slide does not move.
     NoFeed,
     /// An implausible feed in the cut, in mm per revolution: F is probably meant in the other unit, mm/min or mm per revolution.
     ImplausibleFeed {
@@ -156,9 +156,9 @@ pub enum Cause {
     },
     /// A thread is deeper than its lead has room for: its crests are gone.
     ThreadTooDeep {
-        /// How deep.
+        /// How deep, mm.
         depth: f64,
-        /// The most.
+        /// The greatest depth for its lead, mm.
         most: f64,
     },
     /// A thread begins in metal before the slide has come up to its speed.
@@ -172,16 +172,16 @@ pub enum Cause {
     PartedOff(f64),
 }
 
-/// An alarm.
+/// An alarm, as the control would raise it at this motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Alarm {
-    /// Why.
+    /// Why it is raised, with what was measured.
     pub cause: Cause,
-    /// The number of the motion, from 0.
+    /// The number of the motion in the simulation, from 0.
     pub motion: usize,
     /// The number of the subprogram's file; 0 for the program.
     pub file: usize,
-    /// The line of the file, from 1.
+    /// The line of that file, from 1.
     pub line: usize,
     /// The block number.
     pub n: Option<u32>,
@@ -233,7 +233,7 @@ impl Cause {
         if matches!(self, Self::OtherOffset { .. }) { Grade::Caution } else { self.row().rule().grade }
     }
 
-    /// Its row, with its values.
+    /// The row of the finding that says it, with its values.
     #[must_use]
     pub fn row(self) -> Box<dyn Raise> {
         use crate::removal::turning::rules as row;

@@ -110,7 +110,7 @@ fn film(meeting: &Meeting) -> f64 {
 /// A part of a cutter on a straight path.
 #[derive(Clone, Copy, Debug)]
 pub struct Ride<'a> {
-    /// The part.
+    /// The convex part of the cutter that rides.
     pub part: &'a Part,
     /// Where its programmed point starts, `[z, r]`.
     pub from: [f64; 2],

@@ -12,20 +12,20 @@ use crate::number::{greater, lesser};
 /// A line of a wanted profile; `[z, r]` in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Span {
-    /// Straight.
+    /// Straight to `[z, r]`.
     Line([f64; 2]),
     /// The shorter arc of a radius, in mm, clockwise (G2) or not (G3) in a drawing with Z to the right and X up.
     Arc {
         /// Where it ends.
         to: [f64; 2],
-        /// The radius.
+        /// The radius, mm.
         radius: f64,
         /// G2.
         clockwise: bool,
     },
 }
 
-/// A wanted profile.
+/// A wanted profile: the contour that the turned part should have, from one end to the other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
     /// Where it starts, `[z, r]` in mm from W1.
@@ -292,7 +292,7 @@ fn nearest(lines: &[Run], corner: [f64; 2], close: &mut usize) -> Option<OnLine>
     Some(on)
 }
 
-/// Segments in runs of [`PASSED`].
+/// Segments in runs of [`PASSED`] at most, in their order.
 fn runs(segments: impl Iterator<Item = [[f64; 2]; 2]>) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     for [from, to] in segments {

@@ -34,7 +34,7 @@ pub struct Chuck {
     pub body: f64,
     /// L2: how far the jaws project from there.
     pub jaws: f64,
-    /// The diameter of the body.
+    /// The diameter of the chuck's body.
     pub diameter: f64,
     /// How far the jaws project from the part, in radius.
     pub jaw_height: f64,

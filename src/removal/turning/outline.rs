@@ -11,11 +11,11 @@ use crate::text::Text;
 /// What an edge of a cutter's outline is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// The main edge.
+    /// The main edge; of a groover its front, of a drill its lips.
     Main,
     /// The rounded nose, or a round insert.
     Nose,
-    /// The auxiliary edge.
+    /// The auxiliary edge; of a groover each of its sides.
     Auxiliary,
     /// No cutting edge.
     Back,

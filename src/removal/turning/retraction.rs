@@ -15,11 +15,11 @@ use crate::geometry::exact::meeting::Meeting;
 /// The metal that a rapid motion meets.
 #[derive(Clone, Copy, Debug)]
 pub struct Scraped {
-    /// Its section, mm².
+    /// The section of all of it, mm².
     section: f64,
     /// How deep it is at most.
     pub deep: f64,
-    /// Where that is.
+    /// Where it is the deepest, `[z, r]`.
     pub place: [f64; 2],
 }
 

@@ -296,7 +296,7 @@ impl Simulation {
         other
     }
 
-    /// Makes one motion.
+    /// Makes one motion with what is in force in it: moves the tool, takes the metal away, and says what that comes to.
     pub fn take(&mut self, motion: &Motion, control: &InForce) -> Step {
         let origin = self.setup.lathe.origin;
         let reference = [motion.machine.get(Axis::Z) + origin[1], motion.machine.get(Axis::X) + origin[0]];

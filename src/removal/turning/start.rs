@@ -9,11 +9,11 @@ use crate::limits::SIMULATION_WORK;
 /// What a simulation starts from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
-    /// The machine.
+    /// Origin, travel, chuck and tailstock.
     pub lathe: Lathe,
-    /// The blank.
+    /// The blank and how it is held.
     pub stock: Stock,
-    /// The turret.
+    /// The tools by place, and the turret's body.
     pub turret: Turret,
     /// How far chords may be from arcs, mm.
     pub tolerance: f64,

@@ -46,7 +46,7 @@ impl Edit {
 pub struct Step {
     /// The number of the motion, from 0.
     pub index: usize,
-    /// The motion.
+    /// The motion as the interpreter gave it.
     pub motion: Motion,
     /// What was in force.
     pub control: InForce,
@@ -87,9 +87,9 @@ pub struct Total {
     pub motions: usize,
     /// The time whose length is known, s.
     pub seconds: f64,
-    /// Of it, at rapid.
+    /// Of it at rapid, s.
     pub rapid_seconds: f64,
-    /// Of it, in the cut.
+    /// Of it in the cut, s.
     pub cutting_seconds: f64,
     /// How many motions have no known time.
     pub timeless: usize,
@@ -106,7 +106,7 @@ pub struct Total {
 }
 
 impl Total {
-    /// Adds a motion.
+    /// Adds a motion; its depth, rate and cutting speed count only where it cuts.
     pub fn add(&mut self, step: &Step) {
         self.motions += 1;
         match step.seconds {
@@ -149,7 +149,7 @@ impl Total {
 /// The sums of a program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Totals {
-    /// All of it.
+    /// The sum over all motions.
     pub all: Total,
     /// By the line of the program's file and the block number.
     pub blocks: BTreeMap<(usize, Option<u32>), Total>,
@@ -158,7 +158,7 @@ pub struct Totals {
 }
 
 impl Totals {
-    /// Adds a motion.
+    /// Adds a motion to all three.
     pub fn add(&mut self, step: &Step) {
         self.all.add(step);
         self.blocks.entry((step.motion.line, step.motion.n)).or_default().add(step);

@@ -26,9 +26,9 @@ pub enum Support {
 /// A round blank in the chuck, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stock {
-    /// D: its diameter.
+    /// D: the diameter of the bar.
     pub diameter: f64,
-    /// L: its length.
+    /// L: the length of the bar, with what is clamped and what is faced off.
     pub length: f64,
     /// The diameter of its bore; 0 for a solid bar.
     pub bore: f64,
@@ -36,7 +36,7 @@ pub struct Stock {
     pub overhang: f64,
     /// L5: what is to be faced off its right end; the work zero W1 lies that far inside.
     pub facing: f64,
-    /// The tailstock.
+    /// When the tailstock supports it.
     pub support: Support,
 }
 
@@ -178,9 +178,9 @@ fn within([from, to]: [[f64; 2]; 2], axis: usize, low: f64, high: f64) -> Option
 /// What stands still about the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fixture {
-    /// The body of the chuck.
+    /// The body of the chuck, without its jaws.
     Chuck,
-    /// Its jaws.
+    /// The jaws, closed on the part.
     Jaws,
     /// The quill of the tailstock with its centre.
     Tailstock,

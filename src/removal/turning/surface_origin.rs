@@ -113,7 +113,7 @@ struct Mark {
 }
 
 impl Mark {
-    /// Its depth at a place.
+    /// Its depth at a place, mm: 0 where it does not reach.
     fn at(&self, place: [f64; 2]) -> f64 {
         self.made.of_point(place)[1].min(self.deep).max(0.0)
     }

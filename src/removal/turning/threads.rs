@@ -23,7 +23,6 @@ const OFF_GROOVE: f64 = 0.01;
 
 /// A pass of a thread, or a block of one.
 pub(super) struct Pass<'a> {
-    /// Its thread.
     pub thread: Thread,
     /// Where it starts and ends, `[z, r]`.
     pub way: Piece,
@@ -31,7 +30,6 @@ pub(super) struct Pass<'a> {
     pub turned: f64,
     /// The tool's place in the turret.
     pub place: u32,
-    /// The tool.
     pub tool: &'a TurningTool,
 }
 
@@ -116,7 +114,7 @@ impl Cut {
     }
 }
 
-/// A thread.
+/// A thread by where it lies, with what each tool has cut of it.
 #[derive(Clone, Debug)]
 struct Known {
     /// Where its passes went along z, and along r.
@@ -126,7 +124,6 @@ struct Known {
     cuts: Vec<Cut>,
 }
 
-/// The threads of a program.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Threads {
     known: Vec<Known>,

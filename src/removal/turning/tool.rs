@@ -29,7 +29,7 @@ impl Shape {
     /// All of them.
     pub const ALL: [Self; 8] = [Self::C, Self::D, Self::V, Self::T, Self::S, Self::W, Self::R, Self::K];
 
-    /// The letter.
+    /// Its letter in ISO 1832.
     #[must_use]
     pub const fn letter(self) -> char {
         match self {
@@ -44,7 +44,7 @@ impl Shape {
         }
     }
 
-    /// The shape of a letter.
+    /// The shape of a letter, capital or small; `None` for any other.
     #[must_use]
     pub fn of(letter: char) -> Option<Self> {
         Self::ALL.into_iter().find(|shape| shape.letter() == letter.to_ascii_uppercase())
@@ -82,7 +82,7 @@ pub enum Hand {
 pub enum Cutter {
     /// An indexable insert for turning or boring.
     Insert {
-        /// Its shape.
+        /// Its shape, from which the angle at the corner follows.
         shape: Shape,
         /// The diameter of its inscribed circle, D.
         circle: f64,
@@ -100,14 +100,14 @@ pub enum Cutter {
         width: f64,
         /// How deep it reaches.
         depth: f64,
-        /// The radius of its corners.
+        /// The radius of its two corners.
         corner: f64,
         /// It cuts along Z into a face, not along X.
         face: bool,
     },
     /// An insert for threads; the programmed point is level with the middle of its tip.
     Threader {
-        /// The angle of the profile.
+        /// The angle between the flanks of the profile, as 60.
         angle: f64,
         /// The radius of the tip.
         nose: f64,
@@ -118,14 +118,14 @@ pub enum Cutter {
     },
     /// A twist drill; the programmed point is its point.
     Drill {
-        /// The diameter.
+        /// The diameter of the hole that it drills.
         diameter: f64,
         /// The angle of the point; 180° for a flat one.
         point: f64,
         /// How long the flutes are, from the point.
         length: f64,
     },
-    /// A centre drill with a countersink of 60°.
+    /// A centre drill with a countersink of 60°; the programmed point is its point.
     CentreDrill {
         /// The pilot's diameter.
         pilot: f64,
@@ -150,7 +150,7 @@ pub enum Holder {
     },
     /// A round bar along Z; for a drill, the chuck behind its flutes.
     Bar {
-        /// Its diameter.
+        /// The diameter of the bar.
         diameter: f64,
         /// From the tip to its end.
         length: f64,
@@ -166,7 +166,7 @@ pub struct TurningTool {
     pub name: Text,
     /// What cuts.
     pub cutter: Cutter,
-    /// Which hand.
+    /// Whether it is a right-hand, a left-hand or a neutral tool.
     pub hand: Hand,
     /// Where the tip points.
     pub tip: Tip,

@@ -14,7 +14,7 @@ pub const PLACES: u32 = 8;
 /// A turret: its tools by the number of their place, and what of its body moves with them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Turret {
-    /// The tools by place, from 1.
+    /// The tools by the number of their place, from 1.
     pub tools: BTreeMap<u32, TurningTool>,
     /// The turret's body, with what the tools beside the one in the cut reach, as a rectangle about its reference point,
     /// `[[z, r] least, [z, r] greatest]`, mm; none where it is not to be watched.

@@ -85,7 +85,7 @@ impl Workpiece {
         self.work > self.most
     }
 
-    /// As [`Self::cut`], of a rib of a thread.
+    /// As [`Self::cut`], of a rib of a thread: it counts as more work, for the outline that it meets is made of ribs.
     pub fn cut_rib(&mut self, polygon: &Convex, seen: impl FnMut(&Meeting, bool, &mut [u32])) -> Removed {
         let before = self.work;
         let removed = self.cut(polygon, seen);
@@ -123,7 +123,7 @@ impl Workpiece {
         self.region.extent()
     }
 
-    /// Its volume, mm³.
+    /// The volume of the part as a body of revolution, mm³.
     #[must_use]
     pub fn volume(&self) -> f64 {
         self.region.rings().iter().map(|ring| volume(ring)).sum()

@@ -47,7 +47,7 @@ pub struct Threading {
     pub safety: f64,
     /// L, what the last pass takes off.
     pub finishing: f64,
-    /// C, the lead.
+    /// C, the lead, mm a revolution: positive along the flank of the cone, negative along the axis of the cycle.
     pub lead: f64,
     /// J, how far before its end the tool begins to leave the thread; 0 for a thread that ends in the metal.
     pub exit: f64,

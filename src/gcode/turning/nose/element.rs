@@ -12,11 +12,11 @@ pub type Point = [f64; 2];
 pub enum Path {
     /// Not at all: a dwell, or a motion of other axes.
     Still,
-    /// Straight.
+    /// Straight to its end.
     Line,
     /// Along an arc.
     Arc {
-        /// The centre.
+        /// The centre, `[Z, X]`, mm.
         centre: Point,
         /// The angle swept, positive counter-clockwise, radians.
         sweep: f64,
@@ -40,7 +40,7 @@ const NOTHING: f64 = 1e-9;
 /// How an element leaves its start or arrives at its end.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::gcode) struct End {
-    /// The point.
+    /// Where that is, `[Z, X]`, mm.
     pub at: Point,
     /// The direction of travel, of length 1.
     pub along: Point,
@@ -107,7 +107,6 @@ impl Element {
     }
 }
 
-/// `a + b·factor`.
 pub(in crate::gcode) fn plus(a: Point, b: Point, factor: f64) -> Point {
     [a[0] + b[0] * factor, a[1] + b[1] * factor]
 }

@@ -91,7 +91,7 @@ pub struct Step<T> {
     pub element: Element,
     /// The side of the path on which the nose is kept.
     pub side: Compensation,
-    /// The nose.
+    /// The nose of the tool that makes it.
     pub nose: Nose,
     /// It is made at rapid, which no arc is: the corner behind it is made of straight lines.
     pub rapid: bool,
@@ -122,7 +122,7 @@ enum State<T> {
     Broken,
 }
 
-/// The stage.
+/// Nose radius compensation: pieces of the programmed path go in, pieces of the way of the imaginary tip come out.
 pub struct Stage<T> {
     straight: f64,
     state: State<T>,

@@ -67,7 +67,7 @@ impl Tip {
         turned_over(self.number())
     }
 
-    /// The number, 1 to 9.
+    /// The number under which tool tables have it, 1 to 9, as on Fanuc's controls.
     #[must_use]
     pub const fn number(self) -> u8 {
         self as u8 + 1

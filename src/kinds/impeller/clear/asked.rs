@@ -18,11 +18,11 @@ pub const TOLERANCE: f64 = 0.01;
 /// A tool with its feed and speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mill {
-    /// T, its number.
+    /// T, its number in the magazine, as the programs call it.
     pub T: u32,
-    /// D, its offset.
+    /// D, the number of its offset.
     pub D: u32,
-    /// Its diameter.
+    /// d_t or d_f, its diameter, mm.
     pub d: f64,
     /// F, feed of the tip over the part, mm/min.
     pub F: Option<f64>,
@@ -30,14 +30,14 @@ pub struct Mill {
     pub S: Option<u32>,
 }
 
-/// What is asked.
+/// The cells of the clear cut, with defaults filled in. Lengths in mm.
 #[derive(Clone, Debug)]
 pub struct Asked {
     /// The cut. Its tolerance is what is left of ε beside what rounding to the output grid takes.
     pub cut: Cut,
-    /// ε.
+    /// ε as the form has it, mm: [`TOLERANCE`] where its cell is empty.
     pub tolerance: f64,
-    /// The finishing tool.
+    /// The finishing tool: with diameter, T and D of the roughing one where d_f is not given.
     pub finish: Mill,
     /// d_f, T_f and D_f as they stand in the form.
     pub given: (Option<f64>, Option<u32>, Option<u32>),
@@ -96,7 +96,7 @@ impl Asked {
 }
 
 impl Job {
-    /// The job of a design.
+    /// The blades of a design and the machine that cuts them.
     #[must_use]
     pub fn of(design: &Design) -> Self {
         Self { part: Part::new(design), N: design.N, machine: design.machine }

@@ -107,7 +107,7 @@ impl Body {
 pub struct Obstacles {
     wall: Wall,
     pitch: f64,
-    /// The splitter.
+    /// `None` where the channel has no splitter.
     pub body: Option<Body>,
 }
 

@@ -61,7 +61,7 @@ impl<'a> Nose<'a> {
         nose
     }
 
-    /// v and ψ at f.
+    /// v and ψ of the tool's place at the angle f about the nose, radians; f is 0 where it stands before the nose.
     fn at(&self, f: f64) -> [f64; 2] {
         let (torus, k) = (self.part.circle.torus, self.part.circle.k);
         let (sin_alpha, cos_alpha) = (torus.r / torus.R, k / torus.R);
@@ -157,7 +157,7 @@ impl<'a> Contour<'a> {
         pieces
     }
 
-    /// The station and ψ at x.
+    /// The station and ψ (radians) at x, which counts as [`Self::pieces`] has it; `m` is the run-out at the rim, mm.
     #[must_use]
     pub fn place(&self, x: f64, m: f64) -> [f64; 2] {
         let out = 1.0 + m;

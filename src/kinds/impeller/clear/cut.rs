@@ -33,16 +33,16 @@ pub enum Which {
 pub enum Spindle {
     /// M3, clockwise seen from above.
     Clockwise,
-    /// M4.
+    /// M4, counter-clockwise seen from above.
     Counterclockwise,
 }
 
 /// How the part is cut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cut {
-    /// The roughing tool.
+    /// The roughing tool. Its diameter is d_t.
     pub rough: Tool,
-    /// The finishing tool.
+    /// The finishing tool; the same as the roughing one where the workbook gives no other.
     pub finish: Tool,
     /// s, what roughing leaves on walls and floor.
     pub s: f64,
@@ -64,7 +64,7 @@ pub struct Cut {
     pub spindle: Spindle,
     /// A tool that does not fit all the way to the hub cuts as far as it fits.
     pub partly: bool,
-    /// Splitters are wanted.
+    /// The part has splitters, one between two blades.
     pub splitters: bool,
     /// v_s where the splitters are to begin; at the earliest where the finishing tool
     /// has room where it is not given.
@@ -96,7 +96,7 @@ impl Cut {
         }
     }
 
-    /// One of the tools.
+    /// The roughing or the finishing tool.
     #[must_use]
     pub const fn tool(&self, which: Which) -> Tool {
         match which {
@@ -134,9 +134,9 @@ impl Cut {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("the tool of diameter {d} mm does not fit; {largest:?} mm does")]
 pub struct DoesNotFit {
-    /// Which of the two.
+    /// The roughing or the finishing tool.
     pub tool: Which,
-    /// Its diameter.
+    /// Its diameter, mm.
     pub d: f64,
     /// The largest diameter that fits, with its allowance, in whole hundredths of a millimetre; `None` where none does.
     pub largest: Option<f64>,

@@ -95,7 +95,7 @@ pub(super) struct Draft<'a> {
     pub(super) blocks: usize,
     /// Where the last pass has ended.
     pub(super) last: Option<End>,
-    /// That was at the rim.
+    /// The last pass ended at the rim, not at the hub.
     pub(super) at_rim: bool,
     pub(super) dropped: Vec<Dropped>,
     pub(super) feed_error: [f64; 2],
@@ -123,7 +123,7 @@ struct Way<F> {
     inside: [f64; 2],
     /// How high above its tip the tool cuts, mm.
     height: f64,
-    /// v of a place.
+    /// v, radians, of a place along the way.
     to_v: fn(f64) -> f64,
 }
 

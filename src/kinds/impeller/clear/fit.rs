@@ -69,9 +69,9 @@ pub struct Fit {
 pub struct Nearest {
     /// How far it is.
     pub distance: f64,
-    /// The unit vector from it.
+    /// The unit vector from the face's point to the other one, in the part frame.
     pub out: Vector3<f64>,
-    /// v of it.
+    /// v of the ruling on which the face's point lies, radians.
     pub v: f64,
 }
 
@@ -81,7 +81,7 @@ pub struct Flank {
     part: Part,
     face: Face,
     a: f64,
-    /// From which depth to which.
+    /// The depths h of the fit's upper and lower end, mm.
     span: [f64; 2],
 }
 
@@ -155,7 +155,7 @@ impl Flank {
         f64::midpoint(self.span[0], self.span[1])
     }
 
-    /// The abscissae of the fit.
+    /// `of` in half lengths of the fit, as mm along the axis from its middle.
     fn abscissae<const K: usize>(&self, of: [f64; K]) -> [f64; K] {
         of.map(|cos| cos * (self.span[1] - self.span[0]) / 2.0)
     }

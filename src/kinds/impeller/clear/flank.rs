@@ -151,19 +151,19 @@ impl FlankWay {
         way
     }
 
-    /// The face.
+    /// The face that the tool runs along.
     #[must_use]
     pub const fn face(&self) -> Face {
         self.face
     }
 
-    /// The tool.
+    /// The tool that was given to [`Self::new`].
     #[must_use]
     pub const fn tool(&self) -> Tool {
         self.tool
     }
 
-    /// The part.
+    /// The part that the face belongs to.
     #[must_use]
     pub const fn part(&self) -> &Part {
         &self.part
@@ -200,7 +200,8 @@ impl FlankWay {
         self.passing_at(v).m <= widest(&self.tool, self.r_f)
     }
 
-    /// The abscissa of the tip.
+    /// How far along the axis its tip is from the middle of the fit, mm, for the fit at v; negative down into the
+    /// metal.
     #[must_use]
     pub fn tip(&self, v: f64, fit: &Fit) -> f64 {
         self.passing(v, fit).tip(&self.tool, self.r_f)

@@ -62,7 +62,7 @@ fn onwards(foot: &[[f64; 2]]) -> std::ops::Range<usize> {
     first..(last + 1).min(foot.len())
 }
 
-/// ψ of a foot at v.
+/// ψ of a foot at v, radians, straight between its points; 0 for a foot of fewer than two points.
 pub(super) fn psi_at(foot: &[[f64; 2]], v: f64) -> f64 {
     let after = foot.partition_point(|point| point[0] < v).clamp(1, foot.len().max(2) - 1);
     match (foot.get(after - 1), foot.get(after)) {

@@ -53,9 +53,9 @@ pub struct FloorRest {
     pub beside: f64,
     /// It is this much, mm.
     pub most: f64,
-    /// v where it is.
+    /// v of that place of the floor, radians.
     pub v: f64,
-    /// ψ where it is.
+    /// ψ of that place, its angle about the axis of the part, radians.
     pub psi: f64,
 }
 

@@ -30,7 +30,7 @@ use crate::kinds::impeller::part::{HUB, RIM};
 use crate::machine::rotary::TiltingTable;
 use crate::number::trig::sin_cos;
 
-/// v at a station.
+/// v at a station, radians: [`HUB`] up to q = 0, [`RIM`] from q = 1 on.
 #[must_use]
 pub fn v_at(q: f64) -> f64 {
     HUB + q.clamp(0.0, 1.0) * FRAC_PI_2
@@ -45,9 +45,9 @@ pub fn out_at(q: f64) -> f64 {
 /// A tool that clears a tube.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OwnNormal {
-    /// The torus.
+    /// The torus of the part: K is the circle of the radius R.
     pub torus: Torus,
-    /// The tool.
+    /// The end mill, no wider than the tube.
     pub tool: Tool,
     /// The radius of the tube that it may not leave: r plus the depth that it cuts.
     pub r_f: f64,

@@ -15,7 +15,7 @@ use crate::kinds::impeller::clearance::Stand;
 /// Where a pass may be left or begun.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
-    /// The position.
+    /// Where the axes stand there.
     pub at: Stand,
     /// Here the tool has run out on a lane, far enough for C to turn.
     pub run_out: bool,

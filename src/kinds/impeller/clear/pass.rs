@@ -20,19 +20,19 @@ pub enum Cutting {
     },
     /// Round the splitter at a roughing level.
     RoughContour {
-        /// Which level.
+        /// Which level, from 0 at the top.
         level: u32,
     },
     /// A lane of a level that the finishing tool roughs where the roughing tool has no room beside a splitter.
     Rest {
-        /// Which level.
+        /// Which level, from 0 at the top.
         level: u32,
-        /// Which lane.
+        /// Which lane, from 0 at the obverse.
         lane: u32,
     },
     /// Round the splitter at such a level.
     RestContour {
-        /// Which level.
+        /// Which level, from 0 at the top.
         level: u32,
     },
     /// A lane of the floor.
@@ -47,7 +47,7 @@ pub enum Cutting {
     },
     /// A flank of a blade: the obverse of this channel's blade, or the reverse of the next one.
     Flank {
-        /// Which.
+        /// The face that is cut.
         face: Face,
         /// Which depth, from 0 at the top.
         level: u32,
@@ -56,7 +56,7 @@ pub enum Cutting {
     Contour,
     /// The flanks of the splitter and its nose.
     SplitterFlanks {
-        /// Which depth.
+        /// Which depth, from 0 at the top.
         level: u32,
     },
 }
@@ -95,23 +95,23 @@ pub enum Mode {
     Slot,
 }
 
-/// A move to a position.
+/// One move of all axes, from where they stand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move {
     /// At rapid; else at the feed of the pass.
     pub rapid: bool,
-    /// Where to.
+    /// Where the axes stand at its end.
     pub to: Stand,
 }
 
-/// A pass.
+/// A pass: the way in, the cut and the way out, as the axes stand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pass {
     /// What it cuts.
     pub cutting: Cutting,
-    /// With which tool.
+    /// The tool that it is cut with.
     pub tool: Which,
-    /// Which way.
+    /// The way that it is run in the channel.
     pub direction: Direction,
     /// How the teeth meet the metal on that way.
     pub mode: Mode,
@@ -120,7 +120,7 @@ pub struct Pass {
     /// From the end of the pass before it, or from above the part, to its first point, without cutting; the last move ends
     /// at that point.
     pub approach: Vec<Move>,
-    /// Its points.
+    /// Where the axes stand at its first point and at the end of each block that cuts.
     pub points: Vec<Stand>,
     /// Back out along the same points where it ends inside the part; up to above the part where a tool is done.
     pub leave: Vec<Move>,

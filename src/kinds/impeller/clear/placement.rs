@@ -36,7 +36,7 @@ const SHORTEST: f64 = 1e-6;
 /// What a pass is held to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// The machine.
+    /// The machine whose axes run evenly over a block.
     pub machine: TiltingTable,
     /// ε, how far blocks may leave the way.
     pub epsilon: f64,
@@ -44,9 +44,9 @@ pub struct Tolerance {
     pub delta: Option<f64>,
     /// How far above the tip the tool still cuts.
     pub height: f64,
-    /// The tool.
+    /// The tool whose end and side are watched.
     pub tool: Tool,
-    /// The torus of the part.
+    /// The torus of the part, about whose circle K depths are counted.
     pub torus: Torus,
 }
 

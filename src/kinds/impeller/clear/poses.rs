@@ -37,7 +37,7 @@ const FEW: usize = 6;
 /// A tool in the part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Its tip.
+    /// Its tip, mm, in the part frame.
     pub tip: Vector3<f64>,
     /// Its axis, out of the metal.
     pub along: Vector3<f64>,
@@ -103,7 +103,7 @@ pub struct Bunch {
     first: usize,
     /// The mean of them.
     middle: Pose,
-    /// δ, θ and η.
+    /// δ (mm), θ (the length of a difference of unit vectors) and η (mm) of the derivation.
     off: [f64; 3],
     /// The bunch after this one and its parts.
     next: usize,
@@ -195,7 +195,7 @@ impl Poses {
         self.bunches[at].next = self.bunches.len();
     }
 
-    /// One of them.
+    /// The pose of this number, counted in the order in which they were given; `None` beyond the last.
     #[must_use]
     pub fn get(&self, at: usize) -> Option<&Pose> {
         self.poses.get(at)

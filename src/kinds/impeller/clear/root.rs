@@ -65,13 +65,13 @@ pub struct Root {
     pub over: f64,
     /// Up the face, from the floor.
     pub height: f64,
-    /// v where that is.
+    /// v of the line on which `height` was found, radians.
     pub v: f64,
     /// How thick it is there half-way up.
     pub thick: f64,
     /// Along the floor, from the face.
     pub width: f64,
-    /// v where that is.
+    /// v of the line on which `width` was found, radians.
     pub width_v: f64,
     /// The most that is left of the faces higher up.
     pub above: f64,
@@ -91,7 +91,7 @@ pub struct Line {
 }
 
 impl Line {
-    /// v of it.
+    /// v of its ruling, radians.
     #[must_use]
     pub const fn v(&self) -> f64 {
         self.v

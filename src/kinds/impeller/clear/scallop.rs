@@ -60,20 +60,20 @@ impl Round {
 /// How an end mill lies against the floor across a lane, at one v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ridge {
-    /// Of a flat end.
+    /// Of a flat end: c = r_f − √(r_f² − 4·ρ_f·R·sin²(ΔC/4)).
     Flat {
-        /// r_f.
+        /// r_f, radius of the floor's meridian, mm.
         r_f: f64,
-        /// 4·ρ_f·R.
+        /// 4·ρ_f·R, mm².
         square: f64,
         /// The greatest turn between lanes that lap over one another.
         lapped: f64,
     },
-    /// Of a ball.
+    /// Of a ball: c = S − √(S² − Δ²/4).
     Ball(Round),
-    /// Of a bull nose.
+    /// Of a bull nose: no more than by its own law, nor than balls of its corner's radius leave.
     Bull {
-        /// By its own law.
+        /// By its own law, with q_p = 1/r_f − cos v/ρ_f.
         own: Round,
         /// Of balls of its corner's radius.
         ball: Round,

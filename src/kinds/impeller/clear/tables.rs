@@ -81,7 +81,7 @@ fn counts(values: impl Iterator<Item = usize>) -> Vec<f64> {
     values.map(|value| value as f64).collect()
 }
 
-/// The tables of a plan.
+/// The passes of one channel, in order, and the poses of all of them point by point.
 #[must_use]
 pub fn tables(design: &Design, plan: &Plan) -> [Table; 2] {
     [passes(design, plan), poses(plan)]

@@ -6,7 +6,7 @@
 /// An end mill: a flat one has no corner radius, a ball one half its diameter, a bull-nose one something between.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tool {
-    /// d, the diameter.
+    /// d, the diameter, mm.
     pub d: f64,
     /// r_c, the corner radius.
     pub r_c: f64,
@@ -25,7 +25,7 @@ impl Tool {
         Self { d, r_c: d / 2.0 }
     }
 
-    /// a, the radius.
+    /// a = d/2, the radius, mm.
     #[must_use]
     pub const fn a(&self) -> f64 {
         self.d / 2.0

@@ -15,7 +15,6 @@ use crate::number::shown;
 use crate::number::trig::{hypot, sin_cos};
 use crate::text::{Text, t};
 
-/// Steps of the outlines.
 const OUTLINES: Steps = Steps { along: 96, deep: 1, across: 12 };
 /// How far the circles go on beyond the blades, radians.
 const BEYOND: f64 = 0.2;

@@ -44,7 +44,6 @@ const OFF: f64 = 0.05;
 const TOUCH: f64 = 1e-6;
 /// Steps along the axis of the tool, where it is seen which cells lie beside it.
 const AXIS: u16 = 8;
-/// Steps of the outlines.
 const OUTLINES: Steps = Steps { along: 64, deep: 1, across: 8 };
 
 /// The depths that the passes of a design cut; `None` where a tool is not flat, or a position does not fit the output grid.

@@ -22,7 +22,7 @@ const FINE: usize = 240;
 /// How far the tip goes into the metal along a track, to be drawn.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// The track.
+    /// The track whose blocks were measured.
     pub track: Track,
     /// Point index and depth in mm, positive into the metal.
     pub points: Vec<[f64; 2]>,
@@ -81,7 +81,7 @@ fn sampled(count: usize, most: usize) -> impl Iterator<Item = usize> {
     (0..last).step_by(step).chain((count > 0).then_some(last))
 }
 
-/// `count` + 1 equal steps from `from` to `to`.
+/// The ends of `count` equal steps, both `from` and `to` among them.
 fn steps(from: f64, to: f64, count: u16) -> impl Iterator<Item = f64> + Clone {
     (0..=count).map(move |at| from + (to - from) * f64::from(at) / f64::from(count.max(1)))
 }

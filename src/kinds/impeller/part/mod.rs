@@ -35,7 +35,7 @@ pub const HUB: f64 = PI;
 /// v where a blade ends, at the rim.
 pub const RIM: f64 = PI + FRAC_PI_2;
 
-/// A face of a blade.
+/// The two faces of a blade, seen from its mean surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Face {
     /// On the side of +b.
@@ -78,7 +78,7 @@ impl Ruling {
 /// A part of a face over which it is smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// The face that it belongs to.
+    /// The face of which it is a part.
     pub face: Face,
     /// Where it begins and ends: v, run on beyond the ends of the blade at R a radian.
     pub v: [f64; 2],
@@ -102,7 +102,7 @@ pub struct Change {
 pub struct Part {
     /// The mean line's circle, with the torus.
     pub circle: Villarceau,
-    /// e, the thickness.
+    /// e, the thickness, mm along b.
     pub e: f64,
     /// a_p, how deep the floor lies.
     pub a_p: f64,
@@ -126,7 +126,7 @@ const NOSE_PLACES: u8 = 64;
 const HALVINGS: u8 = 8;
 
 impl Part {
-    /// The part of a design.
+    /// The part of a design: torus, e and a_p. How many blades there are is not asked.
     #[must_use]
     pub fn new(design: &Design) -> Self {
         Self::with(design.torus, design.e, design.a_p)
@@ -255,7 +255,7 @@ impl Part {
         (P, Darboux { N, t, b: t.cross(&N) })
     }
 
-    /// The ruling of a face at v.
+    /// The ruling of a face at v (radians); beyond the blade's ends v runs on at R a radian.
     #[inline]
     #[must_use]
     pub fn ruling(&self, face: Face, v: f64) -> Ruling {

@@ -191,7 +191,7 @@ impl Judge for Terms<'_> {
 struct Over {
     ways: Vec<Simulation>,
     wanted: Profile,
-    /// C.
+    /// C, the step of the cycle, mm.
     step: f64,
     /// The deepest rapid motion in metal.
     rapid: Option<Alarm>,

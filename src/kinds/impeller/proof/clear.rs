@@ -240,7 +240,7 @@ fn both(one: Bounds, other: Bounds) -> Bounds {
 }
 
 impl Way {
-    /// Where one of its motions is.
+    /// Where motion `motion` of the way is, the last one for any beyond it; line 0 for a way without motions.
     fn place(&self, motion: usize) -> At {
         self.at.get(motion.min(self.at.len().saturating_sub(1))).copied().unwrap_or(At::line(0))
     }
@@ -280,7 +280,6 @@ fn nearest(found: [Option<(Bounds, At)>; 3]) -> Option<(Bounds, At)> {
     })
 }
 
-/// The answers.
 impl ClearCutting<'_> {
     /// Whether as many passes are run as the plan has.
     fn passes_check(&self, program: &Program) -> Check {

@@ -59,7 +59,6 @@ pub struct KnownTracks {
 /// What is known from the programs that were judged before.
 #[derive(Debug)]
 pub struct Known {
-    /// Of the tracks.
     pub(super) tracks: KnownTracks,
     /// Of the moves outside the part.
     pub(super) clear_moves: Vec<stock::Known>,

@@ -51,7 +51,7 @@ pub struct Clearance {
 pub struct Clearances {
     /// The other blades; `None` where there are none.
     pub blades: Option<Clearance>,
-    /// The other splitters.
+    /// The other splitters; `None` where there are none.
     pub splitters: Option<Clearance>,
 }
 
@@ -108,7 +108,7 @@ pub struct Neighbours {
 }
 
 impl Neighbours {
-    /// The neighbours in a design.
+    /// The walls about blade or splitter 0; a splitter's count from the point on from which it is full.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     pub fn new(design: &Design, splitter: Option<&Splitter>) -> Self {
@@ -130,7 +130,7 @@ impl Neighbours {
         }
     }
 
-    /// The clearances along a pass of a track.
+    /// The clearances of a pass along `track` to all other blades and splitters, over every motion of the way.
     #[must_use]
     pub fn along(&self, way: &Way, track: Track) -> Clearances {
         let to = |walls: &Walls| {

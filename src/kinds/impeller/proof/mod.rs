@@ -53,13 +53,13 @@ use crate::text::{Text, t};
 /// The geometry that programs are compared with.
 #[derive(Clone, Copy, Debug)]
 pub struct Geometry<'a> {
-    /// The design.
+    /// What the workbook asks for.
     pub design: &'a Design,
-    /// The blade.
+    /// The mean line with its frame, point by point.
     pub blade: &'a Blade,
     /// The published splitter, where there is one.
     pub splitter: Option<&'a Splitter>,
-    /// The plan of a clear cut.
+    /// `None` where the part is cut as published.
     pub clear: Option<&'a Plan>,
 }
 

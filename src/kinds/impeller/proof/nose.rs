@@ -38,7 +38,7 @@ pub struct Nose {
     P: Vector3<f64>,
     N: Vector3<f64>,
     t: Vector3<f64>,
-    /// e/2.
+    /// e/2, the radius of the half round, mm.
     half: f64,
     /// The tool's radius.
     a: f64,

@@ -52,7 +52,7 @@ pub fn limits(design: &Design) -> [f64; 2] {
 /// How far the tip is from its path at one place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deviation {
-    /// The distance.
+    /// How far the tip is from the path, mm, across its direction.
     pub total: f64,
     /// Past the floor; negative above it.
     pub floor: f64,
@@ -95,7 +95,7 @@ fn deviation_of(station: &Station, mut off: Vector3<f64>) -> Deviation {
 /// A greatest value with its place along the track and in the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Peak {
-    /// The value.
+    /// What was measured, mm.
     pub value: f64,
     /// The point index, continued between the points.
     pub x: f64,
@@ -119,7 +119,6 @@ const DRAWN: usize = 240;
 /// How near the bound is brought to what is found, mm.
 const FINE: f64 = 2e-6;
 
-/// A look at a block.
 #[derive(Clone, Copy, Debug)]
 struct Look {
     /// What part of the block lies before it.
@@ -288,7 +287,7 @@ impl Along {
         self.grid_limit = self.grid_limit.max(limit);
     }
 
-    /// The track.
+    /// The track along whose ideal path the tip is measured.
     #[must_use]
     pub const fn track(&self) -> Track {
         self.ideal.track

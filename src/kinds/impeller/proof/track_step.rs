@@ -8,7 +8,7 @@ use crate::proof::step::{Stage, Step};
 /// A motion that cuts.
 #[derive(Clone, Copy, Debug)]
 pub struct TrackStep {
-    /// The track.
+    /// The track that the motion cuts or leaves.
     pub track: Track,
     /// How far C is turned on beyond the track's own position.
     pub turn: Milli,

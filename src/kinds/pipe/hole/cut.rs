@@ -40,7 +40,7 @@ pub enum Follows {
 pub struct Leg {
     /// Where it ends.
     pub to: Place,
-    /// What it follows.
+    /// The part of the way that it is on.
     pub follows: Follows,
     /// The height is not the wanted one: the height control must be held.
     pub held: bool,
@@ -168,7 +168,7 @@ fn on_grid(axes: &TorchAxes) -> Result<Place, OutOfFormat> {
     ])
 }
 
-/// The axes of a place.
+/// The axes of a place in mm and degrees, A, X, Z, B and C in this order: in mm and radians.
 #[must_use]
 pub fn axes(place: [f64; 5]) -> TorchAxes {
     let [A, X, Z, B, C] = place;

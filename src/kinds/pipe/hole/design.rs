@@ -34,9 +34,9 @@ use crate::text::Language;
 /// A design that may be computed. Lengths in mm, angles in degrees.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// The header.
+    /// The pipe that gets the hole.
     pub header: Pipe,
-    /// The branch.
+    /// The pipe that goes into it.
     pub branch: Pipe,
     /// θ, the angle between the axes.
     pub theta: f64,
@@ -46,7 +46,7 @@ pub struct Design {
     pub gamma: f64,
     /// b, the root gap.
     pub b: f64,
-    /// h, the land.
+    /// h, the land: what of the header's wall stays unbevelled over its bore, mm.
     pub h: f64,
     /// N, places of the tables.
     pub N: u32,
@@ -64,7 +64,7 @@ pub struct Design {
     pub g0: f64,
     /// The greatest height.
     pub D_max: f64,
-    /// The kerf.
+    /// The width of the cut, mm: 2·m where its cell is empty.
     pub kerf: f64,
     /// F, cutting speed at the root, mm/min.
     pub F: f64,
@@ -72,7 +72,7 @@ pub struct Design {
     pub rapids: Rapids,
     /// F_max, greatest speed of an axis, mm/min or °/min.
     pub F_max: Option<f64>,
-    /// The pierce delay, s.
+    /// How long the torch stands after it pierces, s.
     pub pierce_delay: f64,
     /// The way from the pierce to the curve.
     pub lead_in: f64,
@@ -86,9 +86,9 @@ pub struct Design {
     pub paper: Paper,
     /// The part's name.
     pub part: String,
-    /// The material.
+    /// The material, as typed; empty where the cell is.
     pub material: String,
-    /// The program number.
+    /// The number in the program's header.
     pub program: u32,
     /// The dialect: the control, and how it is written for.
     pub post: Post,
@@ -100,9 +100,9 @@ pub struct Design {
     pub hold_on: Vec<Word>,
     /// M codes that let it go.
     pub hold_off: Vec<Word>,
-    /// M codes at the end.
+    /// M codes at the end, as M30.
     pub end_codes: Vec<Word>,
-    /// Step of the block numbers.
+    /// By how much block numbers grow from block to block.
     pub block_step: u32,
 }
 
@@ -189,7 +189,7 @@ impl Design {
         (0..STEPS).map(|step| (place(step + 1) - place(step)).norm()).sum()
     }
 
-    /// The torch.
+    /// The torch with Ψ in radians, lengths in mm.
     #[must_use]
     pub fn torch(&self) -> Torch {
         Torch { r_g: self.r_g, R_g: self.R_g, Psi: self.Psi.to_radians(), d0: self.d0, g0: self.g0 }

@@ -34,7 +34,7 @@ pub struct Torch {
 /// What sets the height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// The height that is wanted.
+    /// d₀: nothing of the torch would come nearer than g₀.
     Wanted,
     /// The tip's lowest point.
     Tip,

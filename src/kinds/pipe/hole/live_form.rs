@@ -12,7 +12,7 @@ use crate::text::t;
 /// The points of the curve, less one.
 const STEPS: usize = 96;
 
-/// The live part of the form.
+/// Inputs, limits and template of the form's sheet, as formulas that the workbook recomputes.
 #[must_use]
 pub fn live() -> LiveForm {
     LiveForm {

@@ -62,7 +62,7 @@ use crate::text::{Language, Text, one_of, t};
 /// Halvings after which the greatest eccentricity is known to a tenth of a millimetre.
 const HALVINGS: u8 = 16;
 
-/// The kind.
+/// The workbook kind `pipe-hole`; it has no values, all of it is in its traits.
 #[derive(Debug)]
 pub enum Hole {}
 

@@ -29,13 +29,13 @@ pub struct Groove {
     pub pair: PipePair,
     /// R_o, the header's outside.
     pub R_o: f64,
-    /// R_i, its bore.
+    /// R_i, the radius of the header's bore.
     pub R_i: f64,
     /// γ, the groove angle.
     pub gamma: f64,
     /// Half the kerf.
     pub beside: f64,
-    /// The torch.
+    /// Its shape, and what is asked of its height.
     pub torch: Torch,
 }
 
@@ -61,7 +61,7 @@ pub struct Station {
     pub face: Vector3<f64>,
     /// σ_o, its angle to the tangent plane there.
     pub sigma_o: f64,
-    /// D, the height.
+    /// D, from Q to the torch's tip along its axis.
     pub D: f64,
     /// What sets it.
     pub rule: Rule,
@@ -69,7 +69,7 @@ pub struct Station {
     pub gap: f64,
     /// The direction across the cut face into the waste.
     pub waste: Vector3<f64>,
-    /// The torch.
+    /// Tip and axis of the torch, seen from the pipe.
     pub pose: TorchPose,
 }
 

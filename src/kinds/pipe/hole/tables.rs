@@ -47,9 +47,9 @@ fn vectors(
     Column::vectors(symbols, unit, law, &values).into_iter().zip(formulas).map(|(column, formula)| column.by(formula))
 }
 
-/// The rows follow N.
+/// N + 1 rows: the last one comes round to the first again.
 const ROWS: Index = Index::Intervals { name: "divisions_N", times: 1, more: 0 };
-/// α, θ and φ − γ in a formula.
+/// α, θ and φ − γ in radians, as formulas of a row.
 const ALPHA: &str = "RADIANS([curve.α])";
 const THETA: &str = "RADIANS(angle_theta)";
 const LEAN: &str = "RADIANS([curve.φ]-groove_gamma)";

@@ -27,7 +27,7 @@ use crate::number::trig::{acos, atan2, sin_cos};
 pub struct Bend {
     /// To the right: G2.
     pub clockwise: bool,
-    /// The radius.
+    /// The radius, in thousandths of a mm.
     pub radius: Milli,
 }
 
@@ -51,7 +51,7 @@ pub struct Leg {
     pub to: [Milli; 2],
     /// An arc; `None` for a straight move.
     pub bend: Option<Bend>,
-    /// What it follows.
+    /// The part of the way that it is on.
     pub follows: Follows,
 }
 

@@ -26,7 +26,7 @@ pub const ROUNDING: f64 = 0.002;
 /// A radius that was typed in place of the one that the pipe gives, both in mm.
 #[derive(Clone, Copy, Debug)]
 pub struct Typed {
-    /// The field.
+    /// The parameter in whose cell it was typed.
     pub key: Key,
     /// What was typed.
     pub typed: f64,
@@ -37,19 +37,19 @@ pub struct Typed {
 /// A design that may be computed. Lengths in mm, θ in degrees.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// The branch.
+    /// The pipe whose end is cut.
     pub branch: Pipe,
-    /// The header.
+    /// The pipe that it meets.
     pub header: Pipe,
     /// What of the branch rests on the header.
     pub contact: Contact,
-    /// θ.
+    /// θ, the angle between the axes.
     pub theta: f64,
-    /// e.
+    /// e, how far the axes pass each other; signed.
     pub e: f64,
-    /// Z.
+    /// Z, from the template's edge to the curve at φ = 0.
     pub Z: f64,
-    /// N.
+    /// N, divisions of the circumference.
     pub N: u32,
     /// r, the radius of the branch's curve; of the envelope, that of the bore.
     pub r: f64,
@@ -63,13 +63,13 @@ pub struct Design {
     pub typed: Vec<Typed>,
     /// Flat or rotary.
     pub mode: Mode,
-    /// The kerf.
+    /// The width of the cut; 0 for no compensation.
     pub kerf: f64,
     /// F, cutting speed, mm/min.
     pub F: Option<f64>,
     /// How fast the machine is where it does not cut.
     pub rapids: Rapids,
-    /// The pierce delay, s.
+    /// How long the torch stands after it pierces, s.
     pub pierce_delay: f64,
     /// The way from the pierce to the curve.
     pub lead_in: f64,
@@ -81,21 +81,21 @@ pub struct Design {
     pub paper: Paper,
     /// The part's name.
     pub part: String,
-    /// The material.
+    /// The material, as typed; empty where the cell is.
     pub material: String,
-    /// The program number.
+    /// The number in the program's header.
     pub program: u32,
     /// The dialect: the control, and how it is written for.
     pub post: Post,
-    /// The style.
+    /// `annex`: a part of a program, as published; `full`: a complete program with kerf.
     pub style: Style,
     /// M codes that turn the torch on.
     pub torch_on: Vec<Word>,
     /// M codes that turn it off.
     pub torch_off: Vec<Word>,
-    /// M codes at the end.
+    /// M codes at the end, as M30.
     pub end_codes: Vec<Word>,
-    /// Step of the block numbers.
+    /// By how much block numbers grow from block to block.
     pub block_step: u32,
 }
 

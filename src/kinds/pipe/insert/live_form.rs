@@ -12,7 +12,7 @@ const STEPS: usize = 120;
 /// How high the view is for its width.
 const HEIGHT: f64 = 0.55;
 
-/// The live part of the form.
+/// Inputs, limits and template of the form's sheet, as formulas that the workbook recomputes.
 #[must_use]
 pub fn live() -> LiveForm {
     LiveForm {

@@ -76,7 +76,7 @@ use crate::scene::part::Part;
 use crate::table::{Quantity, Table};
 use crate::text::{Language, Text, t};
 
-/// The kind.
+/// The workbook kind `pipe-insert`; it has no values, all of it is in its traits.
 #[derive(Debug)]
 pub enum Insert {}
 

@@ -22,7 +22,7 @@ pub struct Outline {
     pub seat: Seat,
     /// The branch's wall over the header.
     pub wall: PipeWall,
-    /// ρ, the radius of the development.
+    /// ρ, half the diameter of the surface that is developed.
     pub radius: f64,
     /// Z, how far up the branch the sheet's lower edge is from the curve at φ = 0.
     pub Z: f64,
@@ -37,7 +37,7 @@ impl Outline {
         TAU * self.radius
     }
 
-    /// The point of the curve at φ.
+    /// The point of the curve at φ (radians), mm: x = ρ·φ, y = depth + Z.
     #[must_use]
     pub fn curve(&self, phi: f64) -> Vector2<f64> {
         Vector2::new(self.radius * phi, self.seat.depth(phi) + self.Z)
@@ -63,7 +63,7 @@ impl Outline {
         self.curve(phi) + self.across(phi, side) * self.beside
     }
 
-    /// The corners in one turn, from 0 on.
+    /// The angles φ at which the curve has a corner, radians, in one turn from 0 on.
     #[must_use]
     pub fn corners(&self) -> Vec<f64> {
         self.seat.corners()

@@ -32,9 +32,9 @@ choices! {
 choices! {
     /// What of the branch rests on the header.
     pub enum Contact {
-        /// That of its bore.
+        /// The edge of its bore.
         Inside = "inside" ("interior", "inside"),
-        /// That of its outside.
+        /// The edge of its outside.
         Outside = "outside" ("exterior", "outside"),
         /// The envelope over the wall: at each angle the line of the wall that touches first.
         Envelope = "envelope" ("envolvente", "envelope"),
@@ -42,7 +42,7 @@ choices! {
 }
 
 choices! {
-    /// The surface that is developed.
+    /// The surface of the branch that the template is developed on.
     pub enum Surface {
         /// The outside of the branch.
         Outside = "outside" ("exterior", "outside"),

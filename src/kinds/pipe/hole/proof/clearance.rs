@@ -72,7 +72,7 @@ struct Near {
     part: f64,
     /// The torch, over a pipe that is not turned.
     pose: TorchPose,
-    /// The direction in which it is nearest.
+    /// The direction round the pipe in which it is nearest, radians.
     direction: f64,
     /// How near.
     clear: f64,
@@ -108,7 +108,6 @@ pub(super) struct Clearance<'a> {
     cut: &'a Cut,
     /// The clearance, negative, so that the least is the worst.
     near: Enclosed<1>,
-    /// On which way that is.
     whence: Whence,
     rapids: usize,
 }

@@ -251,7 +251,7 @@ impl Judge for Swing<'_> {
     }
 }
 
-/// Watches the speed of the cut.
+/// Adds up the way of the beam's root and the time: is each move run at F, or as slow as planned?
 struct CutSpeed<'a> {
     design: &'a Design,
     cut: &'a Cut,
@@ -312,7 +312,6 @@ impl CutSpeed<'_> {
     }
 }
 
-/// A look at the cut.
 #[derive(Clone, Copy, Debug)]
 struct Look {
     /// What part of the motion lies before it.
@@ -355,7 +354,7 @@ fn degrees(chord: f64) -> f64 {
     2.0 * asin((chord / 2.0).clamp(0.0, 1.0)).to_degrees()
 }
 
-/// The checks that must be answered.
+/// The keys of the checks that must be answered; one without an answer is a stop.
 pub const CHECKS: &[&str] = &[
     "agreement",
     "beam",

@@ -50,7 +50,7 @@ use crate::text::{Text, t};
 /// What the decimals of the published program leave of a length, mm.
 const SAME: f64 = 1e-6;
 
-/// A move of the cut.
+/// A planned move of the cut: its end on the two axes that the program moves, how it runs there, and what it follows.
 #[derive(Clone, Copy, Debug)]
 pub struct Move {
     to: [f64; 2],
@@ -100,7 +100,7 @@ impl Moves {
         Self { pierce: points.first().map_or([0.0; 2], |first| (*first).into()), moves, approach: 1 }
     }
 
-    /// The plan of the program.
+    /// The moves from the pierce on, mm, or degrees of A and mm of X where the pipe turns.
     #[must_use]
     pub fn plan(&self, mode: Mode) -> Plan<'_> {
         let pose = move |to: [f64; 2]| {
@@ -147,7 +147,6 @@ fn axes(mode: Mode, pose: &Pose) -> [f64; 2] {
     }
 }
 
-/// The surface that is cut.
 #[derive(Clone, Copy)]
 struct Surface<'a> {
     design: &'a Design,
@@ -382,7 +381,6 @@ fn limits(design: &Design) -> [f64; 2] {
     [tolerance, tolerance * (r / design.outline().radius).max(1.0) + SAME]
 }
 
-/// A look at a motion.
 #[derive(Clone, Copy, Debug)]
 struct Look {
     /// What part of the motion lies before it.
@@ -509,7 +507,7 @@ fn over(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> 
     [path + ARITHMETIC, header + ARITHMETIC]
 }
 
-/// The checks that must be answered.
+/// The keys of the checks that must be answered on a flat sheet; one without an answer is a stop.
 const CHECKS: &[&str] = &["agreement", "path", "edge", "wall", "gap", "length", "feed", "feed-word", "torch"];
 /// The same where the pipe turns.
 const TURNING_CHECKS: &[&str] =

@@ -15,7 +15,7 @@ use crate::proof::rules::CutWithoutFeed;
 use crate::proof::step::{Judge, Step};
 use crate::text::{Text, t};
 
-/// Watches the speed of the cut.
+/// Adds up length and time of the cut: is each motion run at F, as near as its word allows?
 pub(super) struct CutSpeed<'a> {
     pub(super) surface: Surface<'a>,
     pub(super) moves: &'a Moves,
