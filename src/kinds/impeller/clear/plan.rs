@@ -143,7 +143,7 @@ impl Plan {
         let steps = f64::from(floor_lanes);
         let faces = [face_error(&ways[0]), face_error(&ways[1])];
         // The corners are those that stay without the leaning pass: it takes no more than they tell.
-        let Rests { floor: mut look, root, unfinished } = draft.rests(floor_lanes, faces);
+        let Rests { floor: mut look, root, unfinished, rough: rough_foot } = draft.rests(floor_lanes, faces);
         let floor = draft.lean(&finish, &mut look);
         let floor = look.as_ref().map_or(floor, |look| look.with_nose(floor));
         // Where nothing but ridges is left of the floor, the lanes beside have cut what one did not come to.
@@ -156,6 +156,7 @@ impl Plan {
             scallop: finish.greatest(|q| ridge(&finish, q).height(finish.room(q).max(0.0) / steps)),
             floor,
             root,
+            rough_foot,
             unfinished,
             faces,
             splitter_from: v_s,
