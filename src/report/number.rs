@@ -28,9 +28,9 @@ pub(super) fn given(value: f64) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// A single value in its unit, to the digits that a shop can use; a smaller value is printed as below that limit.
-pub(super) fn quantity(value: f64, unit: Unit) -> String {
-    let decimals = match unit {
+/// The decimals of a single value in its unit: those that a shop can use.
+pub(super) const fn usable(unit: Unit) -> usize {
+    match unit {
         Unit::Count | Unit::CubicMillimetre | Unit::RevolutionPerMinute => 0,
         Unit::MetrePerMinute | Unit::CubicCentimetrePerMinute | Unit::MillimetrePerMinute | Unit::DegreePerMinute => 1,
         // A time is told to the tenth that it has reached: with one decimal a part of it would be rounded up beside it.
@@ -43,13 +43,38 @@ pub(super) fn quantity(value: f64, unit: Unit) -> String {
         | Unit::None => 3,
         Unit::Radian => 5,
         Unit::Step => 6,
-    };
+    }
+}
+
+/// A single value in its unit, to the digits that a shop can use; a smaller value is printed as below that limit.
+pub(super) fn quantity(value: f64, unit: Unit) -> String {
+    rounded(value, usable(unit))
+}
+
+/// A value with at most some decimals; one that they do not show is printed as below that limit.
+pub(super) fn rounded(value: f64, decimals: usize) -> String {
     let text = trimmed(value, decimals);
     if text == "0" && value != 0.0 {
         let least = trimmed(1.0 / (0..decimals).fold(1.0, |power, _| power * 10.0), decimals);
         return if value > 0.0 { format!("< {least}") } else { format!("> {MINUS}{least}") };
     }
     text
+}
+
+/// The most decimals that a column is given beyond its own to tell neighbouring rows apart.
+const APART: usize = 3;
+
+/// The decimals of a column of rows that are compared: its own or, where two neighbouring values that differ would be printed
+/// alike, as many more as tell them apart. Those that [`APART`] more, or [`WIDEST`] digits in all, do not part stay alike:
+/// what lies beyond is rounding.
+pub(super) fn telling(values: &[f64], own: usize) -> usize {
+    let whole = |value: &f64| fixed(value.abs().trunc(), 0).len();
+    let widest = WIDEST.saturating_sub(values.iter().map(whole).max().unwrap_or(1)).max(own);
+    let parts = |pair: &[f64]| {
+        (own..=widest.min(own + APART))
+            .find(|&decimals| pair.windows(2).all(|two| rounded(two[0], decimals) != rounded(two[1], decimals)))
+    };
+    values.windows(2).filter_map(parts).max().unwrap_or(own)
 }
 
 /// The decimals of a table's column: for lengths and angles, one more than in programs.
@@ -86,7 +111,7 @@ pub(super) fn needed(values: impl Iterator<Item = f64>, most: usize, all: bool) 
 
 #[cfg(test)]
 mod tests {
-    use super::{fixed, given, needed, quantity, trimmed};
+    use super::{fixed, given, needed, quantity, telling, trimmed};
     use crate::table::Unit;
 
     #[test]
@@ -110,6 +135,22 @@ mod tests {
         assert_eq!(quantity(6.4e-12, Unit::Millimetre), "< 0.001");
         assert_eq!(quantity(-6.4e-12, Unit::Millimetre), "> \u{2212}0.001");
         assert_eq!(quantity(0.0, Unit::Millimetre), "0");
+    }
+
+    #[test]
+    fn neighbouring_rows_that_differ_are_told_apart_as_far_as_digits_are_worth_it() {
+        assert_eq!(telling(&[1.25, 1.5, 1.75], 3), 3);
+        // Those of one value, and those that rounding alone parts, ask for nothing.
+        assert_eq!(telling(&[1.25, 1.25, 1.250_000_000_1], 3), 3);
+        assert_eq!(telling(&[1.250_41, 1.250_44, 1.3], 3), 5);
+        assert_eq!(telling(&[0.000_2, 0.000_4], 3), 4);
+        // Rows that are not neighbours are told apart by what lies between them.
+        assert_eq!(telling(&[1.250_41, 1.3, 1.250_44], 3), 3);
+        // No number is wider than nine digits, and no column has fewer decimals than its unit.
+        assert_eq!(telling(&[1_234_567.86, 1_234_567.88], 1), 2);
+        assert_eq!(telling(&[1_234_567.891_1, 1_234_567.893_3], 1), 1);
+        assert_eq!(telling(&[1_234_567_890.1, 1_234_567_890.12], 1), 1);
+        assert_eq!(telling(&[], 3), 3);
     }
 
     #[test]

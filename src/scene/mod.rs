@@ -124,6 +124,8 @@ impl From<&InForce> for State {
 pub enum Shape {
     /// Turned about its axis: radius and height above the tip, from the tip upwards; mm.
     Revolved(Vec<[f64; 2]>),
+    /// A torch: the same, and short enough for cameras to take it in whole.
+    Torch(Vec<[f64; 2]>),
     /// The same with its holder.
     Held {
         /// What cuts, with its shank.

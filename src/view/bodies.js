@@ -113,7 +113,7 @@ function toolBodies(tool, turning, size) {
     const { cutting, holder } = tool.shape.held;
     return [{ vertices: revolved(cutting), paint: "cutter" }, { vertices: revolved(holder), paint: "holder" }];
   }
-  if (tool) return [{ vertices: revolved(tool.shape.revolved), paint: "cutter" }];
+  if (tool) return [{ vertices: revolved(tool.shape.revolved ?? tool.shape.torch), paint: "cutter" }];
   const unitSize = size * 0.04;
   if (turning) {
     const [a, b] = [unitSize * 0.6, unitSize * 1.6];

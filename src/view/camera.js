@@ -21,6 +21,8 @@ class Camera {
       : { iso: [-45, 35.264], plan: [0, 90], front: [0, 0], side: [90, 0] };
     this.centre = [0, 0, 0];
     this.radius = 1;
+    /** Points that a fit takes in beside the box. */
+    this.beside = [];
     this.target = [0, 0, 0];
     this.half = 1;
     this.flat = true;
@@ -50,18 +52,27 @@ class Camera {
     this.fit();
   }
 
+  /** Fits the box and what is beside it into the view. */
   fit(aspect = this.aspect ?? 1) {
     this.aspect = aspect;
     this.target = this.centre.slice();
     if (!this.box) return;
-    const { right, up } = this.axes();
-    let wide = 0, tall = 0;
-    for (let corner = 0; corner < 8; corner++) {
-      const by = [0, 1, 2].map((axis) => this.box[corner >> axis & 1][axis] - this.centre[axis]);
-      wide = Math.max(wide, Math.abs(dot(by, right)));
-      tall = Math.max(tall, Math.abs(dot(by, up)));
-    }
-    this.half = Math.max(tall, wide / aspect, this.radius * 0.02) * 1.12;
+    const { right, up, eye } = this.axes();
+    const ends = [[Infinity, -Infinity], [Infinity, -Infinity]];
+    const take = (point) => {
+      const by = point.map((value, axis) => value - this.centre[axis]);
+      [right, up].forEach((way, at) => (ends[at] = [Math.min(ends[at][0], dot(by, way)), Math.max(ends[at][1], dot(by, way))]));
+    };
+    for (let corner = 0; corner < 8; corner++) take([0, 1, 2].map((axis) => this.box[corner >> axis & 1][axis]));
+    this.beside.forEach(take);
+    const [aside, above] = ends.map(([from, to]) => (from + to) / 2), [wide, tall] = ends.map(([from, to]) => (to - from) / 2);
+    this.target = this.centre.map((value, axis) => value + right[axis] * aside + up[axis] * above);
+    // In perspective what is nearer looks larger: a box has room to spare there, what stands out of it has not.
+    const larger = this.flat ? [] : this.beside.map((point) => {
+      const by = point.map((value, axis) => value - this.target[axis]);
+      return Math.max(Math.abs(dot(by, up)), Math.abs(dot(by, right)) / aspect) + FIELD * dot(by, eye);
+    });
+    this.half = Math.max(tall, wide / aspect, this.radius * 0.02, ...larger) * 1.12;
   }
 
   world(direction) {

@@ -20,6 +20,8 @@ const measured = { frame: 0, loaded: 0 };
 
 /** Pieces of the path that are drawn while something moves: as many as the graphics keep up with. At rest all are drawn. */
 const LEAST = 4000, REST = 600;
+/** What is farther from the middle of the part than this share of its size does not make it small in the view. */
+const FAR = 0.75;
 let budget = 50000, touched = -Infinity, before = 0, resting = 0;
 /** The cameras in their order. */
 const cameraNames = () => ["free", ...Object.keys(camera.presets), "section"];
@@ -82,9 +84,8 @@ function extent() {
   for (const feeds of [true, false]) {
     for (let at = 0; at < path.length; at += 5) {
       if (feeds && (path[at + 4] <= RAPID)) continue;
-      // A path that leads far away does not make the part small.
       const off = Math.max(...[0, 1, 2].map((axis) => Math.abs(path[at + axis] - middle[axis])));
-      if (!cutting && off >= 0.75 * span) continue;
+      if (!cutting && off >= FAR * span) continue;
       add(path[at], path[at + 1], path[at + 2]);
       if (at > 0 && path[at + 4] > RAPID) add(path[at - 5], path[at - 4], path[at - 3]);
     }
@@ -108,14 +109,14 @@ function chooseProgram(index) {
   camera = new Camera(turning, run.data.turning?.up === false);
   camera.untouched = true;
   camera.sectionAt = turning || scene.meshes.length ? [0, 0, 0].map((zero, axis) => (low[axis] < 0 && high[axis] > 0 ? zero : (low[axis] + high[axis]) / 2)) : undefined;
-  camera.bounds(low, high);
-  preset(turning ? "plan" : "iso");
-  grid = gridLines(low, high, turning);
   tools = new Map();
   toolSize = size;
   pause();
   cursor = 0;
   marked = 0;
+  camera.bounds(low, high);
+  preset(turning ? "plan" : "iso");
+  grid = gridLines(low, high, turning);
   chooseSpeed(SPEEDS.find((one) => one >= 1 && run.total / one <= 120) ?? SPEEDS.at(-1));
   readout.show(run);
   list.show(run);
@@ -129,6 +130,25 @@ function toolOf(number) {
   const tool = given.find((one) => one.number === number) ?? given[0];
   if (!tools.has(tool)) tools.set(tool, toolBodies(tool, run.data.diameter, toolSize));
   return tools.get(tool);
+}
+
+/** Points of a torch where it stands, which cameras take in; none of one far from its part, nor of another tool: the shank
+ * of a milling tool would make the part small, and a turning tool stands beside its part. */
+function standingTorch() {
+  const [motion, part] = run.at(cursor), torch = run.data.tools[0]?.shape.torch;
+  if (motion < 0 || !torch || !shown.tool) return [];
+  const tip = run.point(motion, part);
+  if (Math.max(...tip.map((value, axis) => Math.abs(value - camera.centre[axis]))) >= FAR * toolSize) return [];
+  const model = standing(tip, run.direction(motion, part));
+  const points = toolOf(0).flatMap(({ vertices }) => Array.from({ length: vertices.length / 6 }, (_, at) => vertices.subarray(6 * at, 6 * at + 3)));
+  return points.map(([x, y, z]) => tip.map((value, axis) => value + model[axis] * x + model[4 + axis] * y + model[8 + axis] * z));
+}
+
+/** Fits the part, with its torch, into the view. */
+function fit() {
+  camera.beside = standingTorch();
+  camera.fit();
+  ask();
 }
 
 function ask() {
@@ -256,6 +276,7 @@ function tell() {
 }
 
 function preset(name) {
+  camera.beside = standingTorch();
   if (name === "section") camera.section = !camera.section;
   if (name === "section" && camera.section) camera.preset("section");
   else if (name !== "section") camera.preset(name);
@@ -414,7 +435,7 @@ function key(event) {
     End: () => (pause(), goTo(run.count)),
     "+": () => faster(1),
     "-": () => faster(-1),
-    f: () => (camera.fit(), ask()),
+    f: fit,
     s: () => preset("section"),
     "/": () => (chooseTab("blocks"), byId("wanted").focus()),
     l: () => switchLanguage(language === "es" ? "en" : "es"),
@@ -441,6 +462,7 @@ function follow() {
   }
   if (wanted.has("step")) goTo(number("step"));
   if (wanted.has("time")) goTo(run.cursorAt(number("time")));
+  if (camera.untouched) fit();
   if (wanted.has("play")) play();
 }
 
@@ -479,7 +501,7 @@ function begin() {
   addEventListener("hashchange", follow);
   dark.addEventListener("change", () => (labelAll(), ask()));
   new ResizeObserver(ask).observe(byId("stage"));
-  listenToPointers(byId("view"), () => camera, () => (touch(), ask()));
+  listenToPointers(byId("view"), () => camera, () => (touch(), ask()), () => (touch(), fit()));
   follow();
   measured.loaded = performance.now();
   ask();

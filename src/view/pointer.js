@@ -1,6 +1,6 @@
 
 /** Mouse and touch on the drawing: one pointer turns (with the right button or Shift it shifts), two shift and zoom. */
-function listenToPointers(canvas, camera, changed) {
+function listenToPointers(canvas, camera, changed, fit) {
   const down = new Map();
   const from = (event) => {
     const box = canvas.getBoundingClientRect();
@@ -46,7 +46,6 @@ function listenToPointers(canvas, camera, changed) {
     { passive: false },
   );
   canvas.addEventListener("dblclick", () => {
-    camera().fit();
-    changed();
+    fit();
   });
 }

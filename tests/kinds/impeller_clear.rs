@@ -257,6 +257,40 @@ fn a_tool_that_passes_without_an_allowance_is_said_to() {
 }
 
 #[test]
+fn what_a_rounded_roughing_tool_leaves_at_the_foot_of_the_faces_is_told() {
+    let left = |r_c: f64| {
+        let outcome = outcome(&[("r_c", Value::Real(r_c)), ("c_s", Value::Real(0.1))]);
+        let what = told(&outcome, "the rounded end of the roughing tool leaves")?;
+        what.split("leaves up to ").nth(1)?.split(' ').next()?.parse::<f64>().ok()
+    };
+    // In a right angle, s_w from both sides, √2·(r_c + s_w) − r_c; leaning faces make it more on one side.
+    let upright = |r_c: f64| std::f64::consts::SQRT_2 * (r_c + 0.3) - r_c;
+    for r_c in [1.5, 3.0] {
+        let left = left(r_c).expect("a caution");
+        assert!((upright(r_c)..2.0).contains(&left), "{r_c} {left}");
+    }
+    assert_eq!(left(0.0), None);
+}
+
+#[test]
+fn thick_blades_that_close_the_way_at_the_hub_name_the_thickness_that_leaves_room() {
+    let cells = |e: f64| {
+        let sizes = [("R", 25.0), ("r", 5.0), ("e", e), ("a_p", 0.5), ("d_t", 1.1), ("d_f", 0.66)];
+        let rest = [("L_b", 25.0), ("c_s", 0.3), ("tol", 0.05)];
+        let mut cells: Vec<_> = sizes.into_iter().chain(rest).map(|(key, value)| (key, Value::Real(value))).collect();
+        cells.extend([("N", Value::Whole(1)), ("partly", Value::Choice("yes"))]);
+        cells
+    };
+    let thick = outcome(&cells(6.4));
+    let stop = thick.findings.iter().find(|finding| finding.code() == "V0131").expect("the axis in a blade");
+    let thin = stop.remedy.en.split("of about ").nth(1).unwrap().split(' ').next().unwrap();
+    let thin: f64 = thin.parse().unwrap();
+    assert!((2.0..6.0).contains(&thin), "{}", stop.remedy.en);
+    let thinner = outcome(&cells(thin));
+    assert_eq!(End::of(&thinner.findings, false), End::Whole, "{:?}", thinner.findings);
+}
+
+#[test]
 fn a_tool_that_does_not_fit_at_the_hub_cuts_as_far_as_it_fits_where_the_form_admits_it() {
     let wide = [("d_t", Value::Real(8.0)), ("partly", Value::Choice("yes"))];
     let two = outcome(&wide);

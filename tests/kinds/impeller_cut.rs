@@ -109,5 +109,7 @@ fn a_tool_that_does_not_fit_at_the_hub_cuts_no_blade_and_leaves_the_share_told()
     let found = simulate(&SHIPPED, &plan, &cut, [16, 4], [24, 40]);
     assert!(found.undercut <= MOST && found.too_deep <= MOST && found.tops < 1e-9, "{found:?}");
     assert!(plan.told.finish_from > 0.0 && (found.left - plan.told.uncut).abs() < 0.05, "{found:?} {:?}", plan.told);
+    // Check value: of 160,000 places of the turned surface no pose of either program came to so many.
+    assert!((plan.told.uncut - 0.0537).abs() < 1e-3, "{:?}", plan.told);
     assert!(plan.told.dropped.iter().any(|one| matches!(one.cutting, Cutting::Flank { .. })));
 }

@@ -111,6 +111,47 @@ fn parts_and_programs_are_drawn_and_played() {
 }
 
 #[test]
+fn cameras_and_fit_take_in_the_torch_where_it_stands() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let browser = Browser::start(true);
+    let seen = |what: &str| {
+        let reach = browser.run(
+            "const { matrix } = camera.matrix(camera.aspect);
+             const along = (row, [x, y, z]) => matrix[row] * x + matrix[4 + row] * y + matrix[8 + row] * z + matrix[12 + row];
+             return standingTorch().flatMap((one) => [0, 1].map((row) => Math.abs(along(row, one) / along(3, one))));",
+        );
+        let reach: Vec<f64> = reach.as_array().expect("points").iter().map(real).collect();
+        assert!(
+            !reach.is_empty() && reach.iter().all(|&at| at < 1.0),
+            "{what}: {:?}",
+            reach.iter().copied().reduce(f64::max)
+        );
+    };
+    for kind in ["pipe-insert", "pipe-hole"] {
+        let page = page_of(folder.path(), kind);
+        for place in ["", "time=3"] {
+            browser.open(&page, place);
+            seen(&format!("{kind} {place}"));
+            for key in ["1", "2", "3", "4", "5", "6"] {
+                browser.keys(&[key]);
+                seen(&format!("{kind} {place} camera {key}"));
+            }
+        }
+        // Where it has gone since, the key fetches it.
+        browser.run("goTo(Math.floor(run.count / 2))");
+        browser.keys(&["f"]);
+        seen(&format!("{kind} F"));
+    }
+    // The shank of a milling tool does not make the part small.
+    browser.open(&page_of(folder.path(), "impeller"), "view=front");
+    assert_eq!(browser.run("return standingTorch()"), json!([]));
+    quiet(&browser);
+}
+
+#[test]
 fn a_clear_cut_is_played_pass_by_pass_with_both_of_its_tools() {
     if !chromium() {
         return;

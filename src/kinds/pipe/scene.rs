@@ -27,7 +27,7 @@ const WASTE: Text = t("Sobrante", "Waste");
 const CURVE: Text = t("Curva exacta", "Exact curve");
 
 fn torch(name: Text, outline: Vec<[f64; 2]>) -> ShownTool {
-    ShownTool { number: 0, name, shape: Shape::Revolved(outline) }
+    ShownTool { number: 0, name, shape: Shape::Torch(outline) }
 }
 
 /// A body between rows of an outside and an inside: both, and the two edges. The outside's columns run from one edge to the

@@ -376,8 +376,12 @@ impl Setter<'_> {
         for part in others.chunks(ACROSS) {
             let of_part: Vec<&Column> = std::iter::once(*first).chain(part.iter().copied()).collect();
             let mut columns: Vec<Heading> = of_part.iter().map(|one| self.column(one)).collect();
-            let mut rows: Vec<Vec<String>> =
-                (0..shown).map(|row| of_part.iter().map(|one| self.cell(one, row)).collect()).collect();
+            let decimals: Vec<usize> = of_part.iter().map(|one| self.decimals(one, shown)).collect();
+            let mut rows: Vec<Vec<String>> = (0..shown)
+                .map(|row| {
+                    of_part.iter().zip(&decimals).map(|(one, decimals)| self.cell(one, row, *decimals)).collect()
+                })
+                .collect();
             // What the whole build said stands beside the index of every part.
             columns.insert(1, self.heading(&t("generado", "built"), "", false));
             rows.iter_mut().zip(self.results.built).for_each(|(row, built)| row.insert(1, self.whole(built.as_ref())));
@@ -406,7 +410,7 @@ impl Setter<'_> {
         Heading { wide: column.name == CODES, ..self.heading(&name, column.unit, number) }
     }
 
-    fn cell(&mut self, column: &Column, row: usize) -> String {
+    fn cell(&mut self, column: &Column, row: usize, decimals: usize) -> String {
         match &column.cells {
             Cells::Truth(_) => if column.cells.truth(row) { "●" } else { "" }.to_owned(),
             Cells::Text(_) => {
@@ -420,16 +424,14 @@ impl Setter<'_> {
                     _ => self.words.line(&text.replace(';', "; ")),
                 }
             }
-            cells => cells.number(row).map(|value| self.number(&column.name, value)).unwrap_or_default(),
+            cells => cells.number(row).map(|value| number::rounded(value, decimals)).unwrap_or_default(),
         }
     }
 
-    /// A number of a column: a measure to the digits of its unit, an input as it is planned.
-    fn number(&self, name: &str, value: f64) -> String {
-        match self.measure(name) {
-            Some(measure) => number::quantity(value, measure.unit),
-            None => number::trimmed(value, 4),
-        }
+    /// The decimals of a column: of a measure those of its unit, of an input as it is planned; more where rows would look alike.
+    fn decimals(&self, column: &Column, shown: usize) -> usize {
+        let values: Vec<f64> = (0..shown).filter_map(|row| column.cells.number(row)).collect();
+        number::telling(&values, self.measure(&column.name).map_or(4, |measure| number::usable(measure.unit)))
     }
 
     fn measure(&self, name: &str) -> Option<&'static Measure> {

@@ -142,6 +142,6 @@ pub struct DoesNotFit {
     pub largest: Option<f64>,
     /// The station from which on this one fits all the way to the rim; `None` where not even there.
     pub from: Option<f64>,
-    /// The share of the channels that it would leave uncut even without an allowance, from 0 to 1; `None` where it would pass then.
+    /// The share of the channels that its upright lanes would leave uncut even without an allowance, from 0 to 1; `None` where it would pass then.
     pub uncut: Option<f64>,
 }

@@ -61,6 +61,21 @@ pub enum Cutting {
     },
 }
 
+impl Cutting {
+    /// True of what roughs, with either tool.
+    #[must_use]
+    pub const fn is_roughing(self) -> bool {
+        match self {
+            Self::Rough { .. } | Self::RoughContour { .. } | Self::Rest { .. } | Self::RestContour { .. } => true,
+            Self::Floor { .. }
+            | Self::Leaning { .. }
+            | Self::Flank { .. }
+            | Self::Contour
+            | Self::SplitterFlanks { .. } => false,
+        }
+    }
+}
+
 /// Which way a pass goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {

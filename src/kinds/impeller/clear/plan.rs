@@ -25,6 +25,7 @@ use crate::kinds::impeller::clear::fit::Flank;
 use crate::kinds::impeller::clear::flank::FlankWay;
 use crate::kinds::impeller::clear::lane::OwnNormal;
 use crate::kinds::impeller::clear::pass::{Cutting, Pass};
+use crate::kinds::impeller::clear::poses::Poses;
 use crate::kinds::impeller::clear::rests::Rests;
 use crate::kinds::impeller::clear::round::Round;
 use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, NoSplitter, Told};
@@ -78,6 +79,9 @@ impl Plan {
             plan = Self::beginning(job, cut, begins)?;
         }
         engage(job, cut, &mut plan.passes);
+        if plan.told.finish_from > 0.0 {
+            plan.told.uncut = plan.uncut(job, cut);
+        }
         Ok(plan)
     }
 
@@ -139,7 +143,7 @@ impl Plan {
         let steps = f64::from(floor_lanes);
         let faces = [face_error(&ways[0]), face_error(&ways[1])];
         // The corners are those that stay without the leaning pass: it takes no more than they tell.
-        let Rests { floor: mut look, root, unfinished } = draft.rests(floor_lanes, faces);
+        let Rests { floor: mut look, root, unfinished, rough: rough_foot } = draft.rests(floor_lanes, faces);
         let floor = draft.lean(&finish, &mut look);
         let floor = look.as_ref().map_or(floor, |look| look.with_nose(floor));
         // Where nothing but ridges is left of the floor, the lanes beside have cut what one did not come to.
@@ -152,6 +156,7 @@ impl Plan {
             scallop: finish.greatest(|q| ridge(&finish, q).height(finish.room(q).max(0.0) / steps)),
             floor,
             root,
+            rough_foot,
             unfinished,
             faces,
             splitter_from: v_s,
@@ -159,10 +164,19 @@ impl Plan {
                 .then(|| NoSplitter { largest: largest_round_splitters(job, cut) }),
             rough_from,
             finish_from,
-            uncut: if finish_from > 0.0 { uncut::share(part, &finish, Some(finish_from)) } else { 0.0 },
+            uncut: 0.0,
             dropped: lost(draft.dropped, &draft.passes, is_cut),
         };
         Ok(Self { passes: draft.passes, channels: job.N, Z_r: draft.Z_r, told })
+    }
+
+    /// The share of the turned surface that no pass reaches. What is thinner than the tolerance is not counted.
+    fn uncut(&self, job: &Job, cut: &Cut) -> f64 {
+        let cuts = [Which::Rough, Which::Finish].map(|which| {
+            let poses = Poses::along(job.machine, self.of(which).map(|pass| pass.points.as_slice()));
+            (cut.tool(which), poses)
+        });
+        uncut::left(&job.part, TAU / f64::from(job.N), self.told.splitter_from, &cuts, cut.tolerance)
     }
 
     /// By how much C of a channel is turned from the first one.
@@ -222,7 +236,7 @@ fn contacts_of(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<Contacts> {
     Some(Contacts::new(&down_to(&job.part, depth), job.N, lane, s))
 }
 
-/// The share of a channel that a tool alone, with nothing left on the walls, does not reach; none where it passes then.
+/// The share of a channel that upright lanes of a tool alone, with nothing left on the walls, do not reach; none where it passes then.
 fn uncut_by(job: &Job, tool: Tool) -> Option<f64> {
     let Some(contacts) = contacts_of(job, tool, job.part.a_p, 0.0) else { return Some(1.0) };
     let from = contacts.fits_from();

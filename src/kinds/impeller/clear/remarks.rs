@@ -109,10 +109,11 @@ pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
     let alone = match why.uncut {
         None => t("sin demasía (s_w = 0) pasaría", "without an allowance (s_w = 0) it would pass"),
         Some(share) => {
-            let share = shown((share * 1000.0).floor() / 10.0, 1);
+            // Its upright lanes alone; along the faces it would reach somewhat more.
+            let share = shown((share * 1000.0).ceil() / 10.0, 1);
             Text::new(
-                format!("aun sin demasía dejaría sin cortar al menos el {share} % de los canales"),
-                format!("even without an allowance it would leave at least {share} % of the channels uncut"),
+                format!("aun sin demasía dejaría sin cortar hasta un {share} % de los canales"),
+                format!("even without an allowance it would leave up to {share} % of the channels uncut"),
             )
         }
     };
@@ -343,6 +344,11 @@ fn at_the_root(job: &Job, asked: &Asked, told: &Told) -> Vec<Finding> {
     if root.width > 0.0 {
         let (width, there) = (at_most(root.width), share(root.width_v));
         findings.push(RestBesideTheRoot { over, width, there }.at(Place::Parameters(finishing.clone().collect())));
+    }
+    // A flat end leaves s_w to both sides of the corner.
+    if told.rough_foot > 2.0 * asked.cut.s + asked.tolerance {
+        let (left, s) = (at_most(told.rough_foot), Size::mm(asked.cut.s));
+        findings.push(RoughEndLeaves { left, s }.at(at([fields::CORNER.key(), fields::ALLOWANCE.key()])));
     }
     if let Some(v) = told.unfinished {
         findings.push(FacesUnfinished { share: share(v) }.at(at([

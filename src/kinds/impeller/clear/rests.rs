@@ -25,6 +25,8 @@ pub(super) struct Rests {
     pub(super) root: Root,
     /// v where the rounded end of the tool leaves a face that it runs along unfinished up to the tops.
     pub(super) unfinished: Option<f64>,
+    /// What roughing with a rounded end leaves of the blades' faces at the floor at most; 0 of a flat end.
+    pub(super) rough: f64,
 }
 
 impl Draft<'_> {
@@ -35,7 +37,7 @@ impl Draft<'_> {
         if self.full() {
             let (most, v) = (part.a_p, HUB);
             let root = Root { over, height: most, v, thick: most, width: most, width_v: v, above: most };
-            return Rests { floor: None, root, unfinished: None };
+            return Rests { floor: None, root, unfinished: None, rough: 0.0 };
         }
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
         let poses = Poses::along(self.job.machine, passes);
@@ -52,7 +54,27 @@ impl Draft<'_> {
         };
         let (floor, root) = rayon::join(floor, corner);
         let unfinished = (tool.r_c > 0.0 && root.height >= part.a_p).then(|| self.unfinished(&poses, root)).flatten();
-        Rests { floor: Some(floor), root, unfinished }
+        Rests { floor: Some(floor), root, unfinished, rough: self.rough_foot() }
+    }
+
+    /// How far the feet of the faces are from the nearest pose in roughing at most, where the roughing tool has a rounded end.
+    fn rough_foot(&self) -> f64 {
+        if self.cut.rough.r_c == 0.0 {
+            return 0.0;
+        }
+        let part = &self.job.part;
+        let cuts = [Which::Rough, Which::Finish].map(|which| {
+            let passes = self.passes.iter().filter(|pass| pass.tool == which && pass.cutting.is_roughing());
+            (self.cut.tool(which), Poses::along(self.job.machine, passes.map(|pass| pass.points.as_slice())))
+        });
+        let from = v_at(self.finish_from);
+        let lines = [(Face::Obverse, 0.0), (Face::Reverse, -self.pitch)];
+        let feet = lines
+            .into_iter()
+            .flat_map(|(face, turn)| face_lines(part, face, turn, from))
+            .filter_map(|line| line.foot(part));
+        feet.map(|foot| cuts.iter().fold(part.a_p, |most, (tool, poses)| poses.apart(*tool, &foot, most)))
+            .fold(0.0, f64::max)
     }
 
     /// v where the corner's rest goes up to the tops along a pass that is run. A face without one is left whatever the tool.

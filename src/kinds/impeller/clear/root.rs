@@ -96,6 +96,13 @@ impl Line {
     pub const fn v(&self) -> f64 {
         self.v
     }
+
+    /// Where it comes to the floor; `None` outside the blank.
+    #[must_use]
+    pub fn foot(&self, part: &Part) -> Option<Vector3<f64>> {
+        let foot = self.ruling.at(part.floor(&self.ruling, self.top));
+        part.trimmed(&foot).then(|| turn(self.turn)(&foot))
+    }
 }
 
 /// The lines of a face of a blade turned about the axis of the part, from v on, as far as it is in the blank.

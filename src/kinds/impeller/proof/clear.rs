@@ -32,6 +32,7 @@ use crate::kinds::impeller::proof::rules::{
 use crate::kinds::impeller::sweep::Sweep;
 use crate::machine::axis::{Axis, Pose, Position};
 use crate::number::grid::{HALF, Milli, TURN};
+use crate::number::shown;
 use crate::proof::check::{At, Check, Question, bounded, mm, up};
 use crate::proof::step::{Judge, Stage, Step};
 use crate::text::{Text, t};
@@ -299,14 +300,34 @@ impl ClearCutting<'_> {
             let d = self.asked.cut.tool(self.which).d;
             // The search for a face that the axis reaches ends at a hundredth of the radius.
             if self.is_into(bounds, self.turned() - (1.0 - AT_AXIS) * d / 2.0) {
-                AxisInBlade { line, program }.at(place)
+                let blades = self.blades(t("álabes más delgados (e)", "thinner blades (e)"));
+                AxisInBlade { line, program, blades }.at(place)
             } else if self.is_into(bounds, -limit) {
                 let (depth, limit) = (Size::length(-bounds.upper, 4), Size::length(limit, 4));
-                ClearCutsBlade { depth, limit, line, program }.at(place)
+                let blades = self.blades(t("menos álabes o más delgados", "fewer or thinner blades"));
+                ClearCutsBlade { depth, limit, line, program, blades }.at(place)
             } else {
                 self.nearer(bounds, line, program, place)
             }
         })
+    }
+
+    /// The blades between which a tool that enters a face has room. Along the hub a blade takes e·R/r. Where that is more than the
+    /// radius of the floor there, the straight ends stand in the way of every tool and of a single blade, too. It is an estimate: a wide
+    /// tool needs a still thinner blade.
+    fn blades(&self, otherwise: Text) -> Text {
+        let Design { torus, a_p, e, .. } = self.design;
+        let thin = ((torus.R - torus.r - a_p) * torus.r / torus.R * 100.0).floor() / 100.0;
+        if *e <= thin {
+            return otherwise;
+        }
+        let thin = shown(thin, 2);
+        Text::new(
+            format!(
+                "álabes más delgados (e), de unos {thin} mm o menos, porque sus extremos rectos cierran el paso junto al cubo"
+            ),
+            format!("thinner blades (e), of about {thin} mm or less, as their straight ends close the way at the hub"),
+        )
     }
 
     /// How far it keeps from all splitters.

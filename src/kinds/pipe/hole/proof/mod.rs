@@ -47,6 +47,11 @@ use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
 use crate::proof::torch::Torch;
 use crate::text::{Text, t};
 
+/// By how much the beam may pass from the root, and so the cut edge from the branch with its gap, mm.
+pub(super) fn tolerance(design: &Design) -> f64 {
+    design.arc_tolerance + rounding(design)
+}
+
 /// What rounding to 0.001 mm and 0.001° takes, beside the tolerance: a thousandth of a degree at the pipe's radius.
 fn rounding(design: &Design) -> f64 {
     0.002 + 0.001_f64.to_radians() * (design.R_o() + design.D_max)
@@ -136,7 +141,7 @@ impl Judge for BeamOnRoot<'_> {
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let tolerance = self.design.arc_tolerance + rounding(self.design);
+        let tolerance = tolerance(self.design);
         let rest = t("por el redondeo a 0.001 mm y 0.001°", "for the rounding to 0.001 mm and 0.001°");
         let tolerated = Tolerance::of_arcs(self.design.arc_tolerance, tolerance, &rest);
         let errors = &self.errors;
