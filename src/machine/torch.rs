@@ -34,7 +34,7 @@ pub struct TorchAxes {
     pub X: f64,
     /// Z, up from the pipe's axis.
     pub Z: f64,
-    /// B, tilt from the vertical, 0 … π.
+    /// B, tilt from the vertical: 0 … π from [`TorchPose::axes`]; signed where C does not swing round.
     pub B: f64,
     /// C, swing of the tilt.
     pub C: f64,

@@ -1,7 +1,8 @@
 //! Intervals: what a computation gives for every number between two.
 //!
 //! Each result encloses the true one: ends are moved outwards by more than the arithmetic and `libm` can be off. What cannot be
-//! bounded (a quotient by an interval around 0, a root of one that reaches below 0) is the whole line, never a NaN.
+//! bounded (a quotient by an interval around 0, a root of one below 0) is the whole line, never a NaN. Of an interval around 0 the roots
+//! are those of its numbers that have one.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::{Add, Mul, Neg, Sub};
