@@ -146,7 +146,7 @@ fn rounded_ends_are_judged_and_their_rests_told() {
         assert_eq!(End::of(&outcome.findings, false), End::Whole, "{:?}", outcome.findings);
         let root = outcome.quantities.iter().find(|one| one.symbol == "root_height").unwrap().value;
         assert!(root >= r_cf / 3.0, "{root}");
-        assert_eq!(told(&outcome, "rounded end").is_some(), root >= 2.0);
+        assert_eq!(told(&outcome, "rounded end of the finishing tool").is_some(), root >= 2.0);
         // What is left above the corner has no figure where there is nothing above it.
         for symbol in ["rest_above", "rest_obverse", "rest_reverse"] {
             assert_eq!(quantity(&outcome, symbol).is_none(), root >= 2.0, "{symbol}");
