@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::finding::{Bare, CellPlace, Finding, Key, Place, Raise, Size};
+use crate::finding::{Bare, CellPlace, Finding, Grade, Key, Place, Raise, Size};
 use crate::gcode::control::Control;
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, ToolOffset, Tools};
 use crate::gcode::motion::Motion;
 use crate::gcode::turning::nose::{Nose, Tip};
+use crate::kinds::lathe::hold;
 use crate::kinds::lathe::parameters::{self as form, Rapids, Side, TOOLS_KEY};
 use crate::kinds::lathe::rules::{
     BodyHalfGiven, BodyReversed, BoreBeyondStock, FacingBeyondOverhang, HeldBeyondStock, OffsetTwice, PlaceTwice,
@@ -120,6 +121,10 @@ fn contradictions(fields: &Fields) -> Vec<Finding> {
     }
     findings
 }
+    if L4 < L {
+        let held = hold::bar(&stock(fields), &machine(fields)).filter(|held| held.grade == Grade::Stop);
+        findings.extend(held.map(|held| fields.locate(held)));
+    }
 
 /// The machine of a form.
 fn machine(fields: &Fields) -> Lathe {
