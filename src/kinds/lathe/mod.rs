@@ -222,7 +222,7 @@ pub fn watched(
         None
     };
     let mut followed: Vec<Followed> = std::iter::once(one).chain(two).collect();
-    late(&mut followed, watch);
+    late(&mut followed, &given, watch);
     Ok(outcome(fields, source, &given, followed, wanted))
 }
 

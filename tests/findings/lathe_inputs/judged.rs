@@ -217,3 +217,18 @@ fn how_long_the_first_set_up_holds_the_bar_is_judged_as_in_the_second() {
     let notes: Vec<String> = document["findings"].as_array().unwrap().iter().map(line).collect();
     assert!(exit == 0 && notes.iter().any(|note| note.contains("there are no jaws (L2 is 0)")), "{notes:?}");
 }
+
+#[test]
+fn a_travel_that_ends_too_early_is_told_first_and_once_and_makes_no_collision() {
+    let cut = program("X46.|G1 Z-20. F.2|X54.|G0 Z2.");
+    let (found, exit) = told(&Book::new(&cut).put("Z_max", Value::Real(0.0)));
+    assert_eq!((found.len(), exit), (1, 3), "{found:?}");
+    let wanted = "121 Axis Z leaves its travel, Z_max = 0 mm, X";
+    assert!(found[0].contains(wanted) && found[0].contains("; the limit is in DATA!C30"), "{found:?}");
+    assert!(found[0].contains(", and in other motions, too: ") && found[0].ends_with(" [Z ≤ 0 mm]"), "{found:?}");
+    // Both ends of an axis are told apart, and come before what else is wrong.
+    let both = Book::new(&program("X46.|G1 Z-95. F.2|G0 X54.|Z2.")).put("Z_max", Value::Real(400.0));
+    let (found, _) = told(&both.put("Z_min", Value::Real(399.0)));
+    let travel = |one: &String| one.contains(" 121 Axis Z leaves its travel");
+    assert!(found.iter().take(2).all(travel) && !found.iter().skip(2).any(travel), "{found:?}");
+}
