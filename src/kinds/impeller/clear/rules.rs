@@ -93,8 +93,8 @@ rules! {
         why "Las pasadas del fondo dejan crestas entre ellas.", "Floor lanes leave ridges between them.";
         example book!("impeller", "splitters" = "no");
     "P1212" PassesLeftOut Caution { count: usize, what: Text, from: Size, to: Size }
-        es "tramos que no se cortan porque la herramienta no cabe: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
-        en "stretches not cut because the tool does not fit there: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
+        es "tramos de cada canal que no se cortan porque la herramienta no cabe: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
+        en "stretches of each channel not cut because the tool does not fit there: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
         remedy "use una herramienta menor o menos álabes; quite a mano lo que quede", "use a smaller tool or fewer blades; remove by hand what is left";
         why "Una pasada que no cabe cortaría otro álabe o el fondo: rodete no la hace y avisa.", "A pass that does not fit would cut another blade or the floor: rodete leaves it out and reports it.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8");
@@ -181,8 +181,8 @@ rules! {
             "The published rule asks for a third more than the tool; of a clear cut rodete checks each pass against the neighbouring blades.";
         example book!("impeller", "splitters" = "no");
     "P1226" StretchesNotReached Caution { count: usize, what: Text, from: Size, to: Size, smaller: Text }
-        es "tramos que no se cortan porque a la herramienta le cierran el paso por los dos extremos: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
-        en "stretches not cut because the tool is shut off at both ends: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
+        es "tramos de cada canal que no se cortan porque a la herramienta le cierran el paso por los dos extremos: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
+        en "stretches of each channel not cut because the tool is shut off at both ends: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
         remedy "{smaller}; quite a mano lo que quede", "{smaller}; remove by hand what is left";
         why "Una pasada entra por el cubo o por el borde. Junto a un álabe intermedio pueden cerrarse los dos; con partly = sí no entra por el cubo.",
             "A pass comes in at the hub or at the rim. Beside a splitter both may be shut; with partly = yes none comes in at the hub.";
