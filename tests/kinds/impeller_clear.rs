@@ -439,3 +439,23 @@ fn a_link_that_turns_c_by_half_a_turn_is_no_jump() {
     let outcome = common::outcome("clear", &changes);
     assert_eq!(End::of(&outcome.findings, false), End::Whole, "{:?}", outcome.findings);
 }
+
+#[test]
+fn the_distance_of_a_holder_from_the_blank_is_a_row_and_a_caution_where_it_is_little() {
+    let with = |l_t: f64| outcome(&[("l_t", Value::Real(l_t)), ("d_h", Value::Real(40.0))]);
+    let row = |made: &Outcome, program: &str| {
+        let mut rows = made.checks.iter().filter(|check| check.key() == "holder" && check.program() == program);
+        rows.next().and_then(rodete::proof::check::Check::measured)
+    };
+    let near = |made: &Outcome| made.findings.iter().any(|finding| finding.code() == "V0135");
+    let [short, long] = [16.75, 18.0].map(with);
+    let [less, more] = [&short, &long].map(|made| row(made, "rough").expect("a row"));
+    assert!((0.0..0.5).contains(&less) && near(&short), "{less}");
+    // The blank lies below the holder: it is as much farther off as the tool sticks out farther.
+    assert!((more - less - 1.25).abs() < 0.01 && !near(&long), "{less} {more}");
+    // Nothing is known of the other tool's holder.
+    assert_eq!(row(&short, "finish"), None);
+    // One that sticks out less than is needed enters the blank.
+    let what = refused(&quick(&[("l_t", Value::Real(16.75 - less - 0.05)), ("d_h", Value::Real(40.0))]));
+    assert!(what.is_some_and(|what| what.iter().any(|what| what.contains("enters the blank by"))));
+}

@@ -192,25 +192,24 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
         let Some(stage) = asked.cut.stage(which) else { continue };
         let Some(found) = plan.holder_clearance(&Job::of(design), &asked.cut, which) else { continue };
         if found < 0.0 {
-            let enough = enough(of(plan, which).stick_out);
+            let (enough, d_s) = (enough(of(plan, which).stick_out), Size::mm(design.d_s));
             let clearance = Size::mm((-found * 1000.0).ceil() / 1000.0);
             let (tool, from, place) = (tool_name(which), Size::mm(stage.from), Place::Parameters(cells));
-            let told = if found.is_finite() {
-                HolderHitsBlank { tool, clearance, enough }.at(place)
+            findings.push(if found.is_finite() {
+                let told = HolderHitsBlank { tool, clearance, enough, d_s }.at(place);
+                told.with(format!("−{}", clearance.said(Language::En)), "≥ 0 mm".to_owned())
             } else {
-                StickOutTooShort { tool, from, enough }.at(place)
-            };
-            findings.push(missed(told, from, enough));
+                // Below this a holder of any diameter hits the blank; what is enough keeps d_s away from it.
+                let least = Size::length(tenths(of(plan, which).stick_out - design.d_s), 1);
+                missed(StickOutTooShort { tool, from, least, enough, d_s }.at(place), from, least)
+            });
         }
     }
     findings
 }
 
 const fn of(plan: &Plan, which: Which) -> &ToolTold {
-    match which {
-        Which::Rough => &plan.told.rough,
-        Which::Finish => &plan.told.finish,
-    }
+    plan.told.tool(which)
 }
 
 /// A length that is enough: rounded up to a tenth.
@@ -218,7 +217,8 @@ fn tenths(stick_out: f64) -> f64 {
     (stick_out * 10.0).ceil() / 10.0
 }
 
-fn enough(stick_out: f64) -> Size {
+/// The same, to be said.
+pub(in crate::kinds::impeller) fn enough(stick_out: f64) -> Size {
     Size::length(tenths(stick_out), 1)
 }
 

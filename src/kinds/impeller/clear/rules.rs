@@ -68,10 +68,10 @@ rules! {
         remedy "elija una demasía menor", "choose a smaller allowance";
         why "El desbaste se queda a esa distancia del fondo.", "Roughing stays that far above the floor.";
         example book!("impeller", "s_w" = "3");
-    "P1208" HolderHitsBlank Stop { tool: Text, clearance: Size, enough: Size }
+    "P1208" HolderHitsBlank Stop { tool: Text, clearance: Size, enough: Size, d_s: Size }
         es "el portaherramientas de {tool} entra {clearance} en el bruto"
         en "the holder of {tool} enters the blank by {clearance}"
-        remedy "saque la herramienta {enough}: ese voladizo basta con cualquier portaherramientas", "set the tool to stick out {enough}: that is enough for any holder";
+        remedy "saque más la herramienta; con {enough} cualquier portaherramientas queda a {d_s} del bruto", "set the tool to stick out farther; with {enough} a holder of any diameter stays {d_s} from the blank";
         why "El portaherramientas gira con la fresa y choca con la pieza.", "The holder turns with the tool and hits the part.";
         example book!("impeller", "splitters" = "no", "l_t" = "8", "d_h" = "40");
     "P1209" StickOutThatIsEnough Note { tool: Text, enough: Size }
@@ -165,11 +165,11 @@ rules! {
         remedy "elija un número de programa menor que {most}", "choose a program number below {most}";
         why "Un control no guarda dos programas con un mismo número, y el número tiene cuatro cifras.", "A control does not keep two programs under one number, and the number has four digits.";
         example book!("impeller", "program" = "9999");
-    "P1224" StickOutTooShort Stop { tool: Text, from: Size, enough: Size }
-        es "{tool} sobresale {from}, y con cualquier portaherramientas hacen falta {enough}"
-        en "{tool} sticks out {from}, and a holder of any diameter needs {enough}"
-        remedy "saque la herramienta {enough}, o escriba d_h, el diámetro de su portaherramientas",
-            "set the tool to stick out {enough}, or fill in d_h, the diameter of its holder";
+    "P1224" StickOutTooShort Stop { tool: Text, from: Size, least: Size, enough: Size, d_s: Size }
+        es "{tool} sobresale {from}, y sin saber el diámetro del portaherramientas hacen falta {least}"
+        en "{tool} sticks out {from}, and with a holder of unknown diameter {least} is needed"
+        remedy "saque la herramienta {enough} (queda a {d_s} del bruto), o escriba d_h, el diámetro de su portaherramientas",
+            "set the tool to stick out {enough} (it then stays {d_s} from the blank), or fill in d_h, the diameter of its holder";
         why "Sin d_h no se sabe si el portaherramientas pasa por el canal, y choca el que no pasa.",
             "Without d_h it is not known whether the holder passes through the channel, and one that does not pass hits the part.";
         example book!("impeller", "splitters" = "no", "l_t" = "8");
