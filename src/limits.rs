@@ -87,6 +87,9 @@ pub const INVERSE_TIME_WORD: f64 = 4e9;
 pub const PROGRAM_BLOCKS: u64 = 4_000_000;
 /// Blocks in a program of a clear cut: more do not fit the memory of many controls.
 pub const CLEAR_BLOCKS: u64 = 100_000;
+/// The least distance of a holder from the turned blank without a caution, mm. A stick-out is measured to some tenths of a millimetre,
+/// and the tool is clamped to as much.
+pub const HOLDER_CLEARANCE: f64 = 0.5;
 /// Blocks of a program on a sheet. A sheet stays one that a person can look through; what is longer is read from a
 /// file.
 pub const SHEET_BLOCKS: usize = 9_900;

@@ -204,13 +204,46 @@ fn the_largest_tool_for_a_rest_does_not_depend_on_the_one_that_is_given() {
     };
     let d = named(6.0);
     assert_eq!(named(2.0), d);
-    // The roughing tool's own diameter is tried, too.
+    // One as wide as the roughing tool is tried, too.
     let wide = outcome(&[("h_r", Value::Real(3.0)), ("d_f", Value::Real(2.0))]);
     let what = told(&wide, "left in the corner of face and floor").unwrap();
     assert!(what.contains("end mill is 6 mm"), "{what}");
     // It leaves no more, and one a tenth larger does.
     let left = |d_f: f64| quantity(&outcome(&[("d_f", Value::Real(d_f))]), "root_height").unwrap();
     assert!(left(d) <= 0.4 && left(d + 0.1) > 0.4, "{d} {} {}", left(d), left(d + 0.1));
+}
+
+#[test]
+fn round_splitters_the_largest_tool_for_a_rest_is_the_last_step_that_leaves_no_more() {
+    // At their noses more is left than by the passes along the faces alone, from which the search begins.
+    let with = |changes: &[(&'static str, Value)]| outcome(&[&[("splitters", Value::Choice("yes"))], changes].concat());
+    let named = |h_r: f64, d_f: f64| {
+        let what = with(&[("h_r", Value::Real(h_r)), ("d_f", Value::Real(d_f))]);
+        told(&what, "left in the corner of face and floor").unwrap().to_owned()
+    };
+    for h_r in [0.5, 0.3] {
+        let what = named(h_r, 3.0);
+        let d: f64 = what.split("end mill is ").nth(1).expect(&what).split(' ').next().unwrap().parse().unwrap();
+        assert!((d * 20.0 - (d * 20.0).round()).abs() < 1e-9, "{what}");
+        let left = |d_f: f64| quantity(&with(&[("d_f", Value::Real(d_f))]), "root_height").unwrap();
+        assert!(left(d) <= h_r && left(d + 0.05) > h_r, "{what}");
+        // The tool of the form is not asked.
+        assert!(named(h_r, d + 0.01).contains(&format!("end mill is {d} mm")), "{what}");
+    }
+}
+
+#[test]
+fn where_no_tool_leaves_as_little_the_smallest_that_can_be_used_is_told() {
+    let with = |changes: &[(&'static str, Value)]| {
+        quick(&[&[("c_s", Value::Real(0.025)), ("tol", Value::Real(0.012))], changes].concat())
+    };
+    let made = outcome(&with(&[("h_r", Value::Real(0.02))]));
+    let what = told(&made, "none is found that leaves as little").expect("a note");
+    let words: Vec<&str> = what.split("that can be used, ").nth(1).unwrap().split(' ').collect();
+    let (d, left): (f64, f64) = (words[0].parse().unwrap(), words[5].parse().unwrap());
+    let really = quantity(&outcome(&with(&[("d_f", Value::Real(d))])), "root_height").expect("it can be used");
+    assert!(really > 0.02 && really <= left && left < really + 0.011, "{what} {really}");
+    assert!(refused(&with(&[("d_f", Value::Real(d - 0.05))])).is_some(), "{what}");
 }
 
 #[test]
@@ -439,4 +472,24 @@ fn a_link_that_turns_c_by_half_a_turn_is_no_jump() {
     let changes: Vec<_> = cells.into_iter().map(|(key, value)| (key, Value::Real(value))).collect();
     let outcome = common::outcome("clear", &changes);
     assert_eq!(End::of(&outcome.findings, false), End::Whole, "{:?}", outcome.findings);
+}
+
+#[test]
+fn the_distance_of_a_holder_from_the_blank_is_a_row_and_a_caution_where_it_is_little() {
+    let with = |l_t: f64| outcome(&[("l_t", Value::Real(l_t)), ("d_h", Value::Real(40.0))]);
+    let row = |made: &Outcome, program: &str| {
+        let mut rows = made.checks.iter().filter(|check| check.key() == "holder" && check.program() == program);
+        rows.next().and_then(rodete::proof::check::Check::measured)
+    };
+    let near = |made: &Outcome| made.findings.iter().any(|finding| finding.code() == "V0135");
+    let [short, long] = [16.75, 18.0].map(with);
+    let [less, more] = [&short, &long].map(|made| row(made, "rough").expect("a row"));
+    assert!((0.0..0.5).contains(&less) && near(&short), "{less}");
+    // The blank lies below the holder: it is as much farther off as the tool sticks out farther.
+    assert!((more - less - 1.25).abs() < 0.01 && !near(&long), "{less} {more}");
+    // Nothing is known of the other tool's holder.
+    assert_eq!(row(&short, "finish"), None);
+    // One that sticks out less than is needed enters the blank.
+    let what = refused(&quick(&[("l_t", Value::Real(16.75 - less - 0.05)), ("d_h", Value::Real(40.0))]));
+    assert!(what.is_some_and(|what| what.iter().any(|what| what.contains("enters the blank by"))));
 }

@@ -34,6 +34,19 @@ pub(super) type First = [Option<f64>; 5];
 
 const FIRST: [usize; 5] = [letter::P, letter::Q, letter::R, letter::U, letter::W];
 
+/// Letters that only the second block of a cycle along a contour has, and of one without.
+const OF_CONTOUR: &[u8] = b"PQ";
+const TO_A_POINT: &[u8] = b"XZUW";
+
+/// The letters by which the second block of a cycle of two is told from the first; `None` of one of a single block.
+const fn second_words(cycle: TurningCycle) -> Option<&'static [u8]> {
+    match cycle {
+        TurningCycle::Axial | TurningCycle::Radial | TurningCycle::Repeat => Some(OF_CONTOUR),
+        TurningCycle::GrooveFace | TurningCycle::GrooveOutside | TurningCycle::Thread => Some(TO_A_POINT),
+        TurningCycle::Finish | TurningCycle::Fagor(_) => None,
+    }
+}
+
 impl Reader<'_, '_> {
     /// True where a block of a lathe that was rejected, whatever for, calls a cycle or repeats one: the cycle cuts nothing, so that the part
     /// is from here on not what the program counts on. Its contour, none of the program's own motions, is passed over.
@@ -53,11 +66,15 @@ impl Reader<'_, '_> {
         let other = codes.iter().any(|code| matches!(code.group(), Group::Motion | Group::NonModal));
         let again = !other && self.state.modal.motion.is_cycle() && line.iter().any(|letter| b"XZUWR".contains(letter));
         let lost = again || codes.iter().any(|code| code.is_cycle());
-        let of_contour = codes.into_iter().find_map(|code| match code {
-            G::Turning(cycle @ (TurningCycle::Axial | TurningCycle::Radial | TurningCycle::Repeat)) => Some(cycle),
+        let of_two = codes.into_iter().find_map(|code| match code {
+            G::Turning(cycle) => Some((cycle, second_words(cycle)?)),
             _ => None,
         });
-        if let Some(cycle) = of_contour {
+        // The second block is there, though it was rejected.
+        if let Some((cycle, _)) = of_two.filter(|(_, words)| line.iter().any(|letter| words.contains(letter))) {
+            self.second_block(cycle);
+        }
+        if let Some((cycle, _)) = of_two.filter(|(_, words)| *words == OF_CONTOUR) {
             let block = |letter| u32::try_from(whole(words(letter).next()??)?).ok();
             if let (Some(first), Some(last)) = (block(b'P'), block(b'Q')) {
                 self.pass_over_contour(cycle.number(), [first, last]);

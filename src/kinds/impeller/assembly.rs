@@ -19,10 +19,18 @@ use crate::text::Text;
 /// How often feeds had to give way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Limited {
-    /// Moves of one blade and one splitter slowed down so that no axis exceeds F_max.
+    /// Moves slowed down so that no axis exceeds F_max.
     pub by_axis: usize,
     /// Moves whose F word reached an end of its format.
     pub by_format: usize,
+}
+
+impl Limited {
+    /// The same in so many channels or blades, which are all alike.
+    #[must_use]
+    pub const fn times(self, count: u32) -> Self {
+        Self { by_axis: self.by_axis * count as usize, by_format: self.by_format * count as usize }
+    }
 }
 
 const ALL: &[Axis] = &[Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];

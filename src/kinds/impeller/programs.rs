@@ -166,7 +166,7 @@ pub fn part_of_turn(k: u32, count: u32) -> Result<Milli, OutOfFormat> {
 pub struct Programs {
     /// `blade`, `splitter` where wanted, `impeller`, `blank`.
     pub programs: Vec<Program>,
-    /// Moves whose feed was limited.
+    /// Moves whose feed was limited, of all channels or blades.
     pub limited: Limited,
 }
 
@@ -207,7 +207,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
         limited.by_format += pass.limited.by_format;
     }
     milled.push(blank(design, origin)?);
-    Ok(Programs { programs: milled, limited })
+    Ok(Programs { programs: milled, limited: limited.times(design.N) })
 }
 
 /// N blades, then N splitters, with the C turns between; closes in every axis, in C to whole turns.

@@ -175,15 +175,15 @@ rules! {
             "With five axes moving together, a linear axis may have to go much faster than the tip.";
         example book!("impeller --case full", "F_max" = "");
     "P1026" FeedReduced Note { moves: usize, most: Size }
-        es "rodete reduce el avance en {moves} movimientos para que ningún eje pase de F_max = {most}"
-        en "rodete reduces the feed in {moves} moves so that no axis exceeds F_max = {most}"
+        es "rodete reduce el avance en {moves} movimientos de toda la pieza para que ningún eje pase de F_max = {most}"
+        en "rodete reduces the feed in {moves} moves of the whole part so that no axis exceeds F_max = {most}"
         remedy "", "";
         why "Un eje al que se pide demasiado se retrasa, y la punta se sale de su trayectoria.",
             "An axis that is asked to go too fast lags, and the tip leaves its path.";
         example book!("impeller --case full", "F_max" = "1000");
     "P1027" FeedWordAtItsEnd Caution { moves: usize, longer: Text }
-        es "en {moves} movimientos la palabra F llega al límite de su formato: el avance real es otro"
-        en "in {moves} moves the F word reaches the limit of its format: the true feed differs"
+        es "en {moves} movimientos de toda la pieza la palabra F llega al límite de su formato: el avance real es otro"
+        en "in {moves} moves of the whole part the F word reaches the limit of its format: the true feed differs"
         remedy "elija otro avance, o bloques más largos: {longer}", "choose another feed, or longer blocks: {longer}";
         why "El formato no permite escribir la F necesaria, y el bloque dura otro tiempo.",
             "The format cannot hold the F needed, so the block takes another time.";

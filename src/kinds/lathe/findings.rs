@@ -131,12 +131,14 @@ pub fn assumed_of(given: &Given, reached: &Reached) -> Vec<Finding> {
     found
 }
 
-/// The alarms as findings: of one number and one grade on one line the deepest, the gravest first, at most so many. Where a tool
+/// The alarms as findings: of one number and one grade on one line the deepest, the gravest first, at most so many; of one end of an
+/// axis' travel, which every later motion may leave too, the deepest of the whole program, before the others. Where a tool
 /// works with another offset than its own, what hangs on where it is may follow from that: it is counted with that cause, which
 /// is then as grave as the gravest of them.
-pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
+pub(super) fn alarms(alarms: &[Raised], given: &Given) -> Vec<Finding> {
     // A number may be a stop or a caution: a shallow stop is not hidden by a deeper caution.
     let mut worst = BTreeMap::new();
+    let travel = |alarm: &Alarm| matches!(alarm.cause, Cause::Travel { .. });
     let cause = |one: &Raised| one.other_offset.filter(|_| matches!(one.alarm.cause, Cause::OtherOffset { .. }));
     let mut following: BTreeMap<(u32, u32), Vec<Grade>> =
         alarms.iter().filter_map(cause).map(|pair| (pair, Vec::new())).collect();
@@ -148,17 +150,25 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
             grades.push(alarm.cause.grade());
             continue;
         }
-        let key = (alarm.file, alarm.line, alarm.cause.key(), alarm.cause.grade(), cause(raised));
+        let line = if travel(alarm) { (0, 0) } else { (alarm.file, alarm.line) };
+        let key = (line, alarm.cause.key(), alarm.cause.grade(), cause(raised));
         let known: &mut (usize, &Alarm, &Place) = worst.entry(key).or_insert((0, alarm, place));
         known.0 += 1;
         if alarm.depth > known.1.depth {
             (known.1, known.2) = (alarm, place);
         }
     }
-    let mut found: Vec<(bool, Finding)> = worst
+    let mut found: Vec<((bool, bool), Finding)> = worst
         .into_iter()
         .map(|((.., pair), (count, alarm, place))| {
             let mut finding = alarm.finding().placed(place.clone());
+            if let Cause::Travel { axis, greatest, .. } = alarm.cause
+                && let Some(cell) = given.travel_cell(axis, greatest)
+            {
+                let Text { es, en } = &finding.what;
+                finding.what =
+                    Text::new(format!("{es}; el límite está en {cell}"), format!("{en}; the limit is in {cell}"));
+            }
             let left_out = pair.and_then(|pair| following.get(&pair)).map_or(&[][..], Vec::as_slice);
             if let Some(gravest) = left_out.iter().max() {
                 finding.grade = finding.grade.max(*gravest);
@@ -182,6 +192,10 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
                 finding = finding.found(count as u64);
                 let Text { es, en } = &finding.what;
                 finding.what = match count - 1 {
+                    more if travel(alarm) => Text::new(
+                        format!("{es}, y también en otros movimientos: {more}"),
+                        format!("{en}, and in other motions, too: {more}"),
+                    ),
                     1 => Text::new(format!("{es}, y otra vez en la línea"), format!("{en}, and once more on the line")),
                     more => Text::new(
                         format!("{es}, y otras {more} veces en la línea"),
@@ -189,7 +203,7 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
                     ),
                 };
             }
-            (!left_out.is_empty(), finding)
+            ((travel(alarm), !left_out.is_empty()), finding)
         })
         .collect();
     found.sort_by_key(|(cause, finding)| std::cmp::Reverse((finding.grade, *cause)));

@@ -381,7 +381,7 @@ impl<'a> Following<'_, 'a> {
 ///
 /// What a refused block left undone, or what lies behind the end of a budget, may have been what takes a mark away: of such a
 /// program's marks, and of those on the part that it began with, none is reported.
-pub(super) fn late(followed: &mut [Followed], watch: &mut dyn FnMut(Seen<'_>)) {
+pub(super) fn late(followed: &mut [Followed], given: &Given, watch: &mut dyn FnMut(Seen<'_>)) {
     let whole = |one: &Followed| !one.lost && !one.endless;
     for number in 0..followed.len() {
         let Some((one, behind)) = followed[number..].split_first_mut() else { continue };
@@ -398,6 +398,6 @@ pub(super) fn late(followed: &mut [Followed], watch: &mut dyn FnMut(Seen<'_>)) {
             one.alarms.push(Raised { alarm, place, other_offset: None });
         }
         one.alarms.sort_by_key(|raised| raised.alarm.motion);
-        one.findings.extend(alarms(&one.alarms));
+        one.findings.extend(alarms(&one.alarms, given));
     }
 }

@@ -10,6 +10,7 @@ pub mod figures;
 pub mod findings;
 mod follow;
 mod form_sketch;
+mod hold;
 mod live_form;
 mod measures;
 pub mod parameters;
@@ -28,7 +29,7 @@ pub mod tool_sheet;
 use std::sync::LazyLock;
 
 use crate::figure::Figure;
-use crate::finding::{Bare, Exit, Finding, Grade, Place, Raise, Refusal, Rule, Said, Size};
+use crate::finding::{Exit, Finding, Grade, Place, Refusal, Rule};
 use crate::gcode::interpreter::{Setting, Standstill};
 use crate::gcode::program::Program;
 use crate::kind::live_form::LiveForm;
@@ -36,20 +37,18 @@ use crate::kind::measure::{Limits, Measure, Suggested};
 use crate::kind::{Chapters, Drawing, End, Kind, Outcome, Provenance, Shown, Solid, Wants};
 use crate::kinds::lathe::drawn::Drawn;
 use crate::kinds::lathe::follow::{Begins, Followed, follow, late};
-use crate::kinds::lathe::parameters::{self as form, FORM, PROGRAM_KEY, SECOND_KEY};
+use crate::kinds::lathe::parameters::{FORM, PROGRAM_KEY, SECOND_KEY};
 use crate::kinds::lathe::profile::{Comparison, Wanted, compared, wanted};
-use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NothingInTheJaws};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::sketch::Held;
 use crate::kinds::lathe::tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
-use crate::number::shown;
 use crate::parameter::field::Fields;
-use crate::parameter::{Case, Form, at};
+use crate::parameter::{Case, Form};
 use crate::removal::turning::alarm::Alarm;
-use crate::removal::turning::simulation::{Setup, Simulation};
+use crate::removal::turning::simulation::Simulation;
 use crate::removal::turning::step::Step;
-use crate::text::{Language, t};
+use crate::text::t;
 
 /// How far the facets of the solid may be from the round part, mm.
 const TOLERANCE: f64 = 0.01;
@@ -206,14 +205,15 @@ pub fn watched(
     };
     let first = program.or_else(|| text::SheetProgram::of(&fields, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
-    let begins = Begins::new(Simulation::new(given.setup.clone())?);
+    let held = hold::bar(&given.setup.stock, &given.setup.lathe).map(|held| fields.locate(held));
+    let begins = Begins { held, ..Begins::new(Simulation::new(given.setup.clone())?) };
     let one = follow("program", title, &first, &given, begins, watch);
     let second = text::SheetProgram::of(&fields, SECOND_KEY);
     let two = if let Some(second) = &second {
         let simulation = one.simulation.turned_about(given.second)?;
         let title = t("Programa del segundo amarre", "Program of the second set-up");
         // How a part is held that is not the one meant says nothing.
-        let held = (!one.lost && !one.endless).then(|| fields.locate(held(simulation.setup())));
+        let held = (!one.lost && !one.endless).then(|| fields.locate(hold::turned(simulation.setup())));
         let loose = held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
         let lost = one.lost || one.endless || loose;
         // Of a program that was not followed to its end the part was not made; on one that nothing holds nothing is.
@@ -223,36 +223,12 @@ pub fn watched(
         None
     };
     let mut followed: Vec<Followed> = std::iter::once(one).chain(two).collect();
-    late(&mut followed, watch);
+    late(&mut followed, &given, watch);
     Ok(outcome(fields, source, &given, followed, wanted))
 }
 
 fn refused(findings: Vec<Finding>) -> Refusal {
     Refusal { exit: Exit::Refused, findings }
-}
-
-/// The least length along which a part is held at all, mm: less is a line.
-const HELD: f64 = 1.0;
-
-/// The least length along which a part is held well, mm, and as a share of the jaws'. The more of the two. Chosen here.
-const HELD_WELL: (f64, f64) = (5.0, 0.25);
-
-/// How the jaws hold the part that was turned about: a stop where they do not, a caution where they hardly do.
-fn held(setup: &Setup) -> Finding {
-    let Setup { lathe, stock, .. } = setup;
-    let place = at([form::Z_S.key(), form::L4.key()]);
-    let [left, right] = stock.held(lathe).map(|at| Bare::mm(at, 3));
-    let Some(grip) = setup.part.as_deref().and_then(|part| stock.grip(lathe, part)) else {
-        return NothingInTheJaws { left, right }.at(place);
-    };
-    let (X, length) = (Bare::mm(grip.diameter, 3), Size::mm(grip.length));
-    let least = HELD_WELL.0.max(HELD_WELL.1 * lathe.chuck.jaws);
-    if grip.length >= least {
-        return HeldAlong { X, length }.at(place);
-    }
-    let grade = if grip.length < HELD { Grade::Stop } else { Grade::Caution };
-    let told = HardlyHeld { X, left, right }.at(place).graded(grade);
-    told.with(length.said(Language::En), format!("≥ {} mm", shown(least, 3)))
 }
 
 fn outcome(

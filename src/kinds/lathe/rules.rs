@@ -324,4 +324,19 @@ rules! {
             "Travels, tool offsets and work offsets of sheets and report are in mm; on the control's screen, in inches.";
         example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120",
             program: "G20 G50 S2500|T0101|G97 S900 M3|M8|G0 X2.2 Z.1|G1 X1.9 F.008|Z-.8|X2.2|G0 X4. Z2.|M30", machine: &[] };
+    "L0238" BarHardlyHeld Stop { held: Size, support: Text, least: Size }
+        es "en el primer amarre las garras sujetan {held} de la barra{support}"
+        en "in the first set-up the jaws hold {held} of the bar{support}"
+        remedy "sujete al menos {least}: aumente L4 y, si las garras son cortas, compruebe L2",
+            "clamp at least {least}: increase L4 and, if the jaws are short, check L2";
+        why "Sujeta por una línea, la barra se ladea con la primera pasada y se sale. Vale el menor de L4 y L2.",
+            "A bar held along a line tilts at the first pass and comes out. The lesser of L4 and L2 counts.";
+        example book!("lathe", "L4" = "0.5");
+    "L0239" BarInTheBody Note { held: Size }
+        es "no hay garras (L2 es 0): se supone que el plato sujeta los {held} de L4, como una pinza"
+        en "there are no jaws (L2 is 0): the chuck is taken to hold the {held} of L4, as a collet does"
+        remedy "", "";
+        why "Con garras, escriba L2: lo que sobresalen se vigila, y sujetan como mucho esa longitud.",
+            "With jaws, fill in L2: what stands out is watched, and they hold that length at most.";
+        example book!("lathe", "L2" = "0");
 }

@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::finding::{Bare, CellPlace, Finding, Key, Place, Raise, Size};
+use crate::finding::{Bare, CellPlace, Finding, Grade, Key, Place, Raise, Size};
 use crate::gcode::control::Control;
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, ToolOffset, Tools};
 use crate::gcode::motion::Motion;
 use crate::gcode::turning::nose::{Nose, Tip};
+use crate::kinds::lathe::hold;
 use crate::kinds::lathe::parameters::{self as form, Rapids, Side, TOOLS_KEY};
 use crate::kinds::lathe::rules::{
     BodyHalfGiven, BodyReversed, BoreBeyondStock, FacingBeyondOverhang, HeldBeyondStock, OffsetTwice, PlaceTwice,
@@ -55,6 +56,8 @@ pub struct Given {
     pub referred: bool,
     /// The zeros W2 to W6, `[X as a radius, Z]` from M, if they are given.
     zeros: [[f64; 2]; 5],
+    /// The cells of the ends of the travel, of X and of Z, least and greatest; none without a workbook.
+    travel: [[Option<CellPlace>; 2]; 2],
     /// The empty cells of each zero without a Z; none without a workbook.
     empty: BTreeMap<u8, Vec<CellPlace>>,
 }
@@ -117,6 +120,10 @@ fn contradictions(fields: &Fields) -> Vec<Finding> {
     }
     if REFERENCE.into_iter().filter(|one| fields.get(one).is_some()).count() == 1 {
         stop(&[form::R_X.key(), form::R_Z.key()], &ReferenceHalfGiven {});
+    }
+    if L4 < L {
+        let held = hold::bar(&stock(fields), &machine(fields)).filter(|held| held.grade == Grade::Stop);
+        findings.extend(held.map(|held| fields.locate(held)));
     }
     findings
 }
@@ -212,6 +219,7 @@ impl Given {
             offsets,
             first_offset,
             zeros,
+            travel: TRAVELS.map(|ends| ends.map(|end| fields.values().cells.get(&end.key()).cloned())),
             empty,
         })
     }
@@ -238,8 +246,15 @@ impl Given {
         Some(ZeroIsEmpty { code, zero, cells: names.join(", ") }.at(place))
     }
 
+    /// The cell of an end of an axis' travel, as `SHEET!C30`.
+    pub(super) fn travel_cell(&self, axis: Axis, greatest: bool) -> Option<String> {
+        let cell = self.travel[usize::from(axis == Axis::Z)][usize::from(greatest)].as_ref()?;
+        Some(format!("{}!{}", cell.sheet, cell.cell))
+    }
+
     /// The reference point, `[X as a radius, Z]` from M: the turret starts there, and G28 goes there. If the form does not give it,
-    /// the longest tools are 30 mm beyond the right end and the surface of the stock, as in the source.
+    /// the longest tools are 30 mm beyond the right end and the surface of the stock, as in the source, or at the end of the
+    /// travel. They do not start beside the chuck, where the travel that ends there is meant to be told, and not a collision.
     #[must_use]
     pub fn reference(&self) -> [f64; 2] {
         let Setup { lathe, stock, turret, .. } = &self.setup;
@@ -250,7 +265,11 @@ impl Given {
         let [_, right] = stock.ends();
         let X = stock.diameter / 2.0 + MARGIN + longest(0);
         let Z = stock.zero(lathe) + right + MARGIN + longest(1);
-        [X.clamp(lathe.travel_x[0], lathe.travel_x[1]), Z.clamp(lathe.travel_z[0], lathe.travel_z[1])]
+        let X = X.clamp(lathe.travel_x[0], lathe.travel_x[1]);
+        let chuck = &lathe.chuck;
+        let beside = X - longest(0) < (chuck.diameter / 2.0).max(stock.diameter / 2.0 + chuck.jaw_height);
+        let least = if beside { chuck.body + chuck.jaws + longest(1) } else { lathe.travel_z[0] };
+        [X, Z.clamp(lathe.travel_z[0], lathe.travel_z[1]).max(least.min(Z))]
     }
 
     /// The settings for reading a program with only the tools of the workbook: its offsets, the places of the turret, and how the

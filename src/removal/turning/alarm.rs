@@ -56,7 +56,14 @@ pub enum Cause {
     /// A moving body runs into a fixed one.
     Collision(Moving, Fixture),
     /// The turret's reference point leaves the travel of an axis.
-    Travel(Axis),
+    Travel {
+        /// The axis.
+        axis: Axis,
+        /// At the greatest end, else at the least.
+        greatest: bool,
+        /// The limit there, mm; of X as a diameter.
+        limit: f64,
+    },
     /// The cut is deeper than the cutting edge is long across the motion.
     DepthOfCut {
         /// How deep the cut is, across the motion.
@@ -192,10 +199,11 @@ pub struct Alarm {
 }
 
 impl Cause {
-    /// What distinguishes one alarm from another: its number, and the axis at the end of its travel.
+    /// What distinguishes one alarm from another: its number, and of a travel its axis and its end.
     #[must_use]
-    pub fn key(self) -> (u16, Option<u8>) {
-        (self.number(), if let Self::Travel(axis) = self { Some(axis as u8) } else { None })
+    pub fn key(self) -> (u16, Option<(u8, bool)>) {
+        let end = if let Self::Travel { axis, greatest, .. } = self { Some((axis as u8, greatest)) } else { None };
+        (self.number(), end)
     }
 
     /// The alarm's number.
@@ -217,7 +225,7 @@ impl Cause {
                 | Self::BodyInMetal(_)
                 | Self::BoreWithoutHole { .. }
                 | Self::Collision(..)
-                | Self::Travel(_)
+                | Self::Travel { .. }
                 | Self::DepthOfCut { .. }
                 | Self::BackCutting
                 | Self::ThreadTooDeep { .. }
@@ -258,14 +266,15 @@ impl Cause {
             Self::Collision(Moving::Turret, Fixture::Chuck) => Box::new(row::TurretHitsChuck {}),
             Self::Collision(Moving::Turret, Fixture::Jaws) => Box::new(row::TurretHitsJaws {}),
             Self::Collision(Moving::Turret, Fixture::Tailstock) => Box::new(row::TurretHitsTailstock {}),
-            Self::Travel(axis) => {
+            Self::Travel { axis, greatest, limit } => {
                 // Its limits are diameters, every depth is one of a radius.
                 let on = if axis == Axis::X {
                     t("; el exceso va en radio", "; the excess is given on the radius")
                 } else {
                     t("", "")
                 };
-                Box::new(row::AxisLeavesTravel { axis: axis.letter(), on })
+                let end = format!("{}_{}", axis.letter(), if greatest { "max" } else { "min" });
+                Box::new(row::AxisLeavesTravel { axis: axis.letter(), end, limit: Size::mm(limit), on })
             }
             Self::DepthOfCut { depth, edge } => {
                 Box::new(row::DepthOfCut { depth: Size::mm(depth), edge: Size::mm(edge) })
@@ -344,6 +353,10 @@ impl Alarm {
         let rpm = |value: f64| if value.is_finite() { format!("{} rpm", shown(value, 0)) } else { "∞".to_owned() };
         let (value, limit) = match self.cause {
             Cause::DepthOfCut { depth, edge } => (mm(depth), mm(edge)),
+            Cause::Travel { axis, greatest, limit } => {
+                let sign = if greatest { '≤' } else { '≥' };
+                (self.depth.map(mm).unwrap_or_default(), format!("{} {sign} {}", axis.letter(), mm(limit)))
+            }
             Cause::BoreWithoutHole { hole, least } => (format!("Ø {}", mm(hole)), format!("≥ Ø {}", mm(least))),
             Cause::OtherOffset { offset, own } => (format!("D{offset}"), format!("D{own}")),
             Cause::ThreadTooDeep { depth, most } => (mm(depth), format!("≤ {}", mm(most))),

@@ -93,13 +93,14 @@ pub(super) fn collide(fixtures: &[(Fixture, Convex)], swept: &Convex, moving: Mo
 /// Raises the alarm of a reference point beyond its travel; `to_reference` leads from the programmed point to the reference point.
 pub(super) fn travel(tally: &mut Tally, pieces: &[Piece], to_reference: [f64; 2], lathe: &Lathe) {
     for point in pieces.iter().flatten() {
-        for (axis, at, [low, high]) in [
-            (Axis::Z, point[0] + to_reference[0], lathe.travel_z),
-            (Axis::X, point[1] + to_reference[1], lathe.travel_x),
+        for (axis, at, [low, high], scale) in [
+            (Axis::Z, point[0] + to_reference[0], lathe.travel_z, 1.0),
+            (Axis::X, point[1] + to_reference[1], lathe.travel_x, 2.0),
         ] {
-            let over = (low - at).max(at - high);
-            if over > TOUCH {
-                tally.raise(Cause::Travel(axis), *point, Some(over));
+            for (greatest, limit, over) in [(false, low, low - at), (true, high, at - high)] {
+                if over > TOUCH {
+                    tally.raise(Cause::Travel { axis, greatest, limit: limit * scale }, *point, Some(over));
+                }
             }
         }
     }

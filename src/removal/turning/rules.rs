@@ -157,10 +157,10 @@ rules! {
         why "La caña del contrapunto queda por debajo de la torreta cuando una herramienta corta trabaja cerca del eje.",
             "The quill is below the turret when a short tool works near the axis.";
         example program!("T0101|G0 X64. Z2.|G0 X100. Z50.|M30", [("tailstock", "yes"), ("BX_min", "-63"), ("BX_max", "100"), ("BZ_min", "10"), ("BZ_max", "60")]);
-    "L0121" AxisLeavesTravel Stop alarm Lathe 121 { axis: char, on: Text }
-        es "El eje {axis} sale de su recorrido{on}"
-        en "Axis {axis} leaves its travel{on}"
-        remedy "revise los ceros y los correctores, o acerque la pieza", "check the zeros and the tool offsets, or bring the work nearer";
+    "L0121" AxisLeavesTravel Stop alarm Lathe 121 { axis: char, end: String, limit: Size, on: Text }
+        es "El eje {axis} sale de su recorrido, {end} = {limit}{on}"
+        en "Axis {axis} leaves its travel, {end} = {limit}{on}"
+        remedy "compruebe {end}, los ceros y los correctores, o cambie de sitio la pieza", "check {end}, the zeros and the tool offsets, or move the work";
         why "El control se para ahí, con la herramienta quizá en la pieza.",
             "The control stops there, perhaps with the tool in the work.";
         example blocks!("G0 X700.", [("X_max", "300")]);

@@ -221,3 +221,43 @@ fn verify_takes_the_reference_point_from_the_workbook_and_else_assumes_it_as_bui
         assert_eq!(found.collect::<String>(), wanted, "{read}");
     }
 }
+
+#[test]
+fn how_long_the_first_set_up_holds_the_bar_is_judged_as_in_the_second() {
+    let cut = program("X46.|G1 Z-20. F.2|X54.|G0 Z2.");
+    let held = |L4: f64, L2: f64| Book::new(&cut).put("L4", Value::Real(L4)).put("L2", Value::Real(L2));
+    let place = "DATA!C19 DATA!C23 DATA!C25 in the first set-up the jaws hold";
+    // The lesser of both counts, and a quarter of long jaws.
+    for (L4, L2, long, least) in [(0.0, 40.0, "0", "10"), (0.5, 40.0, "0.5", "10"), (30.0, 0.9, "0.9", "5")] {
+        let wanted = format!("stop {place} {long} mm of the bar [{long} mm] [≥ {least} mm]");
+        assert_eq!(told(&held(L4, L2)), (vec![wanted], 3), "{L4} {L2}");
+    }
+    for (L4, L2, long, least) in [(1.0, 40.0, "1", "10"), (9.9, 40.0, "9.9", "10"), (4.9, 8.0, "4.9", "5")] {
+        let wanted = format!("caution {place} {long} mm of the bar [{long} mm] [≥ {least} mm]");
+        assert_eq!(told(&held(L4, L2)), (vec![wanted], 0), "{L4} {L2}");
+    }
+    assert_eq!(told(&held(10.0, 40.0)), none());
+    // A tailstock keeps the bar from tilting, and does not drive it.
+    let (found, exit) = told(&held(0.0, 40.0).put("tailstock", Value::Choice("yes")));
+    let wanted = format!("caution {place} 0 mm of the bar; the tailstock supports it, but does not drive it");
+    assert!(exit == 0 && found[0].starts_with(&wanted), "{found:?}");
+    // Without jaws it is said what is assumed.
+    let (_folder, document, exit) = build(&held(30.0, 0.0).bytes());
+    let notes: Vec<String> = document["findings"].as_array().unwrap().iter().map(line).collect();
+    assert!(exit == 0 && notes.iter().any(|note| note.contains("there are no jaws (L2 is 0)")), "{notes:?}");
+}
+
+#[test]
+fn a_travel_that_ends_too_early_is_told_first_and_once_and_makes_no_collision() {
+    let cut = program("X46.|G1 Z-20. F.2|X54.|G0 Z2.");
+    let (found, exit) = told(&Book::new(&cut).put("Z_max", Value::Real(0.0)));
+    assert_eq!((found.len(), exit), (1, 3), "{found:?}");
+    let wanted = "121 Axis Z leaves its travel, Z_max = 0 mm, X";
+    assert!(found[0].contains(wanted) && found[0].contains("; the limit is in DATA!C30"), "{found:?}");
+    assert!(found[0].contains(", and in other motions, too: ") && found[0].ends_with(" [Z ≤ 0 mm]"), "{found:?}");
+    // Both ends of an axis are told apart, and come before what else is wrong.
+    let both = Book::new(&program("X46.|G1 Z-95. F.2|G0 X54.|Z2.")).put("Z_max", Value::Real(400.0));
+    let (found, _) = told(&both.put("Z_min", Value::Real(399.0)));
+    let travel = |one: &String| one.contains(" 121 Axis Z leaves its travel");
+    assert!(found.iter().take(2).all(travel) && !found.iter().skip(2).any(travel), "{found:?}");
+}

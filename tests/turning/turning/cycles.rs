@@ -204,6 +204,27 @@ fn the_words_of_a_first_block_stay_in_force() {
 }
 
 #[test]
+fn of_a_second_block_that_is_refused_it_is_not_said_that_it_is_missing() {
+    let missing = |blocks: &str| {
+        let read = read_with(&format!("S1000 M3 F.2\nG0 X50. Z5.\n{blocks}\nG0 X60.\nM30\n"), setting());
+        ["G71", "G75", "G76"].iter().any(|cycle| {
+            remarked(&read, &format!("no second block follows this first block of {cycle}: nothing is cut"))
+        })
+    };
+    // A word that stands twice is refused before the cycle is looked at.
+    for [first, second] in [
+        ["G76 P020060 Q100 R.5", "G76 X40. X41. Z-8. P1300 Q200 F1.5"],
+        ["G75 R.5", "G75 X40. X41. Z5. P9000 Q1000 F.1"],
+        ["G71 U2. R1.", "G71 P10 Q20 Q21 U.4 W.1\nN10 G0 X30.\nG1 Z-10.\nN20 X50."],
+    ] {
+        assert!(!missing(&format!("{first}\n{second}")), "{second}");
+        assert!(missing(first), "{first}");
+        // A first block that is refused is no second one.
+        assert!(missing(&format!("{first}\n{first} R9.")), "{first}");
+    }
+}
+
+#[test]
 fn blocks_between_a_cycle_and_its_contour_are_not_executed_and_said() {
     let read = read(
         "S1000 M3 F.2\nG0 X50. Z5.\nG71 U20. R1.\nG71 P10 Q20\nG0 X90.\n(a comment)\nN10 G0 X30.\nG1 Z-10.\nN20 X50.\nG0 X60.",

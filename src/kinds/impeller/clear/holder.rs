@@ -23,6 +23,7 @@ use crate::geometry::torus::Torus;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::outside::{Outside, WORK};
 use crate::kinds::impeller::solids::Stock;
+use crate::limits::HOLDER_CLEARANCE;
 use crate::number::grid::HALF;
 use crate::number::trig::sin_cos;
 
@@ -88,7 +89,8 @@ impl Blank {
         };
         let of_block = |pair: &[Stand]| {
             let free = from - self.above_block([&pair[0], &pair[1]]);
-            if free >= 0.0 {
+            // Beside a narrow stage the blank may be farther off than below it.
+            if free >= HOLDER_CLEARANCE || (free >= 0.0 && !radius.is_finite()) {
                 return free;
             }
             if !radius.is_finite() {

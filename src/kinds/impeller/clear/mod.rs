@@ -23,6 +23,7 @@ mod floor_feet;
 pub mod floor_rest;
 pub mod holder;
 pub mod lane;
+pub mod largest;
 mod lean;
 pub mod link;
 pub mod pass;

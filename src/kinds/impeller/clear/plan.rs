@@ -23,6 +23,7 @@ use crate::kinds::impeller::clear::engagement::engage;
 use crate::kinds::impeller::clear::entered::Begins;
 use crate::kinds::impeller::clear::fit::Flank;
 use crate::kinds::impeller::clear::flank::FlankWay;
+use crate::kinds::impeller::clear::holder::Blank;
 use crate::kinds::impeller::clear::lane::OwnNormal;
 use crate::kinds::impeller::clear::pass::{Cutting, Pass};
 use crate::kinds::impeller::clear::poses::Poses;
@@ -33,6 +34,7 @@ use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clear::uncut;
 use crate::kinds::impeller::gap::{RUN_OUT, gap};
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
+use crate::kinds::impeller::solids::Stock;
 use crate::number::root::last_whole;
 use crate::number::trig::pow;
 
@@ -200,6 +202,16 @@ impl Plan {
     #[must_use]
     pub fn all_blocks(&self, tool: Which) -> usize {
         self.blocks(tool) * self.channels as usize
+    }
+
+    /// How far the holder behind a tool stays clear of the blank at least; `None` where it is not known, −∞ for one of any
+    /// radius that begins too low.
+    #[must_use]
+    pub fn holder_clearance(&self, job: &Job, cut: &Cut, tool: Which) -> Option<f64> {
+        let stock = Stock { torus: job.part.circle.torus, length: cut.blank };
+        let blank = Blank { stock, L: job.machine.L };
+        let passes = self.of(tool).map(|pass| pass.points.as_slice());
+        cut.stage(tool).map(|stage| blank.clearance(stage, passes))
     }
 }
 

@@ -155,7 +155,7 @@ pub fn programs(design: &Design, plan: &Plan, origin: &Origin<'_>) -> Result<Pro
         made.push(program);
     }
     made.push(blank(design, origin)?);
-    Ok(Programs { programs: made, limited })
+    Ok(Programs { programs: made, limited: limited.times(plan.channels) })
 }
 
 #[cfg(test)]

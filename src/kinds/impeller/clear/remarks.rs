@@ -3,22 +3,18 @@
 use crate::finding::{Finding, Key, Place, Raise, Said, Size};
 use crate::kind::Shown;
 use crate::kinds::impeller::clear::asked::Asked;
-use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Which};
+use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
-use crate::kinds::impeller::clear::holder::Blank;
+use crate::kinds::impeller::clear::largest::{Largest as LargestTool, largest};
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::programs::title;
-use crate::kinds::impeller::clear::root::largest_that_leaves;
 use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
 use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, Told, ToolTold};
-use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters::{self as form, NUMBERS};
 use crate::kinds::impeller::part::{HUB, RIM};
-use crate::kinds::impeller::solids::Stock;
 use crate::limits::CLEAR_BLOCKS;
-use crate::number::root::last_whole;
 use crate::number::shown;
 use crate::parameter::at;
 use crate::text::{Language, Text, all_of, t};
@@ -29,8 +25,6 @@ const LEFT: f64 = 0.001;
 const THINNED: f64 = 4.0;
 /// Below this change of the feed nothing is said.
 const UNSAID: f64 = 0.02;
-/// The steps in which the largest finishing tool is sought.
-const STEPS_A_MM: f64 = 20.0;
 
 /// A finding with its value and the limit that the value misses.
 fn missed(found: Finding, value: impl Said, limit: impl Said) -> Finding {
@@ -166,34 +160,6 @@ fn not_read(asked: &Asked) -> Option<Finding> {
     Some(told.at(Place::Parameters([fields::D_F.key()].into_iter().chain(filled).collect())))
 }
 
-/// The largest flat finishing tool whose whole plan leaves no more in the corner than is allowed, in steps of 0.05 mm, sought between
-/// one that leaves as little by its passes along the faces alone and one that is known to leave more. The floor's passes take of the
-/// corner, too, so that a larger tool may do; round the splitters there may be room for a smaller one alone.
-fn by_plans(job: &Job, asked: &Asked, first: Option<f64>, too_large: Option<f64>) -> Option<f64> {
-    let (mut first, allowed) = (first?, asked.root?);
-    let plan = |d: f64| Plan::new(job, &Cut { finish: Tool::flat(d), ..asked.cut });
-    let keeps = |plan: &Result<Plan, DoesNotFit>| {
-        plan.as_ref().is_ok_and(|Plan { told, .. }| told.no_splitter.is_none() && told.root.height <= allowed)
-    };
-    let mut tried = plan(first);
-    let room = match &tried {
-        Ok(plan) => plan.told.no_splitter.map(|none| none.largest),
-        Err(why) => Some(why.largest),
-    };
-    if let Some(room) = room {
-        first = room.filter(|room| *room < first)?;
-        tried = plan(first);
-    }
-    if !keeps(&tried) {
-        return None;
-    }
-    let from = (first * STEPS_A_MM).floor();
-    // No finishing tool is wider than the roughing tool, which is tried itself.
-    let bad = too_large.map_or((asked.cut.rough.d * STEPS_A_MM).floor() + 1.0, |d| (d * STEPS_A_MM).ceil());
-    let good = last_whole([from, bad], |step| keeps(&plan(step / STEPS_A_MM)));
-    Some(if good > from { good / STEPS_A_MM } else { first })
-}
-
 /// The tools, and the cells of their stick-outs.
 fn stick_outs() -> [(Which, Key); 2] {
     [(Which::Rough, fields::STICK_OUT.key()), (Which::Finish, fields::STICK_OUT_F.key())]
@@ -225,29 +191,26 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
         };
         findings.extend(too_long(title(which), plan.all_blocks(which) as u64));
         let Some(stage) = asked.cut.stage(which) else { continue };
-        let stock = Stock { torus: design.torus, length: design.blank.L_b };
-        let blank = Blank { stock, L: design.machine.L };
-        let found = blank.clearance(stage, plan.of(which).map(|pass| pass.points.as_slice()));
+        let Some(found) = plan.holder_clearance(&Job::of(design), &asked.cut, which) else { continue };
         if found < 0.0 {
-            let enough = enough(of(plan, which).stick_out);
+            let (enough, d_s) = (enough(of(plan, which).stick_out), Size::mm(design.d_s));
             let clearance = Size::mm((-found * 1000.0).ceil() / 1000.0);
             let (tool, from, place) = (tool_name(which), Size::mm(stage.from), Place::Parameters(cells));
-            let told = if found.is_finite() {
-                HolderHitsBlank { tool, clearance, enough }.at(place)
+            findings.push(if found.is_finite() {
+                let told = HolderHitsBlank { tool, clearance, enough, d_s }.at(place);
+                told.with(format!("−{}", clearance.said(Language::En)), "≥ 0 mm".to_owned())
             } else {
-                StickOutTooShort { tool, from, enough }.at(place)
-            };
-            findings.push(missed(told, from, enough));
+                // Below this a holder of any diameter hits the blank; what is enough keeps d_s away from it.
+                let least = Size::length(tenths(of(plan, which).stick_out - design.d_s), 1);
+                missed(StickOutTooShort { tool, from, least, enough, d_s }.at(place), from, least)
+            });
         }
     }
     findings
 }
 
 const fn of(plan: &Plan, which: Which) -> &ToolTold {
-    match which {
-        Which::Rough => &plan.told.rough,
-        Which::Finish => &plan.told.finish,
-    }
+    plan.told.tool(which)
 }
 
 /// A length that is enough: rounded up to a tenth.
@@ -255,7 +218,8 @@ fn tenths(stick_out: f64) -> f64 {
     (stick_out * 10.0).ceil() / 10.0
 }
 
-fn enough(stick_out: f64) -> Size {
+/// The same, to be said.
+pub(in crate::kinds::impeller) fn enough(stick_out: f64) -> Size {
     Size::length(tenths(stick_out), 1)
 }
 
@@ -358,26 +322,39 @@ fn at_the_root(job: &Job, asked: &Asked, told: &Told) -> Vec<Finding> {
         ])));
     }
     if let Some(allowed) = asked.root {
-        // The ways are exact there; blocks leave them by the tolerance.
-        let flat = Some(asked.cut.finish).filter(|tool| tool.r_c == 0.0).map(|tool| tool.d);
-        let (given, too_large) = if root.height <= allowed { (flat, None) } else { (None, flat) };
-        let first = largest_that_leaves(job, allowed, asked.cut.rough.d, asked.cut.scallop, given);
-        let tool = by_plans(job, asked, first, too_large).map_or_else(
-            || t("ninguna fresa deja tan poco", "no tool leaves as little"),
-            |d| {
-                let d = shown(d, 2);
-                Text::new(
-                    format!("la mayor fresa frontal es de {d} mm"),
-                    format!("the largest flat end mill is {d} mm"),
-                )
-            },
-        );
+        let tool = largest_told(largest(job, &asked.cut, allowed));
         findings.push(
             LargestForTheRoot { height: Size::mm(allowed), tool, left: at_most(root.height) }
                 .at(Place::Parameters([fields::ROOT.key()].into_iter().chain(finishing).collect())),
         );
     }
     findings
+}
+
+/// What is told of the largest finishing tool for a rest.
+fn largest_told(largest: LargestTool) -> Text {
+    match largest {
+        LargestTool::Tool(d) => {
+            let d = shown(d, 2);
+            Text::new(
+                format!("la mayor fresa frontal es de {d} mm, de 0.05 en 0.05 mm"),
+                format!("the largest flat end mill is {d} mm, in steps of 0.05 mm"),
+            )
+        }
+        LargestTool::LeavesMore { d, left } => {
+            let (d, left) = (shown(d, 2), at_most(left));
+            let (es, en) = (left.said(Language::Es), left.said(Language::En));
+            Text::new(
+                format!(
+                    "no se ha encontrado ninguna que deje tan poco: la menor que se puede usar, de {d} mm, deja hasta {es}"
+                ),
+                format!(
+                    "none is found that leaves as little: the smallest that can be used, {d} mm, leaves up to {en}"
+                ),
+            )
+        }
+        LargestTool::NoRoom => t("no se ha encontrado ninguna que quepa", "none is found that has room"),
+    }
 }
 
 /// Of a cut that does not begin at the hub.

@@ -1,5 +1,5 @@
-//! What is left in the corner between faces and floor: looked for on a grid, with the blocks as they are; and the largest
-//! tool that leaves no more than is allowed.
+//! What is left in the corner between faces and floor: looked for on a grid, with the blocks as they are; and about
+//! the largest tool that leaves no more than is allowed.
 //!
 //! # Derivation
 //! On a flank the axis is parallel to the face and the end lies in the ball of radius r_f. At the rim, where the tube is
@@ -33,7 +33,7 @@ use crate::kinds::impeller::clear::lane::OwnNormal;
 use crate::kinds::impeller::clear::poses::{Pose, Poses};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::part::{Face, HUB, Part, RIM, Ruling};
-use crate::number::root::halved;
+use crate::number::root::{halved, last_whole};
 use crate::number::trig::{hypot, sin_cos};
 
 /// The rest of the floor is told farther from the walls than this and the corner radius, mm.
@@ -56,7 +56,7 @@ const HALVINGS: u8 = 4;
 /// Stations from which a tool's rest is known before there is a plan: at least, and at most.
 const STATIONS: [f64; 2] = [240.0, 4_000.0];
 /// The largest tool is sought in whole hundredths, from the smallest on.
-const SMALLEST: u32 = 10;
+const SMALLEST: f64 = 10.0;
 
 /// What is left in the corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -294,28 +294,17 @@ fn left(job: &Job, tool: Tool, over: f64) -> Option<f64> {
     Some(most)
 }
 
-/// The largest flat end mill up to a diameter that leaves more than `over` nowhere higher up a face than `height`, in whole
-/// hundredths; `None` where even the smallest leaves more. `given` is a diameter that is known to leave no more.
+/// The largest flat end mill up to a diameter that by these passes alone leaves more than `over` nowhere higher up a face than
+/// `height`, in whole hundredths; `None` where even the smallest leaves more.
 #[must_use]
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held from 0 to 10⁶")]
-pub fn largest_that_leaves(job: &Job, height: f64, up_to: f64, over: f64, given: Option<f64>) -> Option<f64> {
-    let d = |hundredths: u32| f64::from(hundredths) / 100.0;
-    let keeps = |hundredths: u32| left(job, Tool::flat(d(hundredths)), over).is_some_and(|left| left <= height);
-    let most = (up_to * 100.0).floor().clamp(0.0, 1e6) as u32;
+pub fn largest_that_leaves(job: &Job, height: f64, up_to: f64, over: f64) -> Option<f64> {
+    let d = |hundredths: f64| hundredths / 100.0;
+    let keeps = |hundredths: f64| left(job, Tool::flat(d(hundredths)), over).is_some_and(|left| left <= height);
+    let most = (up_to * 100.0).floor();
     if most >= SMALLEST && keeps(most) {
         return Some(d(most));
     }
-    let given = given.map(|d| ((d * 100.0).floor().clamp(0.0, 1e6) as u32).min(most));
-    let (mut good, mut bad) = match given {
-        Some(given) => (given, most),
-        None if most >= SMALLEST && keeps(SMALLEST) => (SMALLEST, most),
-        None => return None,
-    };
-    while bad - good > 1 {
-        let middle = good + (bad - good) / 2;
-        if keeps(middle) { good = middle } else { bad = middle }
-    }
-    Some(d(good))
+    (most >= SMALLEST && keeps(SMALLEST)).then(|| d(last_whole([SMALLEST, most], keeps)))
 }
 
 #[cfg(test)]

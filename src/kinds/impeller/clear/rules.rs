@@ -68,10 +68,10 @@ rules! {
         remedy "elija una demasía menor", "choose a smaller allowance";
         why "El desbaste se queda a esa distancia del fondo.", "Roughing stays that far above the floor.";
         example book!("impeller", "s_w" = "3");
-    "P1208" HolderHitsBlank Stop { tool: Text, clearance: Size, enough: Size }
+    "P1208" HolderHitsBlank Stop { tool: Text, clearance: Size, enough: Size, d_s: Size }
         es "el portaherramientas de {tool} entra {clearance} en el bruto"
         en "the holder of {tool} enters the blank by {clearance}"
-        remedy "saque la herramienta {enough}: ese voladizo basta con cualquier portaherramientas", "set the tool to stick out {enough}: that is enough for any holder";
+        remedy "saque más la herramienta; con {enough} cualquier portaherramientas queda a {d_s} del bruto", "set the tool to stick out farther; with {enough} a holder of any diameter stays {d_s} from the blank";
         why "El portaherramientas gira con la fresa y choca con la pieza.", "The holder turns with the tool and hits the part.";
         example book!("impeller", "splitters" = "no", "l_t" = "8", "d_h" = "40");
     "P1209" StickOutThatIsEnough Note { tool: Text, enough: Size }
@@ -93,8 +93,8 @@ rules! {
         why "Las pasadas del fondo dejan crestas entre ellas.", "Floor lanes leave ridges between them.";
         example book!("impeller", "splitters" = "no");
     "P1212" PassesLeftOut Caution { count: usize, what: Text, from: Size, to: Size }
-        es "tramos que no se cortan porque la herramienta no cabe: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
-        en "stretches not cut because the tool does not fit there: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
+        es "tramos de cada canal que no se cortan porque la herramienta no cabe: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
+        en "stretches of each channel not cut because the tool does not fit there: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
         remedy "use una herramienta menor o menos álabes; quite a mano lo que quede", "use a smaller tool or fewer blades; remove by hand what is left";
         why "Una pasada que no cabe cortaría otro álabe o el fondo: rodete no la hace y avisa.", "A pass that does not fit would cut another blade or the floor: rodete leaves it out and reports it.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8");
@@ -165,11 +165,11 @@ rules! {
         remedy "elija un número de programa menor que {most}", "choose a program number below {most}";
         why "Un control no guarda dos programas con un mismo número, y el número tiene cuatro cifras.", "A control does not keep two programs under one number, and the number has four digits.";
         example book!("impeller", "program" = "9999");
-    "P1224" StickOutTooShort Stop { tool: Text, from: Size, enough: Size }
-        es "{tool} sobresale {from}, y con cualquier portaherramientas hacen falta {enough}"
-        en "{tool} sticks out {from}, and a holder of any diameter needs {enough}"
-        remedy "saque la herramienta {enough}, o escriba d_h, el diámetro de su portaherramientas",
-            "set the tool to stick out {enough}, or fill in d_h, the diameter of its holder";
+    "P1224" StickOutTooShort Stop { tool: Text, from: Size, least: Size, enough: Size, d_s: Size }
+        es "{tool} sobresale {from}, y sin saber el diámetro del portaherramientas hacen falta {least}"
+        en "{tool} sticks out {from}, and with a holder of unknown diameter {least} is needed"
+        remedy "saque la herramienta {enough} (queda a {d_s} del bruto), o escriba d_h, el diámetro de su portaherramientas",
+            "set the tool to stick out {enough} (it then stays {d_s} from the blank), or fill in d_h, the diameter of its holder";
         why "Sin d_h no se sabe si el portaherramientas pasa por el canal, y choca el que no pasa.",
             "Without d_h it is not known whether the holder passes through the channel, and one that does not pass hits the part.";
         example book!("impeller", "splitters" = "no", "l_t" = "8");
@@ -181,8 +181,8 @@ rules! {
             "The published rule asks for a third more than the tool; of a clear cut rodete checks each pass against the neighbouring blades.";
         example book!("impeller", "splitters" = "no");
     "P1226" StretchesNotReached Caution { count: usize, what: Text, from: Size, to: Size, smaller: Text }
-        es "tramos que no se cortan porque a la herramienta le cierran el paso por los dos extremos: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
-        en "stretches not cut because the tool is shut off at both ends: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
+        es "tramos de cada canal que no se cortan porque a la herramienta le cierran el paso por los dos extremos: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
+        en "stretches of each channel not cut because the tool is shut off at both ends: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
         remedy "{smaller}; quite a mano lo que quede", "{smaller}; remove by hand what is left";
         why "Una pasada entra por el cubo o por el borde. Junto a un álabe intermedio pueden cerrarse los dos; con partly = sí no entra por el cubo.",
             "A pass comes in at the hub or at the rim. Beside a splitter both may be shut; with partly = yes none comes in at the hub.";

@@ -70,6 +70,17 @@ pub struct NoSplitter {
     pub largest: Option<f64>,
 }
 
+impl Told {
+    /// What is said of one of the tools.
+    #[must_use]
+    pub const fn tool(&self, which: Which) -> &ToolTold {
+        match which {
+            Which::Rough => &self.rough,
+            Which::Finish => &self.finish,
+        }
+    }
+}
+
 /// What a plan says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Told {

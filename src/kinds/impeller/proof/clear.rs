@@ -25,6 +25,7 @@ use crate::kinds::impeller::clearance::{Bounds, Stand, Until, WORK, Walls};
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::floor_depth::{Deepest, within};
 use crate::kinds::impeller::part::Part;
+use crate::kinds::impeller::proof::holder;
 use crate::kinds::impeller::proof::nose::Nose;
 use crate::kinds::impeller::proof::rules::{
     AxisInBlade, ClearCutsBlade, ClearCutsSplitter, ClearMayCut, ClearPassesDiffer, FloorUnder, RoughingLeavesLess,
@@ -62,6 +63,8 @@ pub struct ClearCutting<'a> {
     which: Which,
     /// Where splitters begin.
     splitter: Option<f64>,
+    /// A stick-out that is enough for any holder.
+    stick_out: f64,
     /// How many passes each channel should have.
     due: usize,
     channel: Option<Milli>,
@@ -76,7 +79,8 @@ impl<'a> ClearCutting<'a> {
     pub fn new(design: &'a Design, asked: &'a Asked, plan: &Plan, which: Which) -> Self {
         let due = plan.of(which).count() * plan.channels as usize;
         let splitter = plan.told.splitter_from;
-        Self { design, asked, which, splitter, due, channel: None, begun: false, made: 0, ways: Vec::new() }
+        let stick_out = plan.told.tool(which).stick_out;
+        Self { design, asked, which, splitter, stick_out, due, channel: None, begun: false, made: 0, ways: Vec::new() }
     }
 
     fn limit(&self) -> f64 {
@@ -439,6 +443,8 @@ impl Judge for ClearCutting<'_> {
         checks.extend(blades.map(|found| self.faces_check(program, found)));
         checks.extend(splitters.map(|found| self.splitters_check(program, found)));
         checks.extend(floor.map(|found| self.floor_check(program, &found)));
+        let ways = self.ways.iter().map(|way| way.stands.as_slice());
+        checks.extend(holder::check((self.design, self.asked, self.which), self.stick_out, ways, program));
         checks
     }
 }

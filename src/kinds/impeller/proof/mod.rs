@@ -6,7 +6,7 @@
 //! | [`tip_path`], by [`cutting`] | how far does the tip leave its path between the blocks, and how fine must the steps be |
 //! | [`floor`], by [`cutting`] | how much deeper than the floor does the tool's rim cut |
 //! | [`flanks`], by [`cutting`] | does the tool keep clear of the other blades |
-//! | [`clear`] | of a clear cut: does the tool keep out of faces, splitters and floor |
+//! | [`clear`] | of a clear cut: does the tool keep out of faces, splitters and floor; how far does its holder stay from the blank |
 //! | [`tool_terms`] | do tool, spindle and speed in force stand in the form |
 //! | [`stock`] | does it keep clear of the stock where it does not cut |
 //! | [`blank`] | does the turning program leave the torus, cut at the speeds and feeds asked for, and nowhere at rapid |
@@ -16,6 +16,7 @@ pub mod clear;
 pub mod cutting;
 pub mod flanks;
 pub mod floor;
+mod holder;
 pub mod nose;
 pub mod passes;
 pub mod refinement;

@@ -199,6 +199,13 @@ crate::finding::rule::rules! {
         remedy "compruébelo en el visor, o ponga method = clear", "check it in the viewer, or set method = clear";
         why "rodete solo cuenta con la distancia que queda demostrada.", "rodete counts only on the distance that is proved.";
         example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
+    "V0135" HolderNearBlank Caution { tool: Text, near: Size, enough: Size }
+        es "el portaherramientas de {tool} puede pasar a {near} del bruto"
+        en "the holder of {tool} may pass within {near} of the blank"
+        remedy "saque más la herramienta; con {enough} basta para cualquier portaherramientas", "set the tool to stick out farther; {enough} is enough for any holder";
+        why "El voladizo se mide a décimas: si queda algo más corto, el portaherramientas toca la pieza.",
+            "Stick-outs are measured to tenths: set a little shorter, the holder touches the part.";
+        example book!("impeller", "splitters" = "no", "l_t" = "17", "d_h" = "40");
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} {found} is in force, but the form asks for {wanted}"
