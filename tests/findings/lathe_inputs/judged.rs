@@ -238,9 +238,9 @@ fn how_long_the_first_set_up_holds_the_bar_is_judged_as_in_the_second() {
     }
     assert_eq!(told(&held(10.0, 40.0)), none());
     // A tailstock keeps the bar from tilting, and does not drive it.
-    let (found, exit) = told(&held(0.0, 40.0).put("tailstock", Value::Choice("yes")));
+    let (found, _) = told(&held(0.0, 40.0).put("tailstock", Value::Choice("yes")));
     let wanted = format!("caution {place} 0 mm of the bar; the tailstock supports it, but does not drive it");
-    assert!(exit == 0 && found[0].starts_with(&wanted), "{found:?}");
+    assert!(found.iter().any(|one| one.starts_with(&wanted)), "{found:?}");
     // Without jaws it is said what is assumed.
     let (_folder, document, exit) = build(&held(30.0, 0.0).bytes());
     let notes: Vec<String> = document["findings"].as_array().unwrap().iter().map(line).collect();
@@ -256,8 +256,8 @@ fn a_travel_that_ends_too_early_is_told_first_and_once_and_makes_no_collision() 
     assert!(found[0].contains(wanted) && found[0].contains("; the limit is in DATA!C30"), "{found:?}");
     assert!(found[0].contains(", and in other motions, too: ") && found[0].ends_with(" [Z ≤ 0 mm]"), "{found:?}");
     // Both ends of an axis are told apart, and come before what else is wrong.
-    let both = Book::new(&program("X46.|G1 Z-95. F.2|G0 X54.|Z2.")).put("Z_max", Value::Real(400.0));
-    let (found, _) = told(&both.put("Z_min", Value::Real(399.0)));
+    let both = Book::new(&program("X46.|G1 Z-95. F.2|G0 X54.|Z2.")).put("Z_max", Value::Real(210.0));
+    let (found, _) = told(&both.put("Z_min", Value::Real(200.0)));
     let travel = |one: &String| one.contains(" 121 Axis Z leaves its travel");
     assert!(found.iter().take(2).all(travel) && !found.iter().skip(2).any(travel), "{found:?}");
 }

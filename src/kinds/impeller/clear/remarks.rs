@@ -201,7 +201,7 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
                 told.with(format!("−{}", clearance.said(Language::En)), "≥ 0 mm".to_owned())
             } else {
                 // Below this a holder of any diameter hits the blank; what is enough keeps d_s away from it.
-                let least = Size::length(tenths(of(plan, which).stick_out - design.d_s), 1);
+                let least = at_most(of(plan, which).stick_out - design.d_s);
                 missed(StickOutTooShort { tool, from, least, enough, d_s }.at(place), from, least)
             });
         }
