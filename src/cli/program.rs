@@ -16,7 +16,7 @@ use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::tool_table;
 use crate::gcode::interpreter::{Files, Interpreter, Setting, Tools};
-use crate::kinds::lathe::findings::{Reached, assumed_of};
+use crate::kinds::lathe::findings::{Reached, assumed};
 use crate::kinds::lathe::parameters::FORM;
 use crate::kinds::lathe::setup::Given;
 use crate::machine::length_unit::LengthUnit;
@@ -185,12 +185,7 @@ impl<'a> Shared<'a> {
     /// What the lathe workbook leaves to be assumed for a program that has been read; with a parameter file, nothing.
     pub(super) fn assumed(&self, interpreter: &Interpreter<'_>) -> Vec<Finding> {
         let Some(given) = self.workbook.as_ref().filter(|_| self.var_file.is_empty()) else { return Vec::new() };
-        let reached = Reached {
-            machine: interpreter.moves_in_machine(),
-            reference: interpreter.returns_to_reference(),
-            set: interpreter.sets_position(),
-        };
-        assumed_of(given, &reached)
+        assumed(given, &Reached::by(interpreter))
     }
 
     /// What a program is read with.

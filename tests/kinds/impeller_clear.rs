@@ -303,7 +303,8 @@ fn what_a_rounded_roughing_tool_leaves_at_the_foot_of_the_faces_is_told() {
         let left = left(r_c).expect("a caution");
         assert!((upright(r_c)..2.0).contains(&left), "{r_c} {left}");
     }
-    assert_eq!(left(0.0), None);
+    // Of a small corner the twist of the faces leaves more than the rounding does.
+    assert_eq!([0.0, 0.2, 0.5].map(left), [None; 3]);
 }
 
 #[test]

@@ -284,7 +284,7 @@ fn the_set_up_sheet_says_which_program_counts_on_an_assumed_reference_point_and_
         outcome
             .setup
             .iter()
-            .filter(|(key, _)| key.starts_with("assumed") || key.starts_with("reference"))
+            .filter(|(key, _)| ["assumed", "zero", "reference"].iter().any(|begins| key.starts_with(begins)))
             .cloned()
             .collect()
     };
@@ -299,6 +299,23 @@ fn the_set_up_sheet_says_which_program_counts_on_an_assumed_reference_point_and_
     assert!(cells.starts_with("R_X (DATA!C") && cells.contains(", R_Z (DATA!C"), "{cells}");
     assert_eq!(told(&turned(&stays, &goes))[0].0, "assumed-program-2");
     assert_eq!(told(&turned(&stays, &[])), []);
+    // G53 counts from M, whatever is assumed for G28; a comment counts on nothing, a subprogram as the program does.
+    let with = |block: &'static str| {
+        let mut program = goes;
+        program[6] = block;
+        turned(&program, &[])
+    };
+    assert_eq!(told(&with("G53 X200. Z400."))[0].0, "zero-program");
+    assert_eq!(told(&with("(NO G28 HERE, G53 NEVER)")), []);
+    assert_eq!(told(&with("M98 P0005"))[0].0, "assumed-program");
+}
+
+#[test]
+fn a_build_says_that_no_workbook_gives_the_second_reference_point() {
+    let program =
+        ["G21 G40 G97 G99", "T0101", "G97 S900 M3", "M8", "G0 X48. Z2.", "G1 Z-5. F0.1", "G30 U0. W0.", "M30"];
+    let codes: Vec<_> = turned(&program, &[]).findings.iter().map(Finding::code).collect();
+    assert!(codes.contains(&"G0835") && !codes.contains(&"L0211"), "{codes:?}");
 }
 
 #[test]

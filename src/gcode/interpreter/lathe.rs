@@ -133,7 +133,7 @@ impl Reader<'_, '_> {
         if named.is_empty() {
             return Err(Refused::of(&ReferenceWithoutAxes { code: number }, &[column]));
         }
-        self.memory.referred = true;
+        self.memory.referred |= !second;
         let first = if second { G30_FIRST } else { G28_FIRST };
         if !self.memory.setting.var_file.iter().any(|(parameter, _)| (first..first + 3).contains(&parameter)) {
             let spot = self.block.spot;

@@ -290,7 +290,7 @@ impl<'a> Interpreter<'a> {
         self.memory.position_set
     }
 
-    /// Whether a block of a lathe has gone to a reference point (G28, G30).
+    /// Whether a block of a lathe has gone to the first reference point (G28).
     #[must_use]
     pub const fn returns_to_reference(&self) -> bool {
         self.memory.referred

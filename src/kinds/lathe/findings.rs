@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::finding::rules::OtherContour;
 use crate::finding::{Bare, Finding, Grade, Place, Raise, Said, Size};
+use crate::gcode::interpreter::Interpreter;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::kinds::lathe::Raised;
 use crate::kinds::lathe::rules::{
@@ -88,31 +89,31 @@ pub(super) fn too_much_work(file: Option<&str>, motion: &Motion, made: usize) ->
     ThreadTooMuchWork { made, lead, turns: Size::number(turns, 0) }.at(place)
 }
 
-/// What is assumed of the machine where the form does not say: the reference point of a program that goes there, or that gives
-/// coordinates to where the turret stands.
-pub(super) fn assumed(given: &Given, program: &str, sets_position: bool) -> Vec<Finding> {
-    let program = program.to_uppercase();
-    let has = |code: &str| {
-        program
-            .match_indices(code)
-            .any(|(at, _)| !program[at + code.len()..].starts_with(|next: char| next.is_ascii_digit()))
-    };
-    assumed_of(given, &Reached { machine: has("G53"), reference: has("G28") || has("G30"), set: sets_position })
-}
-
-/// What of the machine's places a program counts on.
+/// What of the machine's places a program counts on, as far as it was run, with its subprograms.
 #[derive(Clone, Copy, Debug)]
 pub struct Reached {
     /// It moves in machine coordinates: G53.
     pub machine: bool,
-    /// It goes to the reference point: G28 or G30.
+    /// It goes to the reference point: G28. The second one, of G30, no workbook gives (G0835).
     pub reference: bool,
     /// It gives coordinates to where the turret stands: G50 X Z.
     pub set: bool,
 }
 
+impl Reached {
+    /// What a program has counted on so far.
+    #[must_use]
+    pub const fn by(interpreter: &Interpreter<'_>) -> Self {
+        Self {
+            machine: interpreter.moves_in_machine(),
+            reference: interpreter.returns_to_reference(),
+            set: interpreter.sets_position(),
+        }
+    }
+}
+
 /// What is assumed of the machine where the form does not give the reference point.
-pub fn assumed_of(given: &Given, reached: &Reached) -> Vec<Finding> {
+pub fn assumed(given: &Given, reached: &Reached) -> Vec<Finding> {
     let mut found = Vec::new();
     if !given.referred && reached.machine {
         found.push(MachineZeroAssumed {}.at(Place::File));

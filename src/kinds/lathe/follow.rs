@@ -5,7 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::ControlFlow;
 
 use super::drawn::Drawn;
-use super::findings::{Faults, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
+use super::findings::{
+    Faults, Reached, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from,
+};
 use super::rules::{FeedBeyondRapid, InInches, NoMotion, NothingCut, ToolCutsNothing};
 use super::setup::Given;
 use super::setup_sheet::CuttingConditions;
@@ -344,7 +346,7 @@ impl<'a> Following<'_, 'a> {
         // Alarm 172 says it with the tool's own limits.
         let told_apart = |one: &Finding| one.is(GreatFeedPerTurn::RULE);
         faults.told.extend(interpreter.remarks().into_iter().filter(|one| !told_apart(one)));
-        faults.told.extend(assumed(given, &source.main.text, interpreter.sets_position()));
+        faults.told.extend(assumed(given, &Reached::by(interpreter)));
         faults.told.extend(interpreter.in_inches().then(|| InInches {}.at(Place::File)));
         if one.account.program.is_none() && last.is_none() && !one.endless && !one.uncut {
             faults.told.push(NoMotion {}.at(Place::File));

@@ -312,7 +312,6 @@ impl Given {
     #[must_use]
     pub fn setting(&self) -> Setting {
         let mut setting = Setting::new(self.control);
-        setting.var_file.complete();
         let reference = self.put_places(&mut setting.var_file, |length| length);
         setting.start.machine.set(Axis::X, reference[0]);
         setting.start.machine.set(Axis::Z, reference[1]);

@@ -6,6 +6,7 @@ use super::follow::Followed;
 use super::parameters as form;
 use super::rules::{MachineZeroAssumed, PositionAssumed, ReferenceAssumed};
 use super::setup::Given;
+use crate::finding::Rule;
 use crate::gcode::in_force::{Speed, Spindle};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind};
 use crate::kind::Shown;
@@ -164,6 +165,9 @@ impl FeedUnit {
     }
 }
 
+/// Of each program: it counts on an assumed reference point; it counts from M by G53.
+const KEYS: [[&str; 2]; 2] = [["assumed-program", "zero-program"], ["assumed-program-2", "zero-program-2"]];
+
 /// What the sheet prints beside the tables: `tools` and `tools-2`, the cutting conditions in the order of the turret's places; where the
 /// reference point is assumed, the keys of the programs that count on it, the point, and the cells to fill in.
 pub(super) fn shown_on_sheet(fields: &Fields, given: &Given, followed: &[Followed]) -> Vec<(&'static str, Shown)> {
@@ -176,13 +180,17 @@ pub(super) fn shown_on_sheet(fields: &Fields, given: &Given, followed: &[Followe
         .enumerate()
         .filter_map(|(at, key)| Some((key, Shown::Rows(rows(at)?))))
         .collect();
-    let rules = [MachineZeroAssumed::RULE, ReferenceAssumed::RULE, PositionAssumed::RULE];
-    let assumed = |one: &Followed| one.findings.iter().any(|found| rules.iter().any(|rule| found.is(rule)));
-    let keys = ["assumed-program", "assumed-program-2"];
-    let counting =
-        followed.iter().zip(keys).filter(|(one, _)| assumed(one)).map(|(_, key)| (key, Shown::Whether(true)));
-    all.extend(counting);
-    if followed.iter().any(assumed) {
+    let told = |one: &Followed, rules: &[&'static Rule]| {
+        one.findings.iter().any(|found| rules.iter().any(|rule| found.is(rule)))
+    };
+    let assumed = |one: &Followed| told(one, &[ReferenceAssumed::RULE, PositionAssumed::RULE]);
+    // G53 counts from M there, not from the point that is assumed for G28.
+    let from_zero = |one: &Followed| told(one, &[MachineZeroAssumed::RULE]);
+    for (one, [assumed_key, zero_key]) in followed.iter().zip(KEYS) {
+        let so = [(assumed_key, assumed(one)), (zero_key, from_zero(one))];
+        all.extend(so.into_iter().filter(|(_, so)| *so).map(|(key, _)| (key, Shown::Whether(true))));
+    }
+    if followed.iter().any(|one| assumed(one) || from_zero(one)) {
         let [X, Z] = given.reference();
         let cell = |row: &'static Parameter| match fields.values().cells.get(row.key) {
             Some(place) => format!("{} ({}!{})", row.key, place.sheet, place.cell),

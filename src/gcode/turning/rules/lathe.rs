@@ -56,8 +56,8 @@ rules! {
     "G0835" SecondPointNotKnown Caution { first: u32, last: u32 }
         es "no se conoce el segundo punto de referencia, de G30: rodete usa el cero máquina"
         en "the second reference point, of G30, is not known: rodete uses machine zero"
-        remedy "dé los parámetros {first} y {last} (X como radio, Z) con --var",
-            "give parameters {first} and {last} (X as a radius, Z) with --var";
+        remedy "use G28, o dé a verify los parámetros {first} y {last} (X como radio, Z) con --var",
+            "use G28, or give verify parameters {first} and {last} (X as a radius, Z) with --var";
         why "El camino hasta el punto de referencia puede cruzar la pieza.",
             "The path to the reference point may cross the work.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.|G30 U0. W0.|M30", "3:1");

@@ -309,10 +309,10 @@ fn at_the_root(job: &Job, asked: &Asked, told: &Told) -> Vec<Finding> {
         let (width, there) = (at_most(root.width), share(root.width_v));
         findings.push(RestBesideTheRoot { over, width, there }.at(Place::Parameters(finishing.clone().collect())));
     }
-    // A flat end leaves s_w to both sides of the corner.
-    if told.rough_foot > 2.0 * asked.cut.s + asked.tolerance {
-        let (left, s) = (at_most(told.rough_foot), Size::mm(asked.cut.s));
-        findings.push(RoughEndLeaves { left, s }.at(at([fields::CORNER.key(), fields::ALLOWANCE.key()])));
+    let [rounded, flat] = told.rough_foot;
+    if rounded - flat > asked.cut.s + asked.tolerance {
+        let (left, flat) = (at_most(rounded), at_most(flat));
+        findings.push(RoughEndLeaves { left, flat }.at(at([fields::CORNER.key(), fields::ALLOWANCE.key()])));
     }
     if let Some(v) = told.unfinished {
         findings.push(FacesUnfinished { share: share(v) }.at(at([

@@ -11,6 +11,7 @@ use crate::kinds::impeller::clear::pass::Cutting;
 use crate::kinds::impeller::clear::poses::{Poses, cusp};
 use crate::kinds::impeller::clear::root::{Line, Root, face_lines, left_above, nose_lines, root};
 use crate::kinds::impeller::clear::told::FaceError;
+use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::part::{Face, HUB, RIM};
 
 /// Places across the floor at which it is looked at, for each lane, and in all.
@@ -25,8 +26,8 @@ pub(super) struct Rests {
     pub(super) root: Root,
     /// v where the rounded end of the tool leaves a face that it runs along unfinished up to the tops.
     pub(super) unfinished: Option<f64>,
-    /// What roughing with a rounded end leaves of the blades' faces at the floor at most; 0 of a flat end.
-    pub(super) rough: f64,
+    /// What roughing with a rounded end leaves of the blades' faces at the floor at most, and what a flat one would leave; 0 of a flat end.
+    pub(super) rough: [f64; 2],
 }
 
 impl Draft<'_> {
@@ -37,7 +38,7 @@ impl Draft<'_> {
         if self.full() {
             let (most, v) = (part.a_p, HUB);
             let root = Root { over, height: most, v, thick: most, width: most, width_v: v, above: most };
-            return Rests { floor: None, root, unfinished: None, rough: 0.0 };
+            return Rests { floor: None, root, unfinished: None, rough: [0.0; 2] };
         }
         let passes = self.passes.iter().filter(|pass| pass.tool == Which::Finish).map(|pass| pass.points.as_slice());
         let poses = Poses::along(self.job.machine, passes);
@@ -57,10 +58,11 @@ impl Draft<'_> {
         Rests { floor: Some(floor), root, unfinished, rough: self.rough_foot() }
     }
 
-    /// How far the feet of the faces are from the nearest pose in roughing at most, where the roughing tool has a rounded end.
-    fn rough_foot(&self) -> f64 {
+    /// How far the feet of the faces are from the nearest pose in roughing at most, and how far they would be from a flat end that is
+    /// led the same way; 0 where the roughing tool is flat itself.
+    fn rough_foot(&self) -> [f64; 2] {
         if self.cut.rough.r_c == 0.0 {
-            return 0.0;
+            return [0.0; 2];
         }
         let part = &self.job.part;
         let cuts = [Which::Rough, Which::Finish].map(|which| {
@@ -73,8 +75,12 @@ impl Draft<'_> {
             .into_iter()
             .flat_map(|(face, turn)| face_lines(part, face, turn, from))
             .filter_map(|line| line.foot(part));
-        feet.map(|foot| cuts.iter().fold(part.a_p, |most, (tool, poses)| poses.apart(*tool, &foot, most)))
-            .fold(0.0, f64::max)
+        feet.fold([0.0; 2], |[rounded, flat]: [f64; 2], foot| {
+            let apart = |end: fn(Tool) -> Tool| {
+                cuts.iter().fold(part.a_p, |most, (tool, poses)| poses.apart(end(*tool), &foot, most))
+            };
+            [rounded.max(apart(|tool| tool)), flat.max(apart(|tool| Tool::flat(tool.d)))]
+        })
     }
 
     /// v where the corner's rest goes up to the tops along a pass that is run. A face without one is left whatever the tool.

@@ -212,9 +212,9 @@ rules! {
         remedy "escriba el diámetro de la fresa de acabado en d_f, o vacíe esas celdas", "fill in the diameter of the finishing tool, d_f, or empty these cells";
         why "Quien escribe esas celdas cuenta con otra herramienta que la que llevan los programas.", "Whoever fills in these cells counts on another tool than the programs do.";
         example book!("impeller", "splitters" = "no", "d_f" = "", "T_f" = "", "D_f" = "", "r_cf" = "1.5");
-    "P1231" RoughEndLeaves Caution { left: Size, s: Size }
-        es "la punta redondeada de la fresa de desbaste deja hasta {left} al pie de las caras, y s_w pide {s}: con eso se encuentran las primeras pasadas de acabado junto a las caras"
-        en "the rounded end of the roughing tool leaves up to {left} at the foot of the faces, and s_w asks for {s}: the first finishing passes beside the faces meet that"
+    "P1231" RoughEndLeaves Caution { left: Size, flat: Size }
+        es "la punta redondeada de la fresa de desbaste deja hasta {left} al pie de las caras, y una plana dejaría {flat}: con eso se encuentran las primeras pasadas de acabado junto a las caras"
+        en "the rounded end of the roughing tool leaves up to {left} at the foot of the faces, where a flat one would leave {flat}: the first finishing passes beside the faces meet that"
         remedy "elija un radio de esquina r_c menor, o cuente con ello en el avance de acabado", "choose a smaller corner radius r_c, or allow for it in the finishing feed";
         why "Junto a una cara la fresa se lleva como una frontal de su diámetro: su lado deja s_w, y bajo el radio de esquina queda más.",
             "Beside a face the tool is led like a flat one of its diameter: its side leaves s_w, and below the corner radius more stays.";

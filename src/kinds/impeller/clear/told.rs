@@ -108,8 +108,9 @@ pub struct Told {
     pub rough_from: f64,
     /// The station from which on the finishing tool does.
     pub finish_from: f64,
-    /// How much a roughing tool with a rounded end leaves of the faces at the floor at most, mm; 0 of a flat end.
-    pub rough_foot: f64,
+    /// How much a roughing tool with a rounded end leaves of the faces at the floor at most, and how much a flat one led the same way
+    /// would, mm; 0 of a flat end.
+    pub rough_foot: [f64; 2],
     /// The share of the turned surface of the channels, from 0 to 1, that no pass reaches; 0 where the finishing tool fits all the way.
     pub uncut: f64,
     /// What is not run of the passes, and no other pass takes or tells of.
