@@ -326,6 +326,23 @@ fn thick_blades_that_close_the_way_at_the_hub_name_the_thickness_that_leaves_roo
 }
 
 #[test]
+fn no_smaller_tool_is_advised_where_the_straight_ends_of_thick_blades_close_the_way() {
+    let sizes = [("r", 15.5), ("e", 7.0), ("a_p", 4.0), ("d_t", 4.0), ("d_f", 4.0), ("c_s", 0.2)];
+    let mut cells: Vec<_> = sizes.map(|(key, value)| (key, Value::Real(value))).into();
+    cells.push(("N", Value::Whole(1)));
+    let made = outcome(&cells);
+    let stops: Vec<_> = made.findings.iter().filter(|finding| ["V0126", "V0131"].contains(&finding.code())).collect();
+    assert!(stops.iter().any(|stop| stop.code() == "V0131"), "{:?}", made.findings);
+    for stop in stops {
+        let [es, en] = [&stop.remedy.es, &stop.remedy.en];
+        assert!(es.starts_with("use álabes más delgados (") && en.starts_with("use thinner blades ("), "{stop:?}");
+        let smaller = en.find("a smaller tool in this program");
+        let only_where = en.find("where no axis goes through a face");
+        assert!(en.contains("more may do") && smaller.is_none_or(|at| only_where.is_some_and(|before| before < at)));
+    }
+}
+
+#[test]
 fn a_tool_that_does_not_fit_at_the_hub_cuts_as_far_as_it_fits_where_the_form_admits_it() {
     let wide = [("d_t", Value::Real(8.0)), ("partly", Value::Choice("yes"))];
     let two = outcome(&wide);

@@ -92,19 +92,27 @@ fn every_hole_passes_its_verification_in_every_dialect() {
 }
 
 #[test]
-fn a_gap_below_the_tolerance_is_a_caution_that_names_the_gap_that_is_enough() {
-    let told = |b: f64| {
-        let findings = outcome(&[real("b", b), real("arc_tolerance", 0.2)]).findings;
-        findings.into_iter().find(|finding| finding.code() == "P3017")
-    };
+fn a_gap_smaller_than_the_cut_is_proved_to_be_off_is_a_caution_that_names_a_gap_that_is_enough() {
+    let made = |b: f64, tolerance: f64| outcome(&[real("b", b), real("arc_tolerance", tolerance)]);
+    let caution = |outcome: &Outcome| outcome.findings.iter().find(|finding| finding.code() == "P3017").cloned();
+    let told = |b: f64, tolerance: f64| caution(&made(b, tolerance));
     let number = |text: &str, after: &str| -> f64 {
         text.split(after).nth(1).unwrap().split(' ').next().unwrap().parse().unwrap()
     };
-    let caution = told(0.1).expect("a caution");
-    assert_eq!(caution.grade, Grade::Caution);
-    let (into, enough) = (number(&caution.what.en, "may be up to "), number(&caution.remedy.en, "set b to "));
-    assert!((0.1..0.11).contains(&into) && (into + 0.1 - enough).abs() < 1e-9, "{caution:?}");
-    assert!(told(enough).is_none() && told(enough - 0.002).is_some());
+    for tolerance in [0.05, 0.2, 1.0] {
+        let none = made(0.0, tolerance);
+        let off = number(&check_row(&none, "Cut edge").0, "≤ ");
+        let found = caution(&none).expect("a caution");
+        assert_eq!(found.grade, Grade::Caution);
+        // It is what the row of the verification tells, not the tolerance.
+        let (into, enough) = (number(&found.what.en, "may be up to "), number(&found.remedy.en, "set b to about "));
+        assert!((off - 1e-4..off + 1.1e-3).contains(&into) && into <= enough, "{off} {found:?}");
+        assert!(told(enough, tolerance).is_none(), "{tolerance} {enough}");
+        let half = told(off / 2.0, tolerance).expect("a caution");
+        assert!(number(&half.what.en, "may be up to ") < 0.8 * into, "{half:?}");
+    }
+    // A coarse tolerance of which the cut uses a part alone.
+    assert!(told(0.5, 1.0).is_none());
 }
 
 #[test]

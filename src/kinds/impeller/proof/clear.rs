@@ -285,6 +285,27 @@ fn nearest(found: [Option<(Bounds, At)>; 3]) -> Option<(Bounds, At)> {
     })
 }
 
+/// What helps a tool that enters a face, where the ends of the blades keep apart.
+const SMALLER: Text = t(
+    "una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o menos álabes o más delgados",
+    "a smaller tool in this program (d_t in roughing, d_f in finishing), or fewer or thinner blades",
+);
+/// What may help beside thinner blades, where they perhaps do not.
+const PERHAPS_SMALLER: Text = t(
+    "si ningún eje atraviesa una cara, puede bastar una fresa menor en este programa (d_t en el desbaste, d_f en el acabado)",
+    "where no axis goes through a face, a smaller tool in this program (d_t in roughing, d_f in finishing) may do",
+);
+/// What does not help where the axis goes through a face, beside thinner blades.
+const NOTHING_ELSE: Text = t(
+    "no basta con una fresa menor ni con menos álabes, y rara vez con un fondo menos profundo (a_p)",
+    "neither a smaller tool nor fewer blades will do, and seldom a shallower floor (a_p)",
+);
+
+/// Two sentences in one.
+fn followed(one: &Text, other: &Text) -> Text {
+    Text::new(format!("{}; {}", one.es, other.es), format!("{}; {}", one.en, other.en))
+}
+
 impl ClearCutting<'_> {
     /// Whether as many passes are run as the plan has.
     fn passes_check(&self, program: &Program) -> Check {
@@ -304,34 +325,37 @@ impl ClearCutting<'_> {
             let d = self.asked.cut.tool(self.which).d;
             // The search for a face that the axis reaches ends at a hundredth of the radius.
             if self.is_into(bounds, self.turned() - (1.0 - AT_AXIS) * d / 2.0) {
-                let blades = self.blades(t("álabes más delgados (e)", "thinner blades (e)"));
-                AxisInBlade { line, program, blades }.at(place)
+                let other = self
+                    .thin_blades()
+                    .map_or(t("álabes más delgados (e) o menos", "thinner blades (e) or fewer"), |thin| {
+                        followed(&thin, &NOTHING_ELSE)
+                    });
+                AxisInBlade { line, program, other }.at(place)
             } else if self.is_into(bounds, -limit) {
                 let (depth, limit) = (Size::length(-bounds.upper, 4), Size::length(limit, 4));
-                let blades = self.blades(t("menos álabes o más delgados", "fewer or thinner blades"));
-                ClearCutsBlade { depth, limit, line, program, blades }.at(place)
+                let other = self.thin_blades().map_or(SMALLER, |thin| followed(&thin, &PERHAPS_SMALLER));
+                ClearCutsBlade { depth, limit, line, program, other }.at(place)
             } else {
                 self.nearer(bounds, line, program, place)
             }
         })
     }
 
-    /// The blades between which a tool that enters a face has room. Along the hub a blade takes e·R/r. Where that is more than the
-    /// radius of the floor there, the straight ends stand in the way of every tool and of a single blade, too. It is an estimate: a wide
-    /// tool needs a still thinner blade.
-    fn blades(&self, otherwise: Text) -> Text {
+    /// What blades are surely thin enough for their straight ends to keep apart at the hub; `None` where they are. Along the hub a blade
+    /// takes e·R/r, and they keep apart up to the radius of the floor there. Thicker ones may leave room, too; a wide tool may need
+    /// thinner ones.
+    fn thin_blades(&self) -> Option<Text> {
         let Design { torus, a_p, e, .. } = self.design;
         let thin = ((torus.R - torus.r - a_p) * torus.r / torus.R * 100.0).floor() / 100.0;
-        if *e <= thin {
-            return otherwise;
-        }
-        let thin = shown(thin, 2);
-        Text::new(
-            format!(
-                "álabes más delgados (e), de unos {thin} mm o menos, porque sus extremos rectos cierran el paso junto al cubo"
-            ),
-            format!("thinner blades (e), of about {thin} mm or less, as their straight ends close the way at the hub"),
-        )
+        let [es, en] = [
+            [
+                "álabes más delgados (con una e de unos",
+                "o menos sus extremos rectos no se juntan; una mayor también puede servir)",
+            ],
+            ["thinner blades (with e of about", "or less their straight ends keep apart; more may do)"],
+        ]
+        .map(|[blades, ends]| format!("{blades} {} mm {ends}", shown(thin, 2)));
+        (*e > thin).then(|| Text::new(es, en))
     }
 
     /// How far it keeps from all splitters.

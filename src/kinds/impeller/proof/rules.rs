@@ -142,10 +142,10 @@ crate::finding::rule::rules! {
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "Si falta una pasada queda metal en el canal.", "A missing pass leaves metal in the channel.";
         example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N120 G0 Z-241.183", to: "N120 M30" };
-    "V0126" ClearCutsBlade Stop { depth: Size, limit: Size, line: usize, program: Text, blades: Text }
+    "V0126" ClearCutsBlade Stop { depth: Size, limit: Size, line: usize, program: Text, other: Text }
         es "la herramienta entra {depth} en la cara de un álabe, en la línea {line} de «{program}»; la tolerancia admite {limit}"
         en "the tool enters the face of a blade by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
-        remedy "use una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o {blades}", "use a smaller tool in this program (d_t in roughing, d_f in finishing), or {blades}";
+        remedy "use {other}", "use {other}";
         why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
         example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N23350 G1 X-2.836", to: "N23350 G1 X-3.136" };
     "V0127" ClearCutsSplitter Stop { depth: Size, limit: Size, line: usize, program: Text }
@@ -173,10 +173,10 @@ crate::finding::rule::rules! {
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
         why "Con la otra fresa la misma trayectoria corta las caras o deja metal.", "With the other tool the same path cuts into faces or leaves metal.";
         example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N30 T2 D2", to: "N30 T1 D2" };
-    "V0131" AxisInBlade Stop { line: usize, program: Text, blades: Text }
+    "V0131" AxisInBlade Stop { line: usize, program: Text, other: Text }
         es "el eje de la herramienta atraviesa la cara de un álabe, en la línea {line} de «{program}»: ahí no cabe esta herramienta, y quizá ninguna"
         en "the axis of the tool goes through the face of a blade, in line {line} of \"{program}\": this tool has no room there, and perhaps none has"
-        remedy "use {blades}; no basta con una fresa menor ni con menos álabes, y rara vez con un fondo menos profundo (a_p)", "use {blades}; neither a smaller tool nor fewer blades will do, and seldom a shallower floor (a_p)";
+        remedy "use {other}", "use {other}";
         why "Si el cubo es más estrecho que el álabe, las caras pasan el eje de la pieza y llegan a los canales del otro lado.",
             "Where the hub is narrower than the blade, the faces pass the axis of the part and come into the channels on the other side.";
         example book!("impeller", "r" = "15.5", "N" = "1", "e" = "7", "a_p" = "4", "d_t" = "4", "d_f" = "", "splitters" = "no", "c_s" = "0.2", "tol" = "0.03");

@@ -37,14 +37,12 @@ use crate::kinds::pipe::hole::bounds::too_high;
 use crate::kinds::pipe::hole::cut::{Cut, NoWay, TooHigh, UPRIGHT, cut};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::figures::{figures, template};
-use crate::kinds::pipe::hole::parameters::{
-    ARC_TOLERANCE, B, D_MAX, FORM, G0, GAMMA, H, HOLD_OFF, HOLD_ON, KERF, LEAD_IN, M, Z_S,
-};
+use crate::kinds::pipe::hole::parameters::{D_MAX, FORM, G0, GAMMA, H, HOLD_OFF, HOLD_ON, KERF, LEAD_IN, M, Z_S};
 use crate::kinds::pipe::hole::program::{distance, full, hold};
 use crate::kinds::pipe::hole::proof::Curve;
 use crate::kinds::pipe::hole::rules::{
-    GapWithinTolerance, HeightNotHeld, HoleByIncrements, HoleOnLinearAxes, LandCutApart, TorchLiesDown, TorchSwings,
-    TorchTooHigh, TurnsAboutTip,
+    HeightNotHeld, HoleByIncrements, HoleOnLinearAxes, LandCutApart, TorchLiesDown, TorchSwings, TorchTooHigh,
+    TurnsAboutTip,
 };
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
@@ -376,13 +374,6 @@ fn remarks(design: &Design, held: bool) -> Vec<Finding> {
     }
     if design.lead_in == 0.0 {
         findings.push(NoLeadIn {}.at(at([LEAD_IN.key()])));
-    }
-    let tolerance = proof::tolerance(design);
-    if design.b < tolerance {
-        // Neither is told too small.
-        let [into, least] = [tolerance - design.b, tolerance].map(|value| Size::mm((value * 1e3 - 1e-6).ceil() / 1e3));
-        let told = GapWithinTolerance { b: Size::mm(design.b), into, least };
-        findings.push(told.at(at([B.key(), ARC_TOLERANCE.key()])));
     }
     if design.kerf == 0.0 {
         findings.push(KerfZero {}.at(at([KERF.key(), M.key()])));

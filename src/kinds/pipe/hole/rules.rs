@@ -116,7 +116,7 @@ rules! {
     "P3017" GapWithinTolerance Caution { b: Size, into: Size, least: Size }
         es "con una holgura b de {b} el borde cortado puede entrar hasta {into} en el injerto: el programa va por cuerdas, que la reducen hasta en arc_tolerance y el redondeo"
         en "with a gap b of {b} the cut edge may be up to {into} inside the branch: the program goes along chords, which take up to arc_tolerance and the rounding from the gap"
-        remedy "escriba en b {least} o más, o cuente con repasar el agujero; una arc_tolerance menor deja menos", "set b to {least} or more, or allow for grinding the hole; a smaller arc_tolerance leaves less";
+        remedy "escriba en b unos {least} o más, o cuente con repasar el agujero; una arc_tolerance menor deja menos", "set b to about {least} or more, or allow for grinding the hole; a smaller arc_tolerance leaves less";
         why "Las cuerdas pasan por dentro de la curva del agujero: donde más se apartan, el agujero es más estrecho.",
             "Chords run inside the curve of the hole: where they are farthest from it, the hole is narrower.";
         example book!("pipe-hole", "b" = "0");

@@ -18,7 +18,7 @@ mod clearance;
 mod crossing;
 pub mod rules;
 
-use crate::kinds::pipe::hole::parameters::{ARC_TOLERANCE, F_MAX, GAMMA, H};
+use crate::kinds::pipe::hole::parameters::{self, ARC_TOLERANCE, F_MAX, GAMMA, H};
 
 use crate::finding::{Raise, Size};
 use crate::gcode::motion::{Motion, MotionKind};
@@ -31,6 +31,7 @@ use crate::kinds::pipe::hole::proof::clearance::Clearance;
 pub use crate::kinds::pipe::hole::proof::clearance::clearance;
 use crate::kinds::pipe::hole::proof::crossing::Crossing;
 use crate::kinds::pipe::hole::proof::rules::{BevelOff, CutSlows, NotItsTime, SwingsAtOnce};
+use crate::kinds::pipe::hole::rules::GapWithinTolerance;
 use crate::kinds::pipe::hole::station::Groove;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::grid::Milli;
@@ -48,7 +49,7 @@ use crate::proof::torch::Torch;
 use crate::text::{Text, t};
 
 /// By how much the beam may pass from the root, and so the cut edge from the branch with its gap, mm.
-pub(super) fn tolerance(design: &Design) -> f64 {
+fn tolerance(design: &Design) -> f64 {
     design.arc_tolerance + rounding(design)
 }
 
@@ -145,25 +146,36 @@ impl Judge for BeamOnRoot<'_> {
         let rest = t("por el redondeo a 0.001 mm y 0.001°", "for the rounding to 0.001 mm and 0.001°");
         let tolerated = Tolerance::of_arcs(self.design.arc_tolerance, tolerance, &rest);
         let errors = &self.errors;
-        let off = |key, name, what| {
+        let asked = |key, name| {
             let [value, limit] = bound(errors.at_most(0), tolerance);
-            let asked = Question::new(key, name, program).showing(value, limit);
-            errors.within(asked, 0, &tolerated, what, Remedy::Fault)
+            Question::new(key, name, program).showing(value, limit)
         };
+        let off = |asked, what| errors.within(asked, 0, &tolerated, what, Remedy::Fault);
         let beam = off(
-            "beam",
-            t("Chorro contra la raíz exacta", "Beam against the exact root"),
+            asked("beam", t("Chorro contra la raíz exacta", "Beam against the exact root")),
             t("el chorro se aparta de la raíz exacta", "the beam leaves the exact root by"),
         );
         // No farther than the beam from the root.
-        let branch = off(
+        let edge = asked(
             "branch",
             t("Borde cortado, sobre el injerto con su holgura", "Cut edge, on the branch with its gap"),
-            t(
-                "el borde cortado se aparta del injerto con su holgura",
-                "the cut edge is off the branch with its gap by",
-            ),
         );
+        let branch = match self.gap() {
+            Some(told) => {
+                let asked = errors
+                    .put(edge, 0)
+                    .measuring(errors.at_most(0))
+                    .of_parameters([parameters::B.key(), ARC_TOLERANCE.key()]);
+                asked.holds(false, |place| told.at(place))
+            }
+            None => off(
+                edge,
+                t(
+                    "el borde cortado se aparta del injerto con su holgura",
+                    "the cut edge is off the branch with its gap by",
+                ),
+            ),
+        };
         let name = t("Bisel: error máximo de ángulo", "Bevel: maximum angle error");
         let opening = self.crossing.opening().to_degrees();
         let angle = degrees(errors.at_most(1)) + opening;
@@ -187,6 +199,15 @@ impl Judge for BeamOnRoot<'_> {
 }
 
 impl BeamOnRoot<'_> {
+    /// What is told of a gap that is smaller than what a cut within its tolerance is off.
+    fn gap(&self) -> Option<GapWithinTolerance> {
+        let (b, tolerance, off) = (self.design.b, tolerance(self.design), self.errors.at_most(0));
+        // None is told too small. A larger gap makes a larger hole, whose chords may be off a little more.
+        let told = |value: f64| Size::mm((value * 1e3 - 1e-6).ceil() / 1e3);
+        let least = told((1.1 * off).min(tolerance));
+        (b < off && off <= tolerance).then(|| GapWithinTolerance { b: Size::mm(b), into: told(off - b), least })
+    }
+
     /// Holds the beam along a motion against the cut between two angles.
     fn look(&mut self, motion: &Motion, [from, to]: [f64; 2]) {
         let groove = self.groove;
@@ -379,7 +400,7 @@ pub const CHECKS: &[&str] = &[
 /// The judges of the program. `curve` takes the deviation along the curve.
 #[must_use]
 pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec<Box<dyn Judge + 'a>> {
-    let limits = [design.arc_tolerance + rounding(design), chord(BEVEL)];
+    let limits = [tolerance(design), chord(BEVEL)];
     let errors = Enclosed::new([1e-3 * design.arc_tolerance, 1e-5], limits, WORK);
     let groove = design.groove();
     let crossing = Crossing::new(groove, BEVEL.to_radians());
