@@ -307,7 +307,9 @@ fn the_set_up_sheet_says_which_program_counts_on_an_assumed_reference_point_and_
     };
     assert_eq!(told(&with("G53 X200. Z400."))[0].0, "zero-program");
     assert_eq!(told(&with("(NO G28 HERE, G53 NEVER)")), []);
-    assert_eq!(told(&with("M98 P0005"))[0].0, "assumed-program");
+    let mut calls = goes[..6].to_vec();
+    calls.extend(["M98 P0005", "M30", "O0005", "G28 U0. W0.", "M99"]);
+    assert_eq!(told(&turned(&calls, &[]))[0].0, "assumed-program");
 }
 
 #[test]
