@@ -48,7 +48,7 @@ pub static FAGOR_8055_T: Control = Control {
     lexis: Lexis { letters: Letters::of("ABCDFIJKQRSTUVWXYZ"), ..LEXIS },
     codes: &CODES_8055_T,
     start: Start { plane: Plane::ZX, ..FAGOR_8055_BASE.start },
-    order: Order::OffLast,
+    order: Order::FagorLathe,
     axes: AxisWords { x: AcrossWord::Diameter, increments: Increments::ByMode },
     arcs: ArcWords { across: Across::Unknown, ..FAGOR_8055_BASE.arcs },
     spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
@@ -119,7 +119,7 @@ const FAGOR_8055_BASE: Control = Control {
         retract: Retract::Initial,
         units: UnitChange::Anywhere,
     },
-    order: Order::Rs274,
+    order: Order::Fagor,
     axes: AxisWords { x: AcrossWord::Radius, increments: Increments::ByMode },
     arcs: ArcWords {
         letters: Letters::of("IJKRP"),

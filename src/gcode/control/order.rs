@@ -5,10 +5,12 @@ use crate::gcode::letters::Letters;
 /// In which order the words of a block are obeyed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// That of RS274: M codes before the motion, the unit with the other modes.
+    /// That of RS274: M codes before the motion, the unit with the other modes, behind F and S.
     Rs274,
+    /// M codes before the motion. No manual of Fagor says in which unit F and S are read beside a code that changes it.
+    Fagor,
     /// The same, but M5 and M9 behind the motion.
-    OffLast,
+    FagorLathe,
     /// The unit before every word, M5 and M9 behind the motion, and a motion code beside G28, G30 or G50, in force from
     /// there on.
     Fanuc,
@@ -20,7 +22,16 @@ impl Order {
     pub const fn unit_first(self) -> bool {
         match self {
             Self::Fanuc => true,
-            Self::Rs274 | Self::OffLast => false,
+            Self::Rs274 | Self::Fagor | Self::FagorLathe => false,
+        }
+    }
+
+    /// True where it is not known whether the unit of a block holds for its feed and speed too.
+    #[must_use]
+    pub const fn unit_open(self) -> bool {
+        match self {
+            Self::Fagor | Self::FagorLathe => true,
+            Self::Rs274 | Self::Fanuc => false,
         }
     }
 
@@ -28,8 +39,8 @@ impl Order {
     #[must_use]
     pub const fn off_last(self) -> bool {
         match self {
-            Self::OffLast | Self::Fanuc => true,
-            Self::Rs274 => false,
+            Self::FagorLathe | Self::Fanuc => true,
+            Self::Rs274 | Self::Fagor => false,
         }
     }
 
@@ -38,7 +49,7 @@ impl Order {
     pub const fn motion_beside(self) -> bool {
         match self {
             Self::Fanuc => true,
-            Self::Rs274 | Self::OffLast => false,
+            Self::Rs274 | Self::Fagor | Self::FagorLathe => false,
         }
     }
 }

@@ -379,7 +379,8 @@ told! {
     }
     Order {
         Self::Rs274 => "el de RS274: los códigos M antes del movimiento", "that of RS274: M codes before the motion";
-        Self::OffLast => "el de RS274, pero M5 y M9 después del movimiento", "that of RS274, but M5 and M9 after the motion";
+        Self::Fagor => "los códigos M antes del movimiento; no se sabe en qué unidad se leen F y S junto a G70 o G71", "M codes before the motion; it is not known in which unit F and S are read beside G70 or G71";
+        Self::FagorLathe => "los códigos M antes del movimiento, M5 y M9 después; no se sabe en qué unidad se leen F y S junto a G70 o G71", "M codes before the motion, M5 and M9 after it; it is not known in which unit F and S are read beside G70 or G71";
         Self::Fanuc => "la unidad antes que toda palabra, M5 y M9 después del movimiento; junto a G28, G30 o G50 puede ir un código de movimiento", "the unit before every word, M5 and M9 after the motion; a motion code may be beside G28, G30 or G50";
     }
     AcrossWord {

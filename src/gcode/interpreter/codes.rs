@@ -73,6 +73,7 @@ impl Reader<'_, '_> {
             };
             self.state.modal.feed_word = F;
             self.state.modal.feed_stale = false;
+            self.state.modal.feed_unit = None;
         }
         if let Some(S) = self.block.get(letter::S) {
             let limit = matches!(self.block.g(Group::NonModal), Some(G::SetPositionOrSpeed));

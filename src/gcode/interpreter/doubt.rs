@@ -117,7 +117,8 @@ impl Reader<'_, '_> {
     /// What a line that was refused would have put into force, by its letters: more rather than less.
     fn doubt_line(&mut self, text: &[u8], refused: usize) {
         let line = self.without_comments(text);
-        let mut state = 0;
+        // A feed whose unit is not known stays so until F comes again.
+        let mut state = if self.state.modal.feed_unit.is_some() { FEED } else { 0 };
         for (at, &byte) in line.iter().enumerate() {
             let index = usize::from(byte.wrapping_sub(b'A'));
             state |= match byte {

@@ -96,6 +96,7 @@ impl Reader<'_, '_> {
             self.state.modal.plane = plane;
         }
         if !unit_first {
+            self.doubt_unit(motion)?;
             self.take_unit();
         }
         match self.block.g(Group::CutterCompensation) {
@@ -443,6 +444,7 @@ impl Reader<'_, '_> {
 
     /// The feed in force, for a motion at feed.
     pub(super) fn feed(&mut self) -> Result<Feed> {
+        self.feed_has_unit()?;
         let mode = self.state.modal.feed_mode;
         match mode {
             FeedMode::InverseTime | FeedMode::Seconds if self.block.get(letter::F).is_none_or(|F| F <= 0.0) => {

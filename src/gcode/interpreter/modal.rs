@@ -68,6 +68,8 @@ pub(super) struct Modal {
     pub(super) lead_change: f64,
     /// What F means has changed since F was given.
     pub(super) feed_stale: bool,
+    /// F was given beside a code that changes the unit, and no source says in which it counts: the line, and the code.
+    pub(super) feed_unit: Option<(usize, G)>,
     /// The work offset in force is shifted by its own block.
     pub(super) shifted: bool,
     /// The first blocks of turning cycles of two blocks.
@@ -109,6 +111,7 @@ impl Modal {
             lead: None,
             lead_change: 0.0,
             feed_stale: false,
+            feed_unit: None,
             shifted: false,
             first: Vec::new(),
             system,

@@ -1,11 +1,14 @@
 //! What is seen of a program's unit of length.
 
 use crate::finding::Grade;
-use crate::gcode::code::G;
+use crate::gcode::code::{G, Group, TurningCycle};
 use crate::gcode::control::UnitChange;
-use crate::gcode::interpreter::Memory;
+use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::library::Spot;
-use crate::gcode::rules::modes::{UnitNotSaid, UnitsChange};
+use crate::gcode::interpreter::refused::{Refused, Result};
+use crate::gcode::interpreter::{Memory, Reader, doubt};
+use crate::gcode::motion::FeedMode;
+use crate::gcode::rules::modes::{FeedUnitNotKnown, UnitBesideFeed, UnitNotSaid, UnitsChange};
 use crate::machine::length_unit::LengthUnit;
 use crate::text::t;
 
@@ -52,5 +55,61 @@ impl Memory<'_> {
             (None, Some(_)) | (Some(_), None) => {}
         }
         self.units.inches |= unit == LengthUnit::Inch;
+    }
+}
+
+impl Reader<'_, '_> {
+    /// F and S beside a code that changes the unit, where no source says in which of the two they count: told, and a feed that
+    /// hangs on it is refused. `motion` is the block's own. To be asked before the unit is taken, and behind F and S.
+    pub(super) fn doubt_unit(&mut self, motion: Option<G>) -> Result<()> {
+        let inch = self.state.modal.unit == LengthUnit::Inch;
+        let changes = |code: &G| matches!(code, G::Inch | G::Millimetre) && (*code == G::Inch) != inch;
+        let Some(code) = self.block.g(Group::Units).filter(changes) else { return Ok(()) };
+        if !self.memory.control.order.unit_open() {
+            return Ok(());
+        }
+        let at_once = self.block.g(Group::NonModal);
+        if let Some(G::Turning(TurningCycle::Fagor(number))) = at_once {
+            // F and H of these are feeds of their own.
+            let feeds: &[usize] = if matches!(number, 81 | 82 | 84 | 85) { &[letter::F, letter::H] } else { &[] };
+            let line = self.block.spot.line;
+            return match feeds.iter().find(|&&feed| self.block.has(feed)) {
+                Some(&feed) => Err(self.feed_without_unit(if feed == letter::F { 'F' } else { 'H' }, line, code)),
+                None => Ok(()),
+            };
+        }
+        let by_length = matches!(self.state.modal.feed_mode, FeedMode::PerMinute | FeedMode::PerRevolution);
+        let feed = self.block.has(letter::F) && by_length;
+        if feed {
+            self.state.modal.feed_unit = Some((self.block.spot.line, code));
+        }
+        let limit = at_once == Some(G::SetPositionOrSpeed);
+        let surface = self.memory.control.spindle.turns.part() && self.state.modal.constant_surface_speed && !limit;
+        let speed = self.block.has(letter::S) && surface;
+        // A motion at feed of the block itself is refused.
+        let told = feed && !matches!(motion, Some(G::Linear | G::Arc(_) | G::Cycle(_)));
+        let words = [("F", told), ("S", speed)];
+        let words: Vec<&str> = words.into_iter().filter(|(_, so)| *so).map(|(word, _)| word).collect();
+        if !words.is_empty() {
+            let row = UnitBesideFeed { words: words.join(", "), code: self.unit_code(code) };
+            let (spot, column) = (self.block.spot, self.block.g_column(Group::Units));
+            self.memory.remarks.row(&row, spot, Some(column));
+        }
+        Ok(())
+    }
+
+    /// Refuses a motion at a feed whose unit is in doubt. What comes behind it in the same feed follows from that.
+    pub(super) fn feed_has_unit(&self) -> Result<()> {
+        let Some((line, code)) = self.state.modal.feed_unit else { return Ok(()) };
+        Err(self.feed_without_unit('F', line, code))
+    }
+
+    fn feed_without_unit(&self, word: char, line: usize, code: G) -> Box<Refused> {
+        Refused::of(&FeedUnitNotKnown { word, line, code: self.unit_code(code) }, &[]).hanging_on(doubt::FEED)
+    }
+
+    /// The control's own code for a unit.
+    fn unit_code(&self, code: G) -> String {
+        self.memory.control.codes.names(code).into_iter().next().unwrap_or_default()
     }
 }

@@ -245,4 +245,18 @@ rules! {
         why "Con la otra unidad la pieza saldría 25.4 veces mayor o menor. El control guarda la unidad del programa anterior, un Fanuc también sin tensión.",
             "In the other unit the part would be 25.4 times larger or smaller. The control keeps the unit of the program before, a Fanuc also with the power off.";
         example Example::program("linuxcnc", "G0 X1|M2", "1");
+    "G0535" UnitBesideFeed Caution { words: String, code: String }
+        es "{words} en el bloque de {code}, que cambia la unidad: el manual no dice en cuál de las dos unidades se lee; rodete lee en la anterior"
+        en "{words} in the block of {code}, which changes the unit: the manual does not say in which of the two units it is read; rodete reads in the earlier one"
+        remedy "escriba {code} solo, en un bloque anterior", "write {code} alone, in a block before";
+        why "En la otra unidad el avance es 25.4 veces mayor o menor, y la velocidad de corte de G96 3.28 veces.",
+            "In the other unit the feed is 25.4 times larger or smaller, and the surface speed of G96 3.28 times.";
+        example Example::program("fagor-8055", "G71 G90 G94 S900 M3|G70 F10|G0 X1|M30", "2:1");
+    "G0536" FeedUnitNotKnown Stop { word: char, line: usize, code: String }
+        es "el avance es la {word} de la línea {line}, escrita en el bloque de {code}, que cambia la unidad: el manual no dice en cuál de las dos unidades se lee"
+        en "the feed is the {word} of line {line}, written in the block of {code}, which changes the unit: the manual does not say in which of the two units it is read"
+        remedy "escriba {code} solo, en un bloque anterior, o dé {word} otra vez después", "write {code} alone, in a block before, or give {word} again behind it";
+        why "En la otra unidad el avance es 25.4 veces mayor o menor.",
+            "In the other unit the feed is 25.4 times larger or smaller.";
+        example Example::program("fagor-8055", "G71 G90 G94 S900 M3|G70 F10|G1 X1|M30", "3");
 }

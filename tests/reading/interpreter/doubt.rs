@@ -157,13 +157,13 @@ fn a_refused_block_with_the_unit_of_a_fagor_leaves_the_unit_in_doubt() {
         let plane = if dialect.turns() { "G18" } else { "G17" };
         let arc = if dialect.turns() { "G2 X20 Z0 I0 K9" } else { "G2 X10 Y0 I9 J0" };
         for (unit, other) in [("G70", "G71"), ("G71", "G70")] {
-            let program = format!("{other} {plane} G90 G94 F100\n{unit} S1,5\n{arc}\nM30\n");
+            let program = format!("{other}\n{plane} G90 G94 F100\n{unit} S1,5\n{arc}\nM30\n");
             let found = read(dialect, &program);
             assert_eq!(found.refused.len(), 1, "{}: {program}\n{found:?}", dialect.name);
             assert!(found.cautions.iter().any(|caution| caution == left_out), "{}: {found:?}", dialect.name);
             // What the refused block did not name is refused as ever, and so is an arc once the unit is given again.
             for named in ["S1,5".to_owned(), format!("{unit} S1,5\n{unit}")] {
-                let found = read(dialect, &format!("{other} {plane} G90 G94 F100\n{named}\n{arc}\nM30\n"));
+                let found = read(dialect, &format!("{other}\n{plane} G90 G94 F100\n{named}\n{arc}\nM30\n"));
                 assert_eq!(found.refused.len(), 2, "{}: {named}\n{found:?}", dialect.name);
             }
         }
@@ -194,4 +194,42 @@ fn where_linuxcnc_goes_elsewhere_is_a_caution() {
     assert!(cautions(&format!("G0 X1\n{turn}")).is_empty());
     assert!(cautions(&format!("G92 X5\n{turn}")).iter().any(|one| one.contains("LinuxCNC 2.9 forgets G92")));
     assert!(cautions("G92 X5\nG10 L2 P2 R30\nG92.1\n").is_empty(), "of a system that is not active");
+}
+
+/// The codes of what is told or refused, and how many motions are made.
+fn codes(dialect: &'static Control, program: &str) -> (Vec<String>, usize) {
+    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(dialect));
+    let (mut codes, mut made) = (Vec::new(), 0);
+    for item in &mut interpreter {
+        match item {
+            Ok(_) => made += 1,
+            Err(fault) => codes.push(format!("{}:{}", fault.rule.code, fault.line)),
+        }
+    }
+    codes.extend(interpreter.remarks().iter().map(|remark| remark.code().to_owned()));
+    codes.retain(|code| ["G0535", "G0536"].iter().any(|one| code.starts_with(one)));
+    (codes, made)
+}
+
+#[test]
+fn feed_and_surface_speed_beside_a_code_that_changes_the_unit_are_in_doubt_on_a_fagor() {
+    for (dialect, program, told, motions) in [
+        // The block itself moves at that feed; what follows at the same feed is counted with it.
+        (&FAGOR_8055, "G71 G90 S900 M3\nG70 G1 X1 F10\nX2\nG1 X3 F10\nM30\n", &["G0536:2"][..], 1),
+        (&FAGOR_8070, "G71 G90 S900 M3\nG70 F10\nG0 X1\nG1 X2\nG2 X4 I1 J0\nM30\n", &["G0536:4", "G0535"], 1),
+        (&FAGOR_8055_T, "G71 G90 G95 S900 M3\nG70 F.01\nG1 X1\nM30\n", &["G0536:3", "G0535"], 0),
+        (&FAGOR_8055_T, "G71 G90 G95 F.1 M3\nG70 G81 X2 Z0 Q2 R-1 C.1 F.01\nM30\n", &["G0536:2"], 0),
+        // No motion hangs on it.
+        (&FAGOR_8055, "G71 G90 S900 M3\nG70 F10\nG1 X1 F10\nM30\n", &["G0535"], 1),
+        (&FAGOR_8055_T, "G71 G90 G95 F.1 M3\nG92 S2000\nG96 S100\nG70 S300\nG0 X1\nM30\n", &["G0535"], 1),
+        // Alone, without a change, and where S is in rpm.
+        (&FAGOR_8055, "G71 G90 S900 M3\nG70\nF10\nG1 X1\nM30\n", &[], 1),
+        (&FAGOR_8055, "G71 G90 G94 F100 S900 M3\nG1 X1\nM30\n", &[], 1),
+        (&FAGOR_8055_T, "G71 G90 G95 F.1 M3\nG70 S300\nG0 X1\nM30\n", &[], 1),
+        (&FAGOR_8055, "G71 G90 G94 F100 M3\nG70 S300\nG0 X1\nM30\n", &[], 1),
+        // Its reference says in which order it obeys them.
+        (&LINUXCNC, "G21 G90 S900 M3\nG20 G1 X1 F10\nM2\n", &[], 1),
+    ] {
+        assert_eq!(codes(dialect, program), (told.iter().map(|one| (*one).to_owned()).collect(), motions), "{program}");
+    }
 }
