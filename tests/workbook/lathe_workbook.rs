@@ -265,6 +265,27 @@ fn the_set_up_sheet_gives_each_tool_the_conditions_under_which_it_cuts_or_says_t
 }
 
 #[test]
+fn the_set_up_sheet_gives_the_spindles_maximum_where_the_programs_limit_or_speed_is_above_it() {
+    let with = |limit: &'static str, speed: &'static str| {
+        let program =
+            ["G21 G40 G97 G99", "T0101", limit, speed, "M8", "G0 X48. Z2.", "G1 Z-5. F0.1", "G0 X90. Z50.", "M30"];
+        let outcome = turned(&program, &[]);
+        let codes: Vec<_> = outcome.findings.iter().map(Finding::code).collect();
+        let row = sheet_rows(&outcome, "tools")[0].split(" | ").next().unwrap().to_owned();
+        (row, codes.contains(&"L0151") || codes.contains(&"L0152"))
+    };
+    // At 48 mm 150 m/min asks for 995 rpm, 600 m/min for 3979: what the spindle cannot is a caution, too.
+    for (limit, speed, row, told) in [
+        ("G50 S3500", "G96 S150 M3", "G96 150 m/min ≤ 3000 rpm (machine; program 3500) M3", false),
+        ("G50 S3500", "G96 S600 M3", "G96 600 m/min ≤ 3000 rpm (machine; program 3500) M3", true),
+        ("G50 S3000", "G96 S600 M3", "G96 600 m/min ≤ 3000 rpm M3", false),
+        ("G50 S3000", "G97 S3200 M3", "G97 3200 rpm M3 (machine ≤ 3000 rpm)", true),
+    ] {
+        assert_eq!(with(limit, speed), (row.to_owned(), told), "{limit} {speed}");
+    }
+}
+
+#[test]
 fn a_tool_of_the_other_set_up_alone_is_not_told_as_unused() {
     let program = |tool| {
         let call: &'static str = tool;

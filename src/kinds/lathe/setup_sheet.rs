@@ -16,6 +16,9 @@ use crate::parameter::field::Fields;
 use crate::removal::turning::step::Step;
 use crate::text::{Text, t};
 
+/// A program's own limit of the speed above the machine's, rpm: it limits nothing.
+static ABOVE: Text = t("máquina; programa", "machine; program");
+
 /// So many values are listed; of more, the least and the greatest stand.
 const LISTED: usize = 3;
 
@@ -109,11 +112,11 @@ impl CuttingConditions {
         tool.coolant[usize::from(control.coolant)] = true;
     }
 
-    /// A row for each place: speed, feed and coolant; or one text that says why there are none. `other` is the program of the other
-    /// set-up.
-    fn rows(&self, places: impl Iterator<Item = u32>, other: Option<&Self>) -> Vec<Vec<Text>> {
+    /// A row for each place: speed, feed and coolant; or one text that says why there are none. `most` is the spindle's maximum speed,
+    /// rpm; `other` is the program of the other set-up.
+    fn rows(&self, places: impl Iterator<Item = u32>, most: f64, other: Option<&Self>) -> Vec<Vec<Text>> {
         let row = |place: u32| match self.tools.get(&place) {
-            Some(tool) if tool.coolant.contains(&true) => tool.cells(),
+            Some(tool) if tool.coolant.contains(&true) => tool.cells(most),
             Some(_) => vec![t("se llama y no corta", "called, does not cut")],
             None if other.is_some_and(|other| other.tools.contains_key(&place)) => {
                 vec![t("solo en el otro amarre", "only in the other set-up")]
@@ -125,8 +128,8 @@ impl CuttingConditions {
 }
 
 impl Conditions {
-    fn cells(&self) -> Vec<Text> {
-        let speeds = self.speeds.iter().map(|(setting, values)| setting.text(values));
+    fn cells(&self, most: f64) -> Vec<Text> {
+        let speeds = self.speeds.iter().map(|(setting, values)| setting.text(values, most));
         let feeds = self.feeds.iter().map(|(unit, values)| unit.text(values));
         let coolant = match self.coolant {
             [false, _] => t("sí", "yes"),
@@ -138,11 +141,22 @@ impl Conditions {
 }
 
 impl SpeedSetting {
-    fn text(self, values: &[f64]) -> Text {
+    /// The setting with its values, on a machine of a maximum speed in rpm.
+    fn text(self, values: &[f64], most: f64) -> Text {
         let Self { surface, spindle, greatest } = self;
-        let (values, code) = (listed(values, 1), spindle.code());
+        let beyond = values.iter().any(|value| *value > most);
+        let (values, code, machine) = (listed(values, 1), spindle.code(), shown(most, 1));
         match (surface, greatest) {
+            (false, _) if beyond => Text::new(
+                format!("G97 {values} rpm {code} (máquina ≤ {machine} rpm)"),
+                format!("G97 {values} rpm {code} (machine ≤ {machine} rpm)"),
+            ),
             (false, _) => Text::same(format!("G97 {values} rpm {code}")),
+            (true, Some(limit)) if limit > most => {
+                let line =
+                    |above: &str| format!("G96 {values} m/min ≤ {machine} rpm ({above} {}) {code}", shown(limit, 1));
+                Text::new(line(&ABOVE.es), line(&ABOVE.en))
+            }
             (true, Some(limit)) => Text::same(format!("G96 {values} m/min ≤ {} rpm {code}", shown(limit, 1))),
             (true, None) => Text::new(
                 format!("G96 {values} m/min, sin límite, {code}"),
@@ -173,7 +187,8 @@ const KEYS: [[&str; 2]; 2] = [["assumed-program", "zero-program"], ["assumed-pro
 pub(super) fn shown_on_sheet(fields: &Fields, given: &Given, followed: &[Followed]) -> Vec<(&'static str, Shown)> {
     let rows = |at: usize| {
         let other = followed.get(1 - at).map(|one| &one.conditions);
-        followed.get(at).map(|one| one.conditions.rows(given.setup.turret.tools.keys().copied(), other))
+        let (places, most) = (given.setup.turret.tools.keys().copied(), given.setup.lathe.greatest_speed);
+        followed.get(at).map(|one| one.conditions.rows(places, most, other))
     };
     let mut all: Vec<(&'static str, Shown)> = ["tools", "tools-2"]
         .into_iter()
