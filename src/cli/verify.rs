@@ -18,7 +18,7 @@ use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::tools_headed;
-use crate::gcode::interpreter::{Bytes, Interpreter, Refused, RotaryMode, findings};
+use crate::gcode::interpreter::{Bytes, FromStart, Interpreter, Refused, RotaryMode, findings};
 use crate::gcode::motion::{FeedMode, Motion, MotionKind};
 use crate::limits::LISTED_REFUSALS;
 use crate::machine::axis::{Axis, Pose};
@@ -171,6 +171,7 @@ fn follow(
     (read.followed, read.rejected) = (true, total > 0);
     read.net = interpreter.position().1.differences(&start);
     read.lines = interpreter.lines();
+    read.account.from_start = interpreter.from_start();
     if dialect.turns() {
         as_diameters(read);
     }
@@ -327,10 +328,32 @@ fn extents(extents: &Option<Extents>, told: impl Fn(Axis) -> bool) -> Value {
     )
 }
 
+/// The axes of which the extents hang on the assumed start, where one of them is reported.
+fn from_start(axes: &[Axis], told: impl Fn(Axis) -> bool) -> Vec<String> {
+    axes.iter().filter(|axis| told(**axis)).map(|axis| axis.letter().to_string()).collect()
+}
+
+/// What is said of an axis whose extents, in program or machine coordinates, hang on where the turret stood.
+fn mark(FromStart { program, machine }: &FromStart, axis: Axis) -> Text {
+    match (program.contains(&axis), machine.contains(&axis)) {
+        (true, true) => t("; cuenta con la posición de partida supuesta", "; counts on the assumed starting position"),
+        (true, false) => t(
+            "; en programa cuenta con la posición de partida supuesta",
+            "; in program coordinates counts on the assumed starting position",
+        ),
+        (false, true) => t(
+            "; en máquina cuenta con la posición de partida supuesta",
+            "; in machine coordinates counts on the assumed starting position",
+        ),
+        (false, false) => t("", ""),
+    }
+}
+
 fn document(read: &Read) -> Value {
     // Behind a rejected block no figure is that of the program, nor is there one of a program that was not read.
     let known = read.followed && !read.rejected;
     let (account, told) = (&read.account, |axis| known && read.told(axis));
+    let assumed = &account.from_start;
     let path = if known { json!({ "feed": account.feed_path, "rapid": account.rapid_path }) } else { json!({}) };
     json!({
         "program": read.verdict.workbook.to_string_lossy(),
@@ -343,6 +366,7 @@ fn document(read: &Read) -> Value {
         "lines": read.lines,
         "motions": account.motions,
         "extents": { "program": extents(&account.program, told), "machine": extents(&account.machine, told) },
+        "assumed_start": { "program": from_start(&assumed.program, told), "machine": from_start(&assumed.machine, told) },
         "end": { "program": pose(&account.end[0], told), "machine": pose(&account.end[1], told) },
         "net_travel": pose(&Pose(read.net), told),
         "path_mm": path,
@@ -410,7 +434,7 @@ fn summary(read: &Read, dialect: &Control, name: &str, language: Language) -> St
             let (program, machine) = (program.of(axis), machine.of(axis));
             if read.told(axis) {
                 text.push_str(&format!(
-                    "  {}  {} … {}  {}, {} … {}  {}{}\n",
+                    "  {}  {} … {}  {}, {} … {}  {}{}{}\n",
                     axis.letter(),
                     number(program[0]),
                     number(program[1]),
@@ -419,6 +443,7 @@ fn summary(read: &Read, dialect: &Control, name: &str, language: Language) -> St
                     number(machine[1]),
                     word("máquina", "machine"),
                     if lathe && axis == Axis::X { word(" (diámetro)", " (diameter)") } else { "" },
+                    mark(&account.from_start, axis).get(language),
                 ));
             }
         }

@@ -1,7 +1,7 @@
 //! What a program comes to: how far it reaches, where it ends, how long its path is and how long it takes.
 
 use crate::finding::{Finding, Place, Raise};
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::{FromStart, Interpreter};
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rapids::Rapids;
@@ -57,6 +57,8 @@ pub struct Account {
     pub machine: Option<Extents>,
     /// How far each axis reaches in program coordinates while it moves at feed, from where such motions begin.
     pub feed: Option<Extents>,
+    /// The axes whose extents hang on where the turret of a lathe stood before the program, as who read it says.
+    pub from_start: FromStart,
     /// Length of the path of X, Y and Z at feed, mm.
     pub feed_path: f64,
     /// Length of the path of X, Y and Z at rapid, mm.

@@ -286,6 +286,22 @@ fn the_set_up_sheet_gives_the_spindles_maximum_where_the_programs_limit_or_speed
 }
 
 #[test]
+fn the_set_up_sheet_says_of_which_axes_the_extents_count_on_where_the_turret_stood() {
+    let starts = |first: &[&'static str]| {
+        let mut program = vec!["G21 G40 G97 G99", "T0101", "G97 S900 M3", "M8"];
+        program.extend(first);
+        program.extend(["G0 X48. Z2.", "G1 Z-5. F0.1", "G0 X90. Z50.", "M30"]);
+        let outcome = turned(&program, &[]);
+        let told = outcome.setup.iter().find(|(key, _)| *key == "start-program").map(|(_, shown)| shown.clone());
+        told.map(|told| if let Shown::Words(axes) = told { axes } else { panic!("{told:?}") })
+    };
+    assert_eq!(starts(&[]), None);
+    assert_eq!(starts(&["G28 U0. W0."]), None);
+    assert_eq!(starts(&["G0 X60."]).as_deref(), Some("Z"));
+    assert_eq!(starts(&["G0 W-10."]).as_deref(), Some("X, Z"));
+}
+
+#[test]
 fn a_tool_of_the_other_set_up_alone_is_not_told_as_unused() {
     let program = |tool| {
         let call: &'static str = tool;

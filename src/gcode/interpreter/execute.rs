@@ -543,6 +543,7 @@ impl Reader<'_, '_> {
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn emit(&mut self, kind: MotionKind, to: Pose, seconds: Option<f64>) {
         self.see_turn(kind, &to);
+        self.see_start(kind, &to);
         if Axis::ALL.into_iter().any(|axis| !axis.rotary() && to.get(axis) != self.state.at.get(axis)) {
             self.memory.see_unit(self.state.modal.unit, self.block.spot);
         }

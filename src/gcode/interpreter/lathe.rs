@@ -152,6 +152,7 @@ impl Reader<'_, '_> {
         let reference = self.state.frame.to_program(&self.pose_of(first));
         let mut to = self.state.at;
         for axis in named {
+            self.place_at_reference(axis);
             to.set(axis, reference.get(axis));
         }
         self.emit(MotionKind::Rapid, to, None);

@@ -45,6 +45,7 @@ mod execute;
 mod expression;
 mod fagor;
 mod flow;
+mod from_start;
 mod inputs;
 mod lathe;
 mod library;
@@ -86,6 +87,8 @@ pub use self::cursor::bare;
 use self::cutting::SpindleSeen;
 use self::doubt::Doubts;
 use self::flow::Flow;
+pub use self::from_start::FromStart;
+use self::from_start::Placed;
 use self::library::{Library, Spot};
 use self::milling::Milling;
 use self::modal::Modal;
@@ -159,6 +162,8 @@ struct Memory<'a> {
     /// A cycle of a lathe was refused.
     uncut: bool,
     units: UnitsSeen,
+    /// Which axes of a lathe the program has given a place.
+    placed: Placed,
     /// A block of a lathe has given the place where the turret stands coordinates.
     position_set: bool,
     /// A block of a lathe has gone to a reference point, and one has moved in machine coordinates.
@@ -264,6 +269,7 @@ impl<'a> Interpreter<'a> {
             aborted: false,
             uncut: false,
             units: UnitsSeen::default(),
+            placed: Placed::default(),
             position_set: false,
             referred: false,
             in_machine: false,
@@ -294,6 +300,12 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub const fn returns_to_reference(&self) -> bool {
         self.memory.referred
+    }
+
+    /// Which axes of a lathe have made motions that hang on where the turret stood before the program.
+    #[must_use]
+    pub fn from_start(&self) -> FromStart {
+        self.memory.placed.told()
     }
 
     /// Whether a block has moved in machine coordinates (G53).

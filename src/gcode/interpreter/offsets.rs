@@ -255,6 +255,7 @@ impl Reader<'_, '_> {
                 Ok(())
             }
             (true, None) => {
+                self.see_preset();
                 if self.memory.control.offsets.shifts() {
                     self.set_lathe_position();
                 } else {
@@ -274,6 +275,7 @@ impl Reader<'_, '_> {
             G::SuspendPosition => (false, Pose::default(), None),
             _ => (true, registers, None),
         };
+        self.memory.placed.preset_ends();
         self.keep_g92(on, kept);
         self.reframe(ActiveOffsets { g92: in_force, ..self.state.frame });
     }

@@ -341,6 +341,7 @@ impl<'a> Following<'_, 'a> {
         if faults.more > 0 {
             faults.told.push(MoreRefusals { count: faults.more }.at(Place::File));
         }
+        one.account.from_start = interpreter.from_start();
         one.files = (1..).map_while(|number| interpreter.file(number)).map(str::to_owned).collect();
         one.program.parts = source.whole(one.files.iter().map(String::as_str));
         // Alarm 172 says it with the tool's own limits.

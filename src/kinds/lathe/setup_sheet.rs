@@ -182,8 +182,11 @@ impl FeedUnit {
 /// Of each program: it counts on an assumed reference point; it counts from M by G53.
 const KEYS: [[&str; 2]; 2] = [["assumed-program", "zero-program"], ["assumed-program-2", "zero-program-2"]];
 
-/// What the sheet prints beside the tables: `tools` and `tools-2`, the cutting conditions in the order of the turret's places; where the
-/// reference point is assumed, the keys of the programs that count on it, the point, and the cells to fill in.
+/// The axes of each program whose extents hang on where the turret stood before it.
+const STARTS: [&str; 2] = ["start-program", "start-program-2"];
+
+/// What the sheet prints beside the tables: `tools` and `tools-2`, the cutting conditions in the order of the turret's places; the axes whose
+/// extents hang on where the turret stood; where the reference point is assumed, the keys of the programs that count on it, the point, and the cells to fill in.
 pub(super) fn shown_on_sheet(fields: &Fields, given: &Given, followed: &[Followed]) -> Vec<(&'static str, Shown)> {
     let rows = |at: usize| {
         let other = followed.get(1 - at).map(|one| &one.conditions);
@@ -204,6 +207,12 @@ pub(super) fn shown_on_sheet(fields: &Fields, given: &Given, followed: &[Followe
     for (one, [assumed_key, zero_key]) in followed.iter().zip(KEYS) {
         let so = [(assumed_key, assumed(one)), (zero_key, from_zero(one))];
         all.extend(so.into_iter().filter(|(_, so)| *so).map(|(key, _)| (key, Shown::Whether(true))));
+    }
+    for (one, key) in followed.iter().zip(STARTS) {
+        let axes = one.account.from_start.program.iter().map(|axis| axis.letter().to_string()).collect::<Vec<_>>();
+        if !axes.is_empty() {
+            all.push((key, Shown::Words(axes.join(", "))));
+        }
     }
     if followed.iter().any(|one| assumed(one) || from_zero(one)) {
         let [X, Z] = given.reference();

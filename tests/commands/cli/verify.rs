@@ -107,6 +107,50 @@ fn a_lathe_program_is_followed_with_its_subprogram_and_the_rule_for_numbers_with
 }
 
 #[test]
+fn a_turning_program_marks_the_axes_whose_extents_count_on_where_the_turret_stood() {
+    let marks = |dialect: &str, blocks: &str| {
+        let program = format!("{}\nM30\n", blocks.replace('|', "\n"));
+        let folder = with_program("part.nc", program.as_bytes());
+        let (told, exit) = document(&folder, &["part.nc", "--dialect", dialect]);
+        assert_eq!(exit, 0, "{blocks}: {told}");
+        let axes = |of: &str| {
+            told["assumed_start"][of].as_array().unwrap().iter().map(|one| one.as_str().unwrap()).collect::<String>()
+        };
+        let shown = rodete(&folder).args(["verify", "part.nc", "--dialect", dialect]).output().expect("it runs");
+        let shown = String::from_utf8(shown.stdout).expect("text");
+        let both = [axes("program"), axes("machine")];
+        for axis in ["X", "Z"] {
+            let line = shown.lines().find(|line| line.starts_with(&format!("  {axis}  "))).expect("extents");
+            let marked = both.iter().any(|axes| axes.contains(axis));
+            assert_eq!(line.contains("counts on the assumed starting position"), marked, "{blocks}: {line}");
+        }
+        both
+    };
+    let start = "G21 G98 S500 M3 F100.|";
+    for (blocks, program, machine) in [
+        ("G0 X50. Z5.|X40.|U-2. W-1.", "", ""),
+        // One axis first, increments, and feed from where the turret stood.
+        ("G0 X50.|Z5.", "Z", "Z"),
+        ("G0 U-5. W-5.|X50. Z5.", "XZ", "XZ"),
+        ("G0 Z5.|W-3.", "X", "X"),
+        ("G1 X50. Z5.", "XZ", ""),
+        // The reference point is a place, over a point of its own or not.
+        ("G28 U0. W0.|G0 W-10.", "", ""),
+        ("G28 U0.|G0 X50. Z5.", "", ""),
+        ("G28 U-5.|G28 W0.|G0 X50. Z5.", "XZ", "XZ"),
+        // G50 gives the program a place, and the machine none.
+        ("G50 X100. Z100.|G0 X50.|Z5.", "", "XZ"),
+    ] {
+        assert_eq!(marks("fanuc-lathe-a", &format!("{start}{blocks}")), [program, machine], "{blocks}");
+    }
+    assert_eq!(marks("fagor-8055-t", "G71 G95 F.1 S500 M3|G91 G0 X-5|G90 X50 Z5"), ["XZ", "XZ"]);
+    assert_eq!(marks("fagor-8055-t", "G71 G95 F.1 S500 M3|G92 X100 Z100|G0 X50 Z5|G54|G91 G0 X1"), ["XZ", "XZ"]);
+    // Of a mill nothing is told.
+    let (told, _) = document(&with_program("a.ngc", b"G21 G0 Z5\nX1\nM2\n"), &["a.ngc"]);
+    assert_eq!(told["assumed_start"], serde_json::json!({ "program": [], "machine": [] }));
+}
+
+#[test]
 fn a_program_is_followed_through_its_offsets() {
     let folder =
         with_program("square.ngc", b"G55\nG0 X0 Y0 Z0\nG1 F2 Z-0.2\nX1\nY1\nX0\nY0\nG0 Z0\nG54\nG0 X0 Y0 Z0\nM2\n");
