@@ -350,6 +350,8 @@ fn a_contour_beyond_its_start_is_refused_or_is_a_bore_and_ends_from_outside() {
     assert!(close(&all[&169_000], &[[-415.0, -333.0]]) && close(&all[&170_000], &[[-415.0, -333.0]]), "{all:?}");
     let refused = refusal(&(cycle(71, [168.0, 0.0], 1.0, [0.1, 0.0], figure) + "M30\n"));
     assert!(refused.contains("the finishing allowance points into the metal"), "{refused}");
+    // The sign may be right, and the start wrong.
+    assert!(refused.contains("check the starting point and the contour's first block"), "{refused}");
     let our = ours(&cycle(71, [170.0, 0.0], 1.0, [0.0; 2], figure));
     let all = passes(&our, 1);
     assert_eq!(all.keys().copied().collect::<Vec<_>>(), [168_000, 169_000, 170_000]);

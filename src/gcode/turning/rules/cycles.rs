@@ -135,10 +135,10 @@ rules! {
         why "La herramienta se retiraría hacia el material.", "The tool would retract into the metal.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G71 U2. R-1.|G71 P10 Q20|N10 G0 X20.|G1 Z-10.|N20 X50.|M30", "4:1");
     "G0633" AllowanceIntoMetal Stop {}
-        es "la demasía de acabado apunta hacia el metal: el desbaste cortaría la pieza"
-        en "the finishing allowance points into the metal: roughing would cut the part"
-        remedy "cambie el signo de U o W: la demasía va del contorno hacia el punto de comienzo",
-            "change the sign of U or W: the allowance goes from the contour towards the starting point";
+        es "la demasía de acabado apunta hacia el metal, tal como están el punto de comienzo y el contorno: el desbaste cortaría la pieza"
+        en "the finishing allowance points into the metal, as starting point and contour lie: roughing would cut the part"
+        remedy "compruebe el punto de comienzo y el primer bloque del contorno, que va de él al contorno; si son los debidos, cambie el signo de U o W: la demasía va del contorno hacia el punto de comienzo",
+            "check the starting point and the contour's first block, which leads from there to the contour; if both are right, change the sign of U or W: the allowance goes from the contour towards the starting point";
         why "El acabado no puede reponer lo que el desbaste ha quitado.",
             "Finishing cannot put back what roughing has removed.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G71 U2. R1.|G71 P10 Q20 U-1.|N10 G0 X20.|G1 Z-10.|N20 X50.|M30", "4:1");
