@@ -101,8 +101,13 @@ fn a_gap_smaller_than_the_cut_is_proved_to_be_off_is_a_caution_that_names_a_gap_
     };
     for tolerance in [0.05, 0.2, 1.0] {
         let none = made(0.0, tolerance);
-        let off = number(&check_row(&none, "Cut edge").0, "≤ ");
+        let row = check_row(&none, "Cut edge");
+        let off = number(&row.0, "≤ ");
         let found = caution(&none).expect("a caution");
+        // The sentence says what bound and tolerance of the row are: they are not put behind it without a word.
+        for said in [&found.what.en, &found.what.es] {
+            assert!(said.contains(found.value.as_str()) && said.contains(found.limit.as_str()), "{found:?}");
+        }
         assert_eq!(found.grade, Grade::Caution);
         // It is what the row of the verification tells, not the tolerance.
         let (into, enough) = (number(&found.what.en, "may be up to "), number(&found.remedy.en, "set b to about "));

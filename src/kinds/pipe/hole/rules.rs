@@ -113,9 +113,9 @@ rules! {
         why "Donde la antorcha pasa de inclinarse hacia fuera a inclinarse hacia el agujero, C gira media vuelta. Con la antorcha casi vertical rodete lo evita; más inclinada, el chorro se saldría de la curva.",
             "Where the torch passes from leaning away from the hole to leaning over it, C turns by half a turn. With the torch nearly upright rodete avoids that; leaning more, the beam would leave the curve.";
         example book!("pipe-hole", "m" = "6");
-    "P3017" GapWithinTolerance Caution { b: Size, into: Size, least: Size }
-        es "con una holgura b de {b} el borde cortado puede entrar hasta {into} en el injerto: el programa va por cuerdas, que la reducen hasta en arc_tolerance y el redondeo"
-        en "with a gap b of {b} the cut edge may be up to {into} inside the branch: the program goes along chords, which take up to arc_tolerance and the rounding from the gap"
+    "P3017" GapWithinTolerance Caution { b: Size, into: Size, off: Text, allowed: Text, least: Size }
+        es "con una holgura b de {b} el borde cortado puede entrar hasta {into} en el injerto: según la prueba se aparta de su curva {off}, más que b, aunque la tolerancia del programa (arc_tolerance y redondeo) admite {allowed}"
+        en "with a gap b of {b} the cut edge may be up to {into} inside the branch: by the proof it is off its curve by {off}, more than b, though the program's tolerance (arc_tolerance and rounding) allows {allowed}"
         remedy "escriba en b unos {least} o más, o cuente con repasar el agujero; una arc_tolerance menor deja menos", "set b to about {least} or more, or allow for grinding the hole; a smaller arc_tolerance leaves less";
         why "Las cuerdas pasan por dentro de la curva del agujero: donde más se apartan, el agujero es más estrecho.",
             "Chords run inside the curve of the hole: where they are farthest from it, the hole is narrower.";

@@ -205,7 +205,10 @@ impl BeamOnRoot<'_> {
         // None is told too small. A larger gap makes a larger hole, whose chords may be off a little more.
         let told = |value: f64| Size::mm((value * 1e3 - 1e-6).ceil() / 1e3);
         let least = told((1.1 * off).min(tolerance));
-        (b < off && off <= tolerance).then(|| GapWithinTolerance { b: Size::mm(b), into: told(off - b), least })
+        // Bound and tolerance as the row of the verification shows them.
+        let [bound, allowed] = bound(off, tolerance);
+        let (b, into) = (Size::mm(b), told(off - b));
+        (self.design.b < off && off <= tolerance).then_some(GapWithinTolerance { b, into, off: bound, allowed, least })
     }
 
     /// Holds the beam along a motion against the cut between two angles.
