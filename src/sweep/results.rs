@@ -9,7 +9,7 @@ use crate::sweep::indices::LEAST;
 use crate::sweep::plan::{INPUT, Plan};
 use crate::sweep::ranking::Counts;
 use crate::sweep::row::State;
-use crate::sweep::sensitivity::{Effect, NoRoom, SAMPLES, SHARES_LEAST};
+use crate::sweep::sensitivity::{Effect, NoRoom, SAMPLES, SHARES_LEAST, Slope};
 use crate::sweep::table::{
     CAUTION, CODES, FEASIBLE, FRONT, ID, LIMIT, MARGIN, MESSAGE, REASON, STATE, STOP, Table, VALUE, plain,
 };
@@ -286,6 +286,12 @@ impl Results<'_> {
             Err(NoRoom::Design(why)) => Some(why.clone()),
             _ => None,
         });
-        own.into_iter().chain([self.judged(), around, over]).collect()
+        let flat = self.effects.iter().any(|one| one.slopes.contains(&Slope::Rounding)).then(|| {
+            t(
+                "– en lugar de un cambio por unidad: en el paso que se mira, el objetivo cambia como mucho lo que se redondea (0.001 mm, 0.001°, 0.01 s).",
+                "– in place of a change per unit: over the step that is looked at, the objective changes by no more than its rounding (0.001 mm, 0.001°, 0.01 s).",
+            )
+        });
+        own.into_iter().chain([self.judged(), around]).chain(flat).chain([over]).collect()
     }
 }

@@ -11,6 +11,7 @@ use crate::sweep::objective::Objective;
 use crate::sweep::plan::{Input, Levels, Method, Plan, billionth, slice};
 use crate::sweep::row::{Row, State};
 use crate::sweep::table::{FEASIBLE, ID, Table, whole};
+use crate::table::Unit;
 use crate::text::{Text, t};
 
 /// The part of an input's range by which it is moved for its slope.
@@ -80,6 +81,56 @@ impl NoRoom {
     }
 }
 
+/// How much an objective changes for one unit of an input.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Slope {
+    /// The objective has no value on either side.
+    Unknown,
+    /// The change that was looked at is no more than the objective's rounding: by the width of a step it would be noise.
+    Rounding,
+    /// In the objective's unit by that of the input.
+    Known(f64),
+}
+
+impl Slope {
+    /// What stands in its place where it is lost in the rounding.
+    pub const ROUNDING: &'static str = "–";
+
+    /// From one value of the input, with the objective's, to another.
+    fn between(from: (f64, f64), to: (f64, f64), unit: Unit) -> Self {
+        let change = to.1 - from.1;
+        match to.0 > from.0 {
+            false => Self::Unknown,
+            true if change.abs() <= rounding(unit) => Self::Rounding,
+            true => Self::Known(change / (to.0 - from.0)),
+        }
+    }
+
+    /// The number, where there is one.
+    #[must_use]
+    pub const fn known(self) -> Option<f64> {
+        match self {
+            Self::Known(slope) => Some(slope),
+            Self::Unknown | Self::Rounding => None,
+        }
+    }
+}
+
+/// The rounding of a measure, in its unit: programs are written to 0.001 mm and 0.001°, times are told to 0.01 s. Below 0 for what is
+/// counted, which is not rounded.
+const fn rounding(unit: Unit) -> f64 {
+    match unit {
+        Unit::Count => -1.0,
+        Unit::Millimetre | Unit::SquareMillimetre | Unit::Degree | Unit::MillimetrePerRevolution => 0.001,
+        Unit::Second => 0.01,
+        Unit::MillimetrePerMinute | Unit::DegreePerMinute | Unit::MetrePerMinute | Unit::CubicCentimetrePerMinute => {
+            0.1
+        }
+        Unit::RevolutionPerMinute | Unit::CubicMillimetre => 1.0,
+        Unit::One | Unit::None | Unit::Radian | Unit::Step => 1e-6,
+    }
+}
+
 /// What an input does.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effect {
@@ -90,7 +141,7 @@ pub struct Effect {
     /// Its value in the workbook; `None` where it has none, or is no number.
     pub value: Option<f64>,
     /// How much each objective changes for one unit of it, around the workbook's design.
-    pub slopes: Vec<Option<f64>>,
+    pub slopes: Vec<Slope>,
     /// The least and greatest value of the plan; `None` where it is no number.
     pub ends: Option<[f64; 2]>,
     /// How much each objective changes when this input alone goes there; `None` where the objective has no value there.
@@ -122,7 +173,7 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Valu
             symbol: input.symbol(),
             unit: input.parameter.unit.label(),
             value: None,
-            slopes: vec![None; plan.objectives.len()],
+            slopes: vec![Slope::Unknown; plan.objectives.len()],
             ends: None,
             changes: vec![[None; 2]; plan.objectives.len()],
             room: Err(NoRoom::Empty),
@@ -156,9 +207,9 @@ pub fn around(kind: &dyn Kind, base: &Values, plan: &Plan, judge: &(dyn Fn(&Valu
                 (Some(left), _, Some(right)) => ((below.0, left), (above.0, right)),
                 (None, Some(middle), Some(right)) => ((value, middle), (above.0, right)),
                 (Some(left), Some(middle), None) => ((below.0, left), (value, middle)),
-                _ => return None,
+                _ => return Slope::Unknown,
             };
-            (to.0 > from.0).then(|| (to.1 - from.1) / (to.0 - from.0))
+            Slope::between(from, to, objective.measure.unit)
         };
         let slopes = plan.objectives.iter().map(slope).collect();
         let at_ends = ends.map(|end| moved(end).1);
@@ -398,6 +449,21 @@ impl<'a> Shares<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_change_within_the_rounding_of_what_is_judged_gives_no_slope() {
+        let of = |by: f64, change: f64, unit| Slope::between((2.0, 0.5), (2.0 + by, 0.5 + change), unit);
+        // A millionth of a millimetre over as short a way is no slope of 1.
+        assert_eq!(of(1e-6, 1e-6, Unit::Millimetre), Slope::Rounding);
+        assert_eq!(of(0.1, 0.000_9, Unit::Degree), Slope::Rounding);
+        assert_eq!(of(0.1, 0.0, Unit::Second), Slope::Rounding);
+        let known = of(0.5, -0.25, Unit::Millimetre).known().expect("a slope");
+        assert!((known + 0.5).abs() < 1e-12, "{known}");
+        // What is counted is not rounded.
+        assert_eq!(of(0.5, 0.0, Unit::Count), Slope::Known(0.0));
+        assert_eq!(of(0.5, 1.0, Unit::Count), Slope::Known(2.0));
+        assert_eq!(of(0.0, 1.0, Unit::Millimetre), Slope::Unknown);
+    }
 
     #[test]
     fn a_tolerance_as_it_is_shown_is_never_more_than_what_is_good() {

@@ -15,6 +15,7 @@ use crate::finding::Grade;
 use crate::parameter::{FieldKind, Parameter};
 use crate::sweep::results::{Results, heading, state};
 use crate::sweep::table::{Cells, ID, STATE, Table};
+use crate::table::Unit;
 use crate::text::{Language, Text, t};
 
 /// The row of the headings, from 0; the units stand above it.
@@ -42,6 +43,14 @@ static ALL: Text = t("TODOS", "ALL");
 static WHY: Text = t("POR_QUE", "WHY");
 static YES: Text = t("sí", "yes");
 static NO: Text = t("no", "no");
+
+/// How a measure is shown: lengths and angles to a thousandth, since what lies beyond is rounding; else as on every sheet.
+pub(super) const fn shown(unit: Unit) -> &'static str {
+    match unit {
+        Unit::Millimetre | Unit::Degree => "0.000",
+        unit => digits(unit),
+    }
+}
 
 impl SweepBook<'_> {
     /// Writes the workbook. The same rows give the same bytes.
@@ -161,7 +170,7 @@ impl SweepBook<'_> {
     fn digits(&self, name: &str) -> &'static str {
         let measure = self.results.kind.measures().iter().find(|one| one.key == name);
         // An input is shown as it was typed.
-        measure.map_or("General", |one| digits(one.unit))
+        measure.map_or("General", |one| shown(one.unit))
     }
 
     fn write_top(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {

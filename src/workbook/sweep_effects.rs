@@ -9,10 +9,11 @@ use super::cell::{row_height, write_text};
 use super::error::WriteError;
 use super::page::Page;
 use super::style::Styles;
-use super::sweep_book::{HEADINGS, SweepBook};
+use super::sweep_book::{HEADINGS, SweepBook, shown};
 use super::sweep_charts::{CHART_ROWS, SIZE};
 use crate::sweep::objective::Objective;
 use crate::sweep::results::COLOURS;
+use crate::sweep::sensitivity::Slope;
 use crate::text::{Text, t};
 
 static SENSITIVITY: Text = t("SENSIBILIDAD", "SENSITIVITY");
@@ -74,6 +75,7 @@ impl SweepBook<'_> {
         }
         for (at, Objective { measure, .. }) in self.results.plan.objectives.iter().enumerate() {
             let (head, unit) = (self.block(at), measure.unit.label());
+            let change = Format::new().set_num_format(shown(measure.unit));
             let name = if unit.is_empty() { measure.key.to_owned() } else { format!("{} [{unit}]", measure.key) };
             write_text(sheet, head, 0, &name, &styles.header)?;
             for (column, heading) in (1..).zip(self.what()) {
@@ -82,9 +84,12 @@ impl SweepBook<'_> {
             for (row, effect) in (head + 1..).zip(self.results.effects) {
                 write_text(sheet, row, 0, &effect.symbol, &styles.symbol)?;
                 let [low, high] = effect.changes.get(at).copied().unwrap_or_default();
-                let slope = effect.slopes.get(at).copied().flatten();
+                let slope = effect.slopes.get(at).copied().unwrap_or(Slope::Unknown);
+                if slope == Slope::Rounding {
+                    write_text(sheet, row, 1, Slope::ROUNDING, &styles.faint)?;
+                }
                 let mut cells: Vec<(ColNum, Option<f64>, &Format)> =
-                    vec![(1, slope, &room), (2, low, &room), (3, high, &room)];
+                    vec![(1, slope.known(), &room), (2, low, &change), (3, high, &change)];
                 if self.results.triples.is_some() {
                     let index = effect.indices.get(at).copied().flatten();
                     let values = index.map(|index| [index.first, index.off[0], index.total, index.off[1]]);

@@ -127,6 +127,40 @@ fn a_report_that_cannot_be_set_keeps_nothing_else_from_being_written() {
     assert!(folder.path().join("s/a-sweep.pdf").is_file());
 }
 
+/// Over a range as narrow as the rounding of the programs a slope is noise.
+#[test]
+fn a_change_within_the_rounding_is_a_dash_with_a_note_and_lengths_end_at_a_thousandth() {
+    let swept = |from: &str, to: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let settings = [("method", "latin"), ("samples", "4"), ("objectives", "clearance_mm max")];
+        let around = quick().values(Language::En);
+        let book = with_variants_of(&around, &settings, &[["e", from, to, "", "", ""]], &[]);
+        fs::write(folder.path().join("a.xlsx"), book).unwrap();
+        let output = sweep(folder.path(), Some(&keeps()), "--lang en");
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        let contents = contents(folder.path());
+        let chapters = contents["chapters"].as_array().unwrap().clone();
+        let told = chapters.iter().find(|one| one["title"] == "What each input does").unwrap().clone();
+        let row = told["tables"][1]["rows"][0].as_array().unwrap().clone();
+        let note = told["paragraphs"].to_string().contains("no more than its rounding");
+        let mut book: Xlsx<_> = open_workbook(folder.path().join("s/a-sweep.xlsx")).unwrap();
+        let sheet = book.worksheet_range("SENSITIVITY").unwrap();
+        let dash = sheet.used_cells().any(|(.., cell)| *cell == "–");
+        (row, note, dash, chapters)
+    };
+    let (row, note, dash, chapters) = swept("2", "2.0001");
+    assert_eq!((row[1].as_str(), note, dash), (Some("–"), true, true), "{row:?}");
+    let best = chapters.iter().find(|one| one["title"] == "The best designs").unwrap();
+    let columns = best["tables"][0]["columns"].as_array().unwrap();
+    let at = columns.iter().position(|one| one["name"] == "clearance_mm").unwrap();
+    for row in best["tables"][0]["rows"].as_array().unwrap() {
+        let decimals = row[at].as_str().unwrap().split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        assert!(decimals <= 3, "{row}");
+    }
+    let (row, note, dash, _) = swept("1", "3");
+    assert!(row[1].as_str().unwrap().starts_with('\u{2212}') && !note && !dash, "{row:?}");
+}
+
 /// An empty cell of a tolerance could be taken for none that is needed: in its place stands why there is none.
 #[test]
 fn where_there_is_no_tolerance_it_says_why() {

@@ -4,7 +4,7 @@ use super::{Chapter, Heading, Setter, Table};
 use crate::kind::measure::Measure;
 use crate::report::number;
 use crate::sweep::objective::Objective;
-use crate::sweep::sensitivity::Effect;
+use crate::sweep::sensitivity::{Effect, Slope};
 use crate::text::{Text, t};
 
 impl Setter<'_> {
@@ -60,7 +60,7 @@ impl Setter<'_> {
 
     /// What each input does to an objective.
     fn effect(&mut self, measure: &Measure, at: usize) -> (Vec<Heading>, Vec<Vec<String>>) {
-        let key = measure.key;
+        let (key, decimals) = (measure.key, number::usable(measure.unit));
         let named = |name: Text| Text::new(format!("{key} {}", name.es), format!("{key} {}", name.en));
         let unit = measure.unit.label();
         let around =
@@ -76,10 +76,15 @@ impl Setter<'_> {
         let columns =
             around.into_iter().chain(over).map(|(name, unit)| self.heading(&named(name), unit, true)).collect();
         let row = |one: &Effect| {
-            let short = |value: Option<f64>| value.map(|value| number::trimmed(value, 4)).unwrap_or_default();
+            let short = |value: Option<f64>| value.map(|value| number::trimmed(value, decimals)).unwrap_or_default();
+            let slope = match one.slopes.get(at) {
+                Some(Slope::Known(slope)) => number::trimmed(*slope, 4),
+                Some(Slope::Rounding) => Slope::ROUNDING.to_owned(),
+                Some(Slope::Unknown) | None => String::new(),
+            };
             let part = |value: f64| number::fixed(100.0 * value, 1);
             let [low, high] = one.changes.get(at).copied().unwrap_or_default();
-            let mut row = vec![short(one.slopes.get(at).copied().flatten()), short(low), short(high)];
+            let mut row = vec![slope, short(low), short(high)];
             if indexed {
                 let index = one.indices.get(at).copied().flatten();
                 let parts = index.map(|one| [one.first, one.off[0], one.total, one.off[1]].map(part));

@@ -18,6 +18,7 @@ use crate::sweep::plan::{Input, Levels, Method, Spread};
 use crate::sweep::results::{Built, COLOURS, Coded, Results};
 use crate::sweep::row::State;
 use crate::sweep::table::{CAUTION, CODES, Cells, Column, FEASIBLE, FRONT, ID, STATE, plain};
+use crate::table::Unit;
 use crate::text::{Language, Text, t};
 use crate::typeset;
 use crate::typeset::characters::Words;
@@ -428,10 +429,15 @@ impl Setter<'_> {
         }
     }
 
-    /// The decimals of a column: of a measure those of its unit, of an input as it is planned; more where rows would look alike.
+    /// The decimals of a column: of a measure those of its unit, of an input as it is planned; more where rows would look alike, but for
+    /// lengths, angles and times: what lies beyond is rounding.
     fn decimals(&self, column: &Column, shown: usize) -> usize {
+        let unit = self.measure(&column.name).map(|measure| measure.unit);
+        if let Some(unit @ (Unit::Millimetre | Unit::Degree | Unit::Second)) = unit {
+            return number::usable(unit);
+        }
         let values: Vec<f64> = (0..shown).filter_map(|row| column.cells.number(row)).collect();
-        number::telling(&values, self.measure(&column.name).map_or(4, |measure| number::usable(measure.unit)))
+        number::telling(&values, unit.map_or(4, number::usable))
     }
 
     fn measure(&self, name: &str) -> Option<&'static Measure> {
