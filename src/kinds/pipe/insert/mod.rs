@@ -394,7 +394,9 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
         findings.push(NoLeadIn {}.at(at([LEAD_IN.key()])));
     }
     if design.mode == Mode::Rotary {
-        findings.push(KerfOnOutside { outside: Size::mm(outside) }.at(at([MODE.key()])));
+        if design.kerf > 0.0 {
+            findings.push(KerfOnOutside { outside: Size::mm(outside) }.at(at([MODE.key()])));
+        }
         findings.push(match distance(design) {
             Distance::Incremental => PipeByIncrements {}.at(at([DIALECT.key()])),
             Distance::Absolute => PipeOnLinearAxis {}.at(at([DIALECT.key()])),
