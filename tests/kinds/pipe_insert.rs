@@ -336,7 +336,7 @@ fn the_published_case_says_that_its_radius_is_the_outside_one() {
     let cautions: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Caution).collect();
     // The radius, the wall, the published layout, and its six decimals where the control takes four.
     assert_eq!(cautions.len(), 4, "{cautions:?}");
-    assert!(cautions.iter().any(|finding| finding.code() == "G0124"));
+    assert!(cautions.iter().any(|finding| finding.code() == "P2124"));
     let told = cautions.iter().find(|finding| finding.is(WallInsideHeader::RULE)).expect("the wall");
     assert_eq!(
         told.what.en,
