@@ -94,11 +94,11 @@ rules! {
         remedy "deje una sola fila {symbol}", "keep only one row {symbol}";
         why "No se sabe cuál de los valores vale.", "It is not clear which value counts.";
         example book!("impeller", "r:symbol" = "R");
-    "W0516" RowMissing Stop { name: Text, symbol: Key, expected: Text }
+    "W0516" RowMissing Stop { name: Text, symbol: Key, expected: Text, mistyped: Text }
         es "falta la fila {name}"
         en "the row {name} is missing"
-        remedy "añada una fila con {symbol} en la columna A y {expected} en la columna C",
-            "add a row with {symbol} in column A and {expected} in column C";
+        remedy "{mistyped}añada una fila con {symbol} en la columna A y {expected} en la columna C",
+            "{mistyped}add a row with {symbol} in column A and {expected} in column C";
         why "El cálculo necesita este valor, y rodete no lo supone.", "The calculation needs this value, and rodete does not assume one.";
         example book!("impeller", "R:symbol" = "");
     "W0517" SymbolUnknown Note { symbol: String }
@@ -135,9 +135,9 @@ rules! {
         why "rodete lee los datos por su símbolo; las hojas de resultados los leen por estos nombres.",
             "rodete reads the inputs by their symbols; the sheets of results read them by these names.";
         example made!("lost-name", "un libro de resultados sin el nombre thickness_e", "a results workbook without the name thickness_e");
-    "W0522" SheetPassedOver Caution { name: String, like: &'static str, how: Text }
-        es "rodete no lee la hoja \"{name}\", que está hecha como \"{like}\""
-        en "rodete does not read the sheet \"{name}\", which is laid out like \"{like}\""
+    "W0522" SheetPassedOver Caution { name: String, like: Text, how: Text }
+        es "rodete no lee la hoja \"{name}\", que está hecha como {like}"
+        en "rodete does not read the sheet \"{name}\", which is laid out like {like}"
         remedy "si es la que vale, {how}; si no, bórrela o guárdela en otro libro",
             "if it is the one that counts, {how}; if not, delete it or keep it in another workbook";
         why "rodete lee las hojas por su nombre: lo que se cambia en una copia no llega a ningún programa, y la línea de la copia habla de la hoja leída.",
