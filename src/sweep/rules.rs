@@ -244,11 +244,11 @@ rules! {
         remedy "compruebe el disco si se repite", "check the disk if this happens again";
         why "rodete escribe cada trozo entero o no lo escribe; algo lo cambió después.", "rodete writes a chunk whole or not at all; something changed it afterwards.";
         example Example::Made { key: "sweep-torn", how: t("un trozo al que le faltan los últimos bytes", "a chunk whose last bytes are missing") };
-    "D0206" NoneDone Stop { count: u64, code: String, path: String }
-        es "rodete rechaza los {count} diseños del plan; el motivo más frecuente es {code}"
-        en "rodete rejects all {count} designs of the plan; the most frequent reason is {code}"
+    "D0206" NoneDone Stop { designs: Text, count: u64, code: String, path: String }
+        es "rodete rechaza {designs}; el motivo más frecuente es {code}"
+        en "rodete rejects {designs}; the most frequent reason is {code}"
         remedy "lea la hoja POR_QUE de {path} y cambie los intervalos", "read the sheet WHY of {path} and change the ranges";
-        why "Ningún diseño del plan se puede fabricar.", "No design of the plan can be made.";
+        why "Ninguno de los diseños probados se puede fabricar.", "None of the designs tried can be made.";
         example Example::Made { key: "sweep-none", how: t("un plan cuyos diseños se contradicen todos", "a plan whose designs all contradict themselves") };
     "D0207" FrontCut Caution { most: usize }
         es "el frente tiene más de {most} diseños; se marcan los primeros según el primer objetivo"
