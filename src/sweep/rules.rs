@@ -13,7 +13,7 @@ rules! {
         en "the workbook has no sheet {sheet}"
         remedy "póngala con rodete new, el tipo del libro y las opciones --sweep --into LIBRO", "put it in with rodete new, the kind of the workbook, and the options --sweep --into BOOK";
         why "La hoja dice qué entradas varían y cómo.", "The sheet says which inputs vary, and how.";
-        example Example::Made { key: "sweep-without-sheet", how: t("rodete sweep impeller.xlsx, de un libro sin hoja SWEEP", "rodete sweep impeller.xlsx, of a workbook without a sheet SWEEP") };
+        example Example::Made { key: "sweep-without-sheet", how: t("rodete sweep impeller.xlsx, de un libro sin hoja BARRIDO", "rodete sweep impeller.xlsx, of a workbook without a sheet SWEEP") };
     "D0102" NothingVaries Stop { sheet: Text }
         es "la hoja {sheet} no dice qué entradas varían"
         en "the sheet {sheet} does not say which inputs vary"
@@ -146,7 +146,7 @@ rules! {
         en "with method = list, the inputs on the sheet {sheet} are not read"
         remedy "bórrelas, o elija otro método", "delete them, or choose another method";
         why "Los diseños son los de la hoja de la lista.", "The designs are those on the sheet of the list.";
-        example Example::Made { key: "sweep-list", how: t("method = list con una hoja DISEÑOS y filas de entradas", "method = list with a sheet DESIGNS and rows of inputs") };
+        example Example::Made { key: "sweep-list", how: t("method = lista con una hoja DISEÑOS y filas de entradas", "method = list with a sheet DESIGNS and rows of inputs") };
     "D0124" DesignCellEmpty Stop { symbol: Key }
         es "falta el valor de {symbol} en un diseño de la lista"
         en "a design of the list has no value of {symbol}"
