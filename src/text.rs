@@ -4,6 +4,7 @@
 //! the text is shown.
 
 use std::borrow::Cow;
+use std::fmt::Display;
 
 use serde::{Deserialize, Serialize};
 
@@ -77,6 +78,14 @@ impl Text {
     }
 }
 
+/// A count with what is counted, in words: `1 move`, `2 moves`. Each pair is the singular and the plural.
+#[must_use]
+pub fn many(count: impl Display, es: [&str; 2], en: [&str; 2]) -> Text {
+    let count = count.to_string();
+    let at = usize::from(count != "1");
+    Text::new(format!("{count} {}", es[at]), format!("{count} {}", en[at]))
+}
+
 /// What to choose one of, in words: `a, b or c`. Empty where there is nothing to choose.
 #[must_use]
 pub fn one_of(choices: impl IntoIterator<Item = Text>) -> Text {
@@ -112,5 +121,13 @@ mod tests {
             assert_eq!(one_of(letters(count)), t(es, en));
         }
         assert_eq!(all_of(letters(3)), t("a, b y c", "a, b and c"));
+    }
+
+    #[test]
+    fn one_is_counted_in_the_singular() {
+        let lines = |count| many(count, ["línea", "líneas"], ["line", "lines"]);
+        for (count, es, en) in [(0, "0 líneas", "0 lines"), (1, "1 línea", "1 line"), (2, "2 líneas", "2 lines")] {
+            assert_eq!(lines(count), t(es, en));
+        }
     }
 }

@@ -24,6 +24,7 @@ use crate::report::{self, Attachment, Content, Role};
 use crate::store::{self, Existing, Folder, Set};
 use crate::text::{Language, t};
 use crate::typeset::compiler::Typst;
+use crate::workbook;
 use crate::workbook::results::Tables;
 
 /// The variable that names a typst command line.
@@ -124,7 +125,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
     let language = spoken(outputs.lang, None);
     let items = match plan::items(&outputs.workbooks, outputs.output.as_deref()) {
         Ok(items) => items,
-        Err(refusal) => return refused(&refusal, language, terminal),
+        Err(refusal) => return refused(&refusal, of_workbooks(outputs, kinds), terminal),
     };
     let interrupted = interrupt::listen(language);
     let mut sink = Sink::new(BUILD, outputs.lang, arguments.json);
@@ -136,7 +137,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
             }
             return sink.end(terminal);
         }
-        Err(refusal) => return refused(&refusal, language, terminal),
+        Err(refusal) => return refused(&refusal, of_workbooks(outputs, kinds), terminal),
     };
     let tables = if arguments.values { Tables::Values } else { Tables::Live };
     let asked = Asked { tables, into: arguments.into, ..Asked::from(outputs) };
@@ -158,6 +159,13 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
     let exit = sink.end(terminal);
     finding::general(&told, language, terminal);
     exit
+}
+
+/// The language of what is said before any workbook is read: that of the first one that tells.
+fn of_workbooks(outputs: &Outputs, kinds: &[&dyn Kind]) -> Language {
+    let forms: Vec<_> = kinds.iter().map(|kind| kind.form()).collect();
+    let of = |path: &PathBuf| workbook::language(&workbook::open(path).ok()?, &forms);
+    spoken(outputs.lang, outputs.lang.or_else(|| outputs.workbooks.iter().find_map(of)))
 }
 
 /// The typst that was asked for: on the command line, in the environment, else the one inside rodete, or an installed

@@ -173,6 +173,9 @@ fn sentence(finding: &Finding, language: Language) -> String {
     }
     let limit = t("límite", "limit");
     let [value, bound] = finding.shown(language).map(|text| if what.contains(text) { "" } else { text });
+    // A range is named where both of its ends are.
+    let ends = bound.split_once(" … ").filter(|(low, high)| names(&what, low) && names(&what, high));
+    let bound = if ends.is_some() { "" } else { bound };
     let bound = if bound.is_empty() { String::new() } else { format!("{} {}", limit.get(language), printable(bound)) };
     match (value.is_empty(), bound.is_empty()) {
         (true, true) => what,
@@ -180,6 +183,16 @@ fn sentence(finding: &Finding, language: Language) -> String {
         (true, false) => format!("{what} ({bound})"),
         (false, false) => format!("{what}: {} ({bound})", printable(value)),
     }
+}
+
+/// True for a sentence in which a number, with its unit if it has one, stands by itself.
+fn names(what: &str, number: &str) -> bool {
+    let part = |letter: char| letter.is_alphanumeric() || matches!(letter, '.' | '-' | '−');
+    what.match_indices(number).any(|(at, _)| {
+        let (before, after) = (&what[..at], &what[at + number.len()..]);
+        let goes_on = after.strip_prefix('.').unwrap_or(after).starts_with(char::is_alphanumeric);
+        !before.ends_with(part) && !goes_on
+    })
 }
 
 const fn grade(grade: Grade) -> (Text, AnsiColor) {
@@ -300,6 +313,19 @@ mod tests {
         let finding = ControlRunning {}.at(Place::File);
         assert!(plain(&finding, Language::En, None).starts_with("note U0132: if LinuxCNC"));
         assert!(plain(&finding, Language::Es, None).starts_with("nota U0132: si LinuxCNC"));
+    }
+
+    #[test]
+    fn a_range_is_named_once_where_the_sentence_has_both_ends() {
+        for (what, told) in [
+            ("R is -25 mm; it must be from 5 to 1000 mm", "R is -25 mm; it must be from 5 to 1000 mm\n"),
+            ("R is 5.5 mm of 1000 mm", "R is 5.5 mm of 1000 mm (limit 5 … 1000 mm)\n"),
+            ("R is -5 mm of 1000 mm", "R is -5 mm of 1000 mm (limit 5 … 1000 mm)\n"),
+        ] {
+            let finding = Noted { what: Text::same(what) }.at(Place::File).with("", "5 … 1000 mm");
+            let shown = plain(&finding, Language::En, None);
+            assert!(shown.contains(told), "{shown}");
+        }
     }
 
     #[test]

@@ -113,7 +113,7 @@ rules! {
         en "the workbook already has a sheet \"{sheet}\""
         remedy "cámbiele el nombre", "rename it";
         why "rodete encuentra esta lista por el nombre de su hoja.", "rodete finds this list by the name of its sheet.";
-        example made!("into-list", "new lathe --into de un libro con una hoja \"TOOLS\"", "new lathe --into of a workbook with a sheet \"TOOLS\"");
+        example made!("into-list", "new lathe --into de un libro con una hoja \"HERRAMIENTAS\"", "new lathe --into of a workbook with a sheet \"TOOLS\"");
     "B0115" PrecisionAsShown Stop {}
         es "el libro calcula con la precisión que muestra: sus fórmulas redondearían las cifras verificadas"
         en "the workbook calculates with the precision as displayed: its formulas would round the verified figures"

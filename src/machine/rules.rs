@@ -98,6 +98,13 @@ rules! {
         why "LinuxCNC lee los parámetros por orden y se para en el primero que no lo sigue.",
             "LinuxCNC reads the parameters in order and stops at the first one out of order.";
         example file!("5220 1|5222 5|5221 6");
+    "G1012" ParameterFileIsPackage Stop {}
+        es "es un libro (un paquete zip), no un archivo de parámetros .var"
+        en "this is a workbook (a zip package), not a .var parameter file"
+        remedy "dé aquí el archivo .var de LinuxCNC; un libro de orígenes va en --workbook (offsets), y uno de torno, en --tools (verify, view, simulate)",
+            "give LinuxCNC's .var file here; a workbook of offsets goes to --workbook (offsets), and one of a lathe to --tools (verify, view, simulate)";
+        why "Un archivo .var es texto, con un número de parámetro y un valor por línea.", "A .var file is text, with the number of a parameter and a value on each line.";
+        example Example::Made { key: "workbook-as-var", how: crate::text::t("offsets lathe.xlsx", "offsets lathe.xlsx") };
     "G1101" EditWithoutCode Stop { edit: String }
         es "«{edit}»: falta el código"
         en "'{edit}': the code is missing"

@@ -21,6 +21,9 @@ use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::limits::VAR_FILE_BYTES;
 use crate::machine::offset_parameters::{ACTIVE, AXES, G28_FIRST, G30_FIRST, G92_SWITCH, SYSTEMS, system_first};
 
+/// How a workbook begins, as every zip package does: none of its lines is one of parameters.
+const PACKAGE: &[u8] = b"PK\x03\x04";
+
 /// The greatest number of a parameter.
 pub const LAST: u32 = 5601;
 
@@ -62,6 +65,9 @@ impl VarFile {
     /// that is no `number value` pair or is longer than [`LINE`], a number outside of 1 to [`LAST`], a value that is no
     /// decimal number within ±[`GREATEST`], a parameter given twice or out of order.
     pub fn parse(bytes: &[u8]) -> Result<Self, Refusal> {
+        if bytes.starts_with(PACKAGE) {
+            return Err(ParameterFileIsPackage {}.refused(Exit::Refused, Place::File));
+        }
         if bytes.len() > VAR_FILE_BYTES {
             let finding = ParameterFileTooLong {}
                 .at(Place::File)

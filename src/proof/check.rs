@@ -160,8 +160,8 @@ impl Question {
     }
 
     /// The question with parameters as the place of what is found.
-    pub fn of_parameters<const N: usize>(mut self, keys: [Key; N]) -> Self {
-        self.parameters = Some(keys.to_vec());
+    pub fn of_parameters(mut self, keys: impl IntoIterator<Item = Key>) -> Self {
+        self.parameters = Some(keys.into_iter().collect());
         self
     }
 

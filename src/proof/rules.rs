@@ -43,10 +43,10 @@ crate::finding::rule::rules! {
         why "Un programa incremental que no vuelve a su inicio se desplaza cada vez que se ejecuta.",
             "An incremental program that does not return to its start shifts at every run.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.170 Z9.517" };
-    "V0008" AxisLeavesTravel Stop { axis: char, position: Size, program: Text, line: usize, limit: Size, key: Key }
-        es "el eje {axis} llega a {position} en «{program}», desde la línea {line}; su límite es {limit}"
-        en "axis {axis} goes to {position} in \"{program}\", from line {line} on; its limit is {limit}"
-        remedy "compruebe {key}, la longitud de pivote y el cero pieza, o mecanice en otra máquina", "check {key}, the pivot length and the part zero, or use another machine";
+    "V0008" AxisLeavesTravel Stop { axis: char, position: Size, program: Text, line: usize, limit: Size, key: Key, beyond: Text, and: Text }
+        es "el eje {axis} llega a {position} en «{program}», desde la línea {line}; su límite es {limit}{beyond}"
+        en "axis {axis} goes to {position} in \"{program}\", from line {line} on; its limit is {limit}{beyond}"
+        remedy "compruebe {key}{and}, la longitud de pivote y el cero pieza, o mecanice en otra máquina", "check {key}{and}, the pivot length and the part zero, or use another machine";
         why "El control se para en el límite, con la herramienta quizá en la pieza.",
             "The control stops at the limit, perhaps with the tool in the part.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N1000 G0 B-90.000", to: "N1000 G0 B-191.000" };

@@ -6,7 +6,7 @@ use crate::gcode::word::Word;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::TorchNotAsDue;
 use crate::proof::step::{Judge, Step};
-use crate::text::{Text, t};
+use crate::text::{Text, many, t};
 
 /// Asks whether the torch burns in the cut only, by the codes that turn it on and off.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +50,7 @@ pub fn check(program: &Program, codes: Option<[&[Word]; 2]>) -> Check {
     if burning {
         wrong.get_or_insert(line);
     }
-    let value = Text::new(format!("{cuts} movimientos de corte"), format!("{cuts} cutting moves"));
+    let value = many(cuts, ["movimiento de corte", "movimientos de corte"], ["cutting move", "cutting moves"]);
     let asked = Question::new("torch", name, program).showing(value, Text::same("")).seen(cuts);
     if codes.is_none() {
         return asked.informs();

@@ -1,13 +1,13 @@
 //! Axis travel: no position of a program may lie beyond the machine's limits. Program coordinates, mm and degrees.
 
-use crate::finding::{Key, Raise, Size};
+use crate::finding::{Key, Raise, Said, Size};
 use crate::gcode::program::Program;
 use crate::machine::travel::{AxisTravel, Excess, excess};
 use crate::number::shown;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::AxisLeavesTravel;
 use crate::proof::step::{Judge, Step};
-use crate::text::Text;
+use crate::text::{Language, Text, t};
 
 /// What is known of one axis.
 #[derive(Clone, Copy, Debug)]
@@ -15,8 +15,8 @@ struct AxisRange {
     travel: AxisTravel,
     /// Least and greatest position.
     ends: Option<[f64; 2]>,
-    /// Where the limit was first left, and the greatest excess.
-    left: Option<(At, Excess)>,
+    /// Where the lower and the upper limit were first left, and the greatest excess over each.
+    left: [Option<(At, Excess)>; 2],
     /// How many positions were looked at.
     seen: usize,
 }
@@ -29,7 +29,7 @@ impl Axes {
     /// The judge for the travel of some axes, of each in turn.
     #[must_use]
     pub fn new(axes: impl IntoIterator<Item = AxisTravel>) -> Self {
-        let run = |travel| AxisRange { travel, ends: None, left: None, seen: 0 };
+        let run = |travel| AxisRange { travel, ends: None, left: [None; 2], seen: 0 };
         Self(axes.into_iter().map(run).collect())
     }
 }
@@ -43,9 +43,8 @@ impl Judge for Axes {
                 let [low, high] = run.ends.get_or_insert([position; 2]);
                 (*low, *high) = (low.min(position), high.max(position));
                 let Some(found) = excess(run.travel.ends, position) else { continue };
-                let size = |one: &Excess| (one.position - one.limit).abs();
-                let left = run.left.get_or_insert_with(|| (At::motion(&step.motion), found));
-                if size(&left.1) < size(&found) {
+                let left = run.left[upper(&found)].get_or_insert_with(|| (At::motion(&step.motion), found));
+                if by(&left.1) < by(&found) {
                     left.1 = found;
                 }
             }
@@ -74,20 +73,46 @@ impl AxisRange {
         if !known {
             return asked.informs();
         }
-        let asked = match self.left {
+        // The end that is left by more comes first; at the other one the axis would stop as well.
+        let mut left: Vec<(At, Excess)> = self.left.into_iter().flatten().collect();
+        left.sort_by(|(_, one), (_, other)| by(other).total_cmp(&by(one)));
+        let asked = match left.first() {
             None => asked,
-            Some((at, worst)) => asked.at(Some(at)).of_parameters([self.key(&worst)]),
+            Some((at, _)) => asked.at(Some(*at)).of_parameters(left.iter().map(|(_, excess)| self.key(excess))),
         };
-        asked.unless(self.left.map(|(at, worst)| {
-            let size = |value: f64| Size { value, unit: unit.trim_start(), decimals: 3 };
-            let (position, limit, key) = (size(worst.position), size(worst.limit), self.key(&worst));
-            let (axis, program) = (letter, program.title.clone());
-            move |place| AxisLeavesTravel { axis, position, limit, key, line: at.line, program }.at(place)
+        let size = |value: f64| Size { value, unit: unit.trim_start(), decimals: 3 };
+        let (beyond, and) = left.get(1).map_or((t("", ""), t("", "")), |(at, other)| {
+            let (to, limit, line) = (size(other.position), size(other.limit), at.line);
+            let told = |language: Language| [to.said(language), limit.said(language)].map(|one| one.into_owned());
+            let ([es, es_limit], [en, en_limit]) = (told(Language::Es), told(Language::En));
+            let key = self.key(other).symbol();
+            (
+                Text::new(
+                    format!("; y llega a {es} desde la línea {line}, con {es_limit} de límite por ese lado"),
+                    format!("; and it goes to {en} from line {line} on, with {en_limit} as the limit at that end"),
+                ),
+                Text::new(format!(" y {key}"), format!(" and {key}")),
+            )
+        });
+        asked.unless(left.first().map(|(at, worst)| {
+            let (position, limit, key) = (size(worst.position), size(worst.limit), self.key(worst));
+            let (axis, program, line) = (letter, program.title.clone(), at.line);
+            move |place| AxisLeavesTravel { axis, position, limit, key, line, program, beyond, and }.at(place)
         }))
     }
 
     /// The parameter of the limit that is left.
     fn key(&self, worst: &Excess) -> Key {
-        self.travel.keys[usize::from(worst.position > worst.limit)]
+        self.travel.keys[upper(worst)]
     }
+}
+
+/// By how much a limit is passed, mm or degrees.
+fn by(excess: &Excess) -> f64 {
+    (excess.position - excess.limit).abs()
+}
+
+/// The end of the travel that is left: 0 the lower one, 1 the upper one.
+fn upper(excess: &Excess) -> usize {
+    usize::from(excess.position > excess.limit)
 }

@@ -7,7 +7,7 @@ use crate::proof::Judged;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::{ChecksPassed, MemoryExceeded};
 use crate::table::{Column, Index, Law, Print, Table};
-use crate::text::{Text, t};
+use crate::text::{Text, many, t};
 
 /// What came of the verification.
 #[derive(Debug, Default)]
@@ -23,7 +23,7 @@ pub struct Verification {
 pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refused>, answered: &[&Rule]) -> Vec<Check> {
     let lines = text.lines();
     let name = t("Leído por el intérprete", "Read back by the interpreter");
-    let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));
+    let value = many(lines, ["línea", "líneas"], ["line", "lines"]);
     let asked = Question::new("reading", name, program).showing(value, Text::same(program.control.name));
     let of_program = |mut found: Finding, place| {
         let (Text { es, en }, title) = (&found.what, &program.title);

@@ -227,7 +227,7 @@ pub struct Plan {
     /// How many designs there are.
     pub count: u64,
     /// How many the plan has: a sample of which only the first are worked out is the same sample.
-    whole: u64,
+    pub whole: u64,
     /// What a design is judged by.
     pub level: Level,
     /// What is to be small or large.

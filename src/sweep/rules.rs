@@ -13,7 +13,7 @@ rules! {
         en "the workbook has no sheet {sheet}"
         remedy "póngala con rodete new, el tipo del libro y las opciones --sweep --into LIBRO", "put it in with rodete new, the kind of the workbook, and the options --sweep --into BOOK";
         why "La hoja dice qué entradas varían y cómo.", "The sheet says which inputs vary, and how.";
-        example Example::Made { key: "sweep-without-sheet", how: t("rodete sweep impeller.xlsx, de un libro sin hoja SWEEP", "rodete sweep impeller.xlsx, of a workbook without a sheet SWEEP") };
+        example Example::Made { key: "sweep-without-sheet", how: t("rodete sweep impeller.xlsx, de un libro sin hoja BARRIDO", "rodete sweep impeller.xlsx, of a workbook without a sheet SWEEP") };
     "D0102" NothingVaries Stop { sheet: Text }
         es "la hoja {sheet} no dice qué entradas varían"
         en "the sheet {sheet} does not say which inputs vary"
@@ -146,7 +146,7 @@ rules! {
         en "with method = list, the inputs on the sheet {sheet} are not read"
         remedy "bórrelas, o elija otro método", "delete them, or choose another method";
         why "Los diseños son los de la hoja de la lista.", "The designs are those on the sheet of the list.";
-        example Example::Made { key: "sweep-list", how: t("method = list con una hoja DISEÑOS y filas de entradas", "method = list with a sheet DESIGNS and rows of inputs") };
+        example Example::Made { key: "sweep-list", how: t("method = lista con una hoja DISEÑOS y filas de entradas", "method = list with a sheet DESIGNS and rows of inputs") };
     "D0124" DesignCellEmpty Stop { symbol: Key }
         es "falta el valor de {symbol} en un diseño de la lista"
         en "a design of the list has no value of {symbol}"
@@ -244,11 +244,11 @@ rules! {
         remedy "compruebe el disco si se repite", "check the disk if this happens again";
         why "rodete escribe cada trozo entero o no lo escribe; algo lo cambió después.", "rodete writes a chunk whole or not at all; something changed it afterwards.";
         example Example::Made { key: "sweep-torn", how: t("un trozo al que le faltan los últimos bytes", "a chunk whose last bytes are missing") };
-    "D0206" NoneDone Stop { count: u64, code: String, path: String }
-        es "rodete rechaza los {count} diseños del plan; el motivo más frecuente es {code}"
-        en "rodete rejects all {count} designs of the plan; the most frequent reason is {code}"
+    "D0206" NoneDone Stop { designs: Text, count: u64, code: String, path: String }
+        es "rodete rechaza {designs}; el motivo más frecuente es {code}"
+        en "rodete rejects {designs}; the most frequent reason is {code}"
         remedy "lea la hoja POR_QUE de {path} y cambie los intervalos", "read the sheet WHY of {path} and change the ranges";
-        why "Ningún diseño del plan se puede fabricar.", "No design of the plan can be made.";
+        why "Ninguno de los diseños probados se puede fabricar.", "None of the designs tried can be made.";
         example Example::Made { key: "sweep-none", how: t("un plan cuyos diseños se contradicen todos", "a plan whose designs all contradict themselves") };
     "D0207" FrontCut Caution { most: usize }
         es "el frente tiene más de {most} diseños; se marcan los primeros según el primer objetivo"

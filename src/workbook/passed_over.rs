@@ -4,7 +4,7 @@ use crate::escape::excerpt;
 use crate::finding::{Finding, Place, Raise};
 use crate::parameter::Form;
 use crate::parameter::list::{List, Naming};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, one_of, t};
 
 use super::book::Book;
 use super::list_rows;
@@ -47,14 +47,23 @@ pub(super) fn cautions(book: &mut Book<'_>, form: &'static Form, language: Langu
             let missing = !taken(name) && letters <= MISTYPED;
             (!missing, fold(name) != copied, taken(name), letters)
         };
-        let Some(like) = laid_out(form, language, &sheet).into_iter().min_by_key(near) else { continue };
+        let alike = laid_out(form, language, &sheet);
+        let Some(likeliest) = alike.iter().copied().min_by_key(near) else { continue };
         let name = excerpt(&entry.name, SHOWN);
-        let how = match taken(like) {
-            true => Text::new(
-                format!("borre la hoja \"{like}\" y dé a esta su nombre"),
-                format!("delete the sheet \"{like}\" and give this one its name"),
+        let quoted = |name: &&str| Text::same(format!("\"{name}\""));
+        // Of several sheets with one layout, all of them there, nothing but the name of a copy says which one this may replace.
+        let certain = !taken(likeliest) || fold(likeliest) == copied || alike.len() == 1;
+        let like = if certain { quoted(&likeliest) } else { one_of(alike.iter().map(quoted)) };
+        let how = match (taken(likeliest), certain) {
+            (false, _) => Text::new(format!("llámela \"{likeliest}\""), format!("name it \"{likeliest}\"")),
+            (true, true) => Text::new(
+                format!("borre la hoja \"{likeliest}\" y dé a esta su nombre"),
+                format!("delete the sheet \"{likeliest}\" and give this one its name"),
             ),
-            false => Text::new(format!("llámela \"{like}\""), format!("name it \"{like}\"")),
+            (true, false) => t(
+                "decida a cuál de ellas sustituye, borre esa y dé a esta su nombre",
+                "decide which of them it replaces, delete that one and give this one its name",
+            ),
         };
         findings.push(SheetPassedOver { name, like, how }.at(Place::Sheet(entry.name.clone())));
     }

@@ -26,12 +26,13 @@ use super::listing::{self, SheetEntry};
 use super::passed_over;
 use super::rules::form::*;
 use super::sheet_cells::{Content, SheetCells};
-use super::sheet_names::{find, first_sheet, list_sheets, no_cells};
+use super::sheet_names::{find, first_sheet, list_sheets, no_cells, same_but_for_case};
 use super::stamp;
 use super::survey::COLUMNS;
 use super::sweep_sheet;
 use super::value::{self, expected, named};
 use super::verified::{self, Verified};
+use super::words::fold;
 
 /// Values are looked for in the columns before this one.
 const MOVED: u32 = 26;
@@ -252,6 +253,9 @@ fn first(book: &mut Book<'_>, forms: &[&'static Form]) -> Result<First, Refusal>
     let schema = forms.iter().flat_map(|form| form.parameters()).map(|(_, one)| one);
     let led = schema.filter(|one| matches!(one.kind, FieldKind::Schema)).find_map(|one| leads(&book.gated, one));
     let Some(led) = led else { return Err(refused) };
+    if refused.findings.iter().any(|one| one.is(SheetAmbiguous::RULE)) && several_forms(book, forms) {
+        return Err(refused);
+    }
     let Some(sheet) = read_led(book, &led)? else { return Err(refused) };
     let is = |name: &Text, language| *name.get(language) == *led.entry.name;
     let names = || forms.iter().filter_map(|form| form.sheets.first()).map(|sheet| &sheet.name);
@@ -263,15 +267,26 @@ fn first(book: &mut Book<'_>, forms: &[&'static Form]) -> Result<First, Refusal>
     Ok(First { entry: led.entry, language, sheet, version })
 }
 
+/// True where more than one sheet with the name of a form's first one is such a form: the names lead to one of them, and a person may have
+/// filled in the other. A sheet of somebody else's that has the name alone is none.
+fn several_forms(book: &mut Book<'_>, forms: &[&'static Form]) -> bool {
+    let sheets = book.gated.sheets.clone();
+    let names = || forms.iter().filter_map(|form| form.sheets.first()).flat_map(|one| [&one.name.es, &one.name.en]);
+    let named = sheets.iter().filter(|entry| names().any(|name| same_but_for_case(name, &entry.name)));
+    named.filter(|entry| is_form(book, entry)).count() > 1
+}
+
+/// True for a sheet that has a schema's row.
+fn is_form(book: &mut Book<'_>, entry: &SheetEntry) -> bool {
+    let sheet = book.read(entry, COLUMNS);
+    sheet.is_ok_and(|sheet| rows_by_symbol(&sheet).contains_key(SCHEMA.key().symbol()))
+}
+
 /// The sheet that a form begins with, by its name.
 fn first_named(book: &mut Book<'_>, forms: &[&'static Form]) -> Result<First, Refusal> {
     let sheets = book.gated.sheets.clone();
     // In a workbook of somebody else's, one of their sheets may have a name that is alike.
-    let mut is_form = |entry: &SheetEntry| {
-        let sheet = book.read(entry, COLUMNS);
-        sheet.is_ok_and(|sheet| rows_by_symbol(&sheet).contains_key(SCHEMA.key().symbol()))
-    };
-    let (entry, language) = first_sheet(&sheets, forms, &mut is_form)?;
+    let (entry, language) = first_sheet(&sheets, forms, |entry| is_form(book, entry))?;
     let sheet = book.read(&entry, COLUMNS)?;
     sound(&sheet, &entry)?;
     let version = form_of(&sheet, forms, Some(language))?;
@@ -404,7 +419,9 @@ pub(super) fn take(
     }
     for parameter in parameters {
         match found(parameter).as_slice() {
-            [] if parameter.required => findings.push(missing_row(parameter, sheet)),
+            [] if parameter.required => {
+                findings.push(missing_row(parameter, mistyped(parameter, &rows, &known), sheet))
+            }
             [] => {}
             [_] if matches!(parameter.kind, FieldKind::Schema) => {
                 values.values.insert(parameter.key, Value::Line(schema.to_owned()));
@@ -423,9 +440,30 @@ pub(super) fn take(
     }
 }
 
-fn missing_row(parameter: &'static Parameter, sheet: &SheetCells) -> Finding {
+/// A row whose unknown symbol is that of a parameter but for a letter.
+fn mistyped<'a>(parameter: &Parameter, rows: &BTreeMap<&'a str, Vec<u32>>, known: &[&str]) -> Option<(u32, &'a str)> {
+    let near = |found: &str| {
+        let (wanted, found) = (fold(parameter.symbol()), fold(found));
+        let letters = strsim::damerau_levenshtein(&wanted, &found);
+        letters <= 1 && letters < wanted.chars().count().max(found.chars().count())
+    };
+    let unknown = rows.iter().filter(|(symbol, _)| !known.contains(*symbol) && near(symbol));
+    unknown.filter_map(|(symbol, rows)| Some((*rows.first()?, *symbol))).next()
+}
+
+fn missing_row(parameter: &'static Parameter, mistyped: Option<(u32, &str)>, sheet: &SheetCells) -> Finding {
     let (name, expected, symbol) = (named(parameter), expected(parameter), parameter.key());
-    RowMissing { name, symbol, expected }.at(Place::Sheet(sheet.name.clone()))
+    let Some((row, found)) = mistyped else {
+        let told = RowMissing { name, symbol, expected, mistyped: t("", "") };
+        return told.at(Place::Sheet(sheet.name.clone()));
+    };
+    let at = (row, sheet.columns.symbol);
+    let (cell, found, right) = (address::format(at), excerpt(found, SHOWN), symbol.symbol());
+    let mistyped = Text::new(
+        format!("corrija {cell}, que dice \"{found}\", a \"{right}\"; si esa fila es otra, "),
+        format!("correct {cell}, which says \"{found}\", to \"{right}\"; if that row is another one, "),
+    );
+    RowMissing { name, symbol, expected, mistyped }.at(Place::Cells(vec![sheet.place(at)]))
 }
 
 /// Mentions rows that have a value and a symbol that the form does not know. Headings are not among them: what stands

@@ -149,7 +149,7 @@ fn list(sheets: &[SheetEntry]) -> String {
 }
 
 /// True for names that a person takes for one: alike but for capitals, accents and blanks around.
-fn same_but_for_case(one: &str, other: &str) -> bool {
+pub(super) fn same_but_for_case(one: &str, other: &str) -> bool {
     words::fold(one) == words::fold(other)
 }
 

@@ -201,10 +201,11 @@ fn made(key: &str, folder: &Path) -> Option<Line> {
             }
             "compare a.xlsx b.xlsx -o c.xlsx".to_owned()
         }
-        "workbook-as-program" | "lathe-tools" => {
+        "workbook-as-program" | "workbook-as-var" | "lathe-tools" => {
             run(folder, &["new", "lathe"].map(str::to_owned), Language::En);
             match key {
                 "lathe-tools" => "verify part.nc --tools lathe.xlsx --dialect linuxcnc".to_owned(),
+                "workbook-as-var" => "offsets lathe.xlsx".to_owned(),
                 _ => "simulate lathe.xlsx".to_owned(),
             }
         }

@@ -42,14 +42,45 @@ fn as_shown(text: &str) -> String {
     })
 }
 
+/// Names of sheets in English and in Spanish.
+const SHEETS: [[&str; 2]; 7] = [
+    ["DATA", "DATOS"],
+    ["CALIBRATION", "CALIBRACION"],
+    ["TOOLS", "HERRAMIENTAS"],
+    ["PROGRAM", "PROGRAMA"],
+    ["PROFILE", "PERFIL"],
+    ["SWEEP", "BARRIDO"],
+    ["OFFSETS", "ORIGENES"],
+];
+
+/// What is told in Spanish of an English workbook, as it is told of a Spanish one: its sheets have Spanish names. A text that has a name in
+/// both languages speaks of both.
+fn of_a_spanish_book(told: [String; 2]) -> [String; 2] {
+    let word = |letter: char| letter.is_alphanumeric() || letter == '_';
+    let is_name = |text: &str, at: usize, name: &str| {
+        !text[..at].chars().next_back().is_some_and(word) && !text[at + name.len()..].chars().next().is_some_and(word)
+    };
+    let whole = told.concat();
+    told.map(|mut text| {
+        for [en, es] in SHEETS.into_iter().filter(|[_, es]| !whole.contains(es)) {
+            let found = text.match_indices(en).map(|(at, _)| at).filter(|&at| is_name(&text, at, en));
+            for at in found.collect::<Vec<_>>().into_iter().rev() {
+                text.replace_range(at..at + en.len(), es);
+            }
+        }
+        text
+    })
+}
+
 /// Compares sentence and remedy, each in Spanish and English, of a row's example with what `explain` shows; writes them where
 /// that is meant.
 pub fn compare(rule: &Rule, what: [&str; 2], remedy: [&str; 2]) {
     if !carries(rule) || BY_HAND.contains(&rule.code) {
         return;
     }
-    let told = [what[0], remedy[0], what[1], remedy[1]].map(|text| as_shown(text).replace(['\n', '\t'], " "));
-    let told = told.join("\t");
+    let shown = |text: &str| as_shown(text).replace(['\n', '\t'], " ");
+    let [es, en] = [0, 1].map(|language| [shown(what[language]), shown(remedy[language])]);
+    let told = [of_a_spanish_book(es), en].concat().join("\t");
     let _writing = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
     let mut all = held();
     if super::reference::write() {
@@ -65,6 +96,14 @@ pub fn compare(rule: &Rule, what: [&str; 2], remedy: [&str; 2]) {
 /// As [`compare`], of a finding.
 pub fn compare_finding(rule: &Rule, own: &Finding) {
     compare(rule, [&own.what.es, &own.what.en], [&own.remedy.es, &own.remedy.en]);
+}
+
+#[test]
+fn a_spanish_sentence_names_the_sheets_of_a_spanish_book() {
+    let told = |what: &str| of_a_spanish_book([what.to_owned(), "rellene DATA!C42".to_owned()]);
+    assert_eq!(told("W2 está vacío: DATA!C42"), ["W2 está vacío: DATOS!C42", "rellene DATOS!C42"]);
+    assert_eq!(told("\"DATA (2)\", como \"DATA\", de MY_DATA")[0], "\"DATOS (2)\", como \"DATOS\", de MY_DATA");
+    assert_eq!(told("no se sabe cuál: \"DATA\", \"DATOS\"")[0], "no se sabe cuál: \"DATA\", \"DATOS\"");
 }
 
 #[test]

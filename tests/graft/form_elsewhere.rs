@@ -5,7 +5,7 @@ use rodete::parameter::{FieldKind, Value, Values};
 use rodete::text::Language;
 use rust_xlsxwriter::Workbook;
 
-use super::common::workbook::quick;
+use super::common::workbook::{Parts, quick, written};
 use super::made::{forms, read, said};
 
 /// A book whose form stands on sheets of these names, its columns A to D at these places; `named`: with defined names.
@@ -74,6 +74,20 @@ fn the_defined_names_lead_to_the_form_wherever_it_stands() {
             }
         }
     }
+}
+
+/// The names lead to one of two filled-in forms, and a person may have filled in the other. A sheet that has the name alone is no form.
+#[test]
+fn of_two_forms_none_is_read_whatever_the_names_lead_to() {
+    let sheets = "xl/worksheets/sheet1.xml";
+    let calibration = "xl/worksheets/sheet2.xml";
+    let book = || Parts::of(&written(rodete::kinds::KINDS[0], quick(), Language::En));
+    let renamed = |parts: Parts| parts.replace("xl/workbook.xml", "name=\"CALIBRATION\"", "name=\"DATOS\"");
+    let form = book().text(sheets);
+    let refused =
+        rodete::workbook::read(&renamed(book().put(calibration, form)).zip(), &forms()).expect_err("two forms");
+    assert!(said(&refused).starts_with("W0508"), "{}", said(&refused));
+    rodete::workbook::read(&renamed(book()).zip(), &forms()).expect("one form");
 }
 
 #[test]

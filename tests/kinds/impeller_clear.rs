@@ -484,6 +484,36 @@ fn a_limit_that_is_just_reached_is_kept_and_one_a_thousandth_inside_is_not() {
     assert!(!refused(0.0) && refused(0.001));
 }
 
+/// What is beyond both ends of an axis is told at once, with the cells of both.
+#[test]
+fn an_axis_that_leaves_its_travel_at_both_ends_names_both() {
+    let travel = [("X_min", Value::Real(-0.5)), ("X_max", Value::Real(0.5))];
+    let made = kinds::run(&FORM, common::values("full", &travel), common::source());
+    let findings = made.map_or_else(|refusal| refusal.findings, |outcome| outcome.findings);
+    let told: Vec<_> = findings.iter().filter(|one| one.code() == "V0008").collect();
+    assert!(!told.is_empty());
+    for one in told {
+        let place = format!("{:?}", one.place);
+        assert!(place.contains("X_min") && place.contains("X_max"), "{place}");
+        let remedy = &one.remedy.en;
+        assert!(remedy.contains("check X_min and X_max,") || remedy.contains("check X_max and X_min,"), "{remedy}");
+        assert!(one.what.en.contains("as the limit at that end"), "{}", one.what.en);
+    }
+}
+
+/// The offset that may bring a length is D_f's, and not the diameter d_f.
+#[test]
+fn an_offset_that_may_bring_a_length_is_named_by_its_own_cell() {
+    let tools = [("T_f", Value::Whole(2)), ("D_f", Value::Whole(2)), ("d_f", Value::Real(5.0))];
+    let changes: Vec<_> = [("dialect", Value::Choice("fagor-8070"))].into_iter().chain(tools).collect();
+    let made = outcome(&changes);
+    let told = made.findings.iter().find(|one| one.code() == "P1049").expect("a caution");
+    let place = format!("{:?}", told.place);
+    assert!(place.contains("\"D_f\"") && !place.contains("\"d_f\""), "{place}");
+    assert!(told.what.es.starts_with("en este control D1 y D2 pueden activar"), "{}", told.what.es);
+    assert!(told.remedy.es.contains("la longitud de esos correctores"), "{}", told.remedy.es);
+}
+
 #[test]
 fn a_link_that_turns_c_by_half_a_turn_is_no_jump() {
     // From the rim of one lane to the hub of the next C turns by 180.000° here.

@@ -292,6 +292,43 @@ fn a_wall_beyond_the_radius_is_refused() {
     assert_eq!(findings[0].what.en, "the size is missing: branch_size and branch_schedule, or D_branch and t_branch");
 }
 
+/// Without a kerf the torch goes along the curve itself: no head of a program and no table says that anything is compensated.
+#[test]
+fn what_is_not_compensated_is_nowhere_said_to_be() {
+    let kinds = rodete::kinds::KINDS.iter().filter(|kind| kind.form().kind.starts_with("pipe"));
+    let ways = kinds.flat_map(|kind| {
+        let modes = if kind.form().kind == FORM.kind { &["rotary", "flat"][..] } else { &[""][..] };
+        modes.iter().map(move |mode| (*kind, *mode))
+    });
+    for (kind, mode) in ways {
+        for (kerf, compensated) in [(1.5, true), (0.0, false)] {
+            for language in Language::ALL {
+                let mut changes = vec![real("kerf", kerf)];
+                match mode {
+                    "" => changes.push(real("m", kerf / 2.0)),
+                    mode => changes.push(choice("mode", mode)),
+                }
+                let outcome = common::outcome_of(kind, &kind.cases()[0], language, &changes);
+                let told = format!("{} {mode} {kerf}", kind.form().kind);
+                let head = outcome.programs[0].text();
+                let heads = |words: [&str; 2]| words.iter().any(|words| head.contains(words));
+                assert_eq!(heads(["COMPENSADO", "KERF 1.500 COMPENSATED"]), compensated, "{told}: {head}");
+                assert_eq!(heads(["SIN COMPENSAR", "KERF NOT COMPENSATED"]), !compensated, "{told}: {head}");
+                let way = outcome.table("way").expect("the way");
+                assert_eq!(
+                    way.title.en.ends_with("with the kerf compensated"),
+                    compensated,
+                    "{told}: {}",
+                    way.title.en
+                );
+                let codes: Vec<&str> = outcome.findings.iter().map(Finding::code).collect();
+                assert_eq!(codes.contains(&"P2109"), !compensated, "{told}: {codes:?}");
+                assert_eq!(codes.contains(&"P2110"), compensated && mode == "rotary", "{told}: {codes:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_published_case_says_that_its_radius_is_the_outside_one() {
     let outcome = outcome("3on4-2023", &[]);
@@ -299,7 +336,7 @@ fn the_published_case_says_that_its_radius_is_the_outside_one() {
     let cautions: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Caution).collect();
     // The radius, the wall, the published layout, and its six decimals where the control takes four.
     assert_eq!(cautions.len(), 4, "{cautions:?}");
-    assert!(cautions.iter().any(|finding| finding.code() == "G0124"));
+    assert!(cautions.iter().any(|finding| finding.code() == "P2124"));
     let told = cautions.iter().find(|finding| finding.is(WallInsideHeader::RULE)).expect("the wall");
     assert_eq!(
         told.what.en,

@@ -77,6 +77,14 @@ fn annex_7_is_reproduced_to_its_last_digit() {
     compare("annex-7", &["x", "y", "z", "B", "C"], "annex-07-reverse", &[]);
 }
 
+/// That the published turning has no S is said with style = annex, by a cell that can be changed.
+#[test]
+fn of_a_published_program_nothing_is_asked_that_no_cell_gives() {
+    let outcome = common::outcome("tfg-2021", &[]);
+    let codes: Vec<_> = outcome.findings.iter().map(rodete::finding::Finding::code).collect();
+    assert!(codes.contains(&"P1021") && !codes.contains(&"G0502"), "{codes:?}");
+}
+
 #[test]
 fn annex_8_is_reproduced_to_its_last_digit() {
     let outcome = common::outcome("tfg-2021", &[]);

@@ -93,6 +93,14 @@ fn every_bad_line_is_refused_with_its_place_and_reason() {
 }
 
 #[test]
+fn a_workbook_in_place_of_the_file_is_told_in_one_sentence() {
+    let refusal = VarFile::parse(b"PK\x03\x04\n\n\n5220\t1\nx\n").unwrap_err();
+    let [told] = refusal.findings.as_slice() else { panic!("{refusal:?}") };
+    assert_eq!(told.what.en, "this is a workbook (a zip package), not a .var parameter file");
+    assert!(told.remedy.en.contains("--workbook"), "{}", told.remedy.en);
+}
+
+#[test]
 fn a_file_longer_than_any_of_linuxcnc_is_a_limit_and_not_a_fault_of_its_lines() {
     let refusal = VarFile::parse(&vec![b'x'; VAR_FILE_BYTES + 1]).unwrap_err();
     assert_eq!((refusal.exit, refusal.findings.len()), (Exit::Limit, 1));

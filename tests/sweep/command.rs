@@ -54,6 +54,23 @@ fn chunks(folder: &Path, name: &str) -> Vec<std::path::PathBuf> {
     paths
 }
 
+/// What is said of designs that are all rejected is said of those that were tried.
+#[test]
+fn a_plan_that_is_limited_is_not_rejected_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let settings = [("method", "factorial"), ("level", "limits"), ("objectives", "gap_true max")];
+    fs::write(folder.path().join("a.xlsx"), with_variants(&settings, &[["e", "50", "60", "5", "", ""]], &[])).unwrap();
+    for (limit, said) in [
+        ("--limit 1", "rejects the only design tried, of the 3 of the plan;"),
+        ("--limit 2", "rejects all 2 designs tried, of the 3 of the plan;"),
+        ("", "rejects all 3 designs of the plan;"),
+    ] {
+        let output = sweep(folder.path(), &format!("-o s{} {limit}", said.len()));
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(3) && told.contains(said), "{limit}: {told}");
+    }
+}
+
 #[test]
 fn the_summary_is_the_same_however_the_plan_is_divided_and_worked() {
     let folder = folder("limits");

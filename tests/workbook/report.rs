@@ -502,6 +502,29 @@ mod embedded {
         assert!(!turned.contains("The plate"), "{turned}");
     }
 
+    /// Without a kerf the torch goes along the curve: its set-up sheet says so, and does not say that G41 is not wanted. The hold of a
+    /// hole's height is let go in the middle of the cut.
+    #[test]
+    fn the_set_up_sheet_of_a_torch_tells_whether_its_kerf_is_compensated() {
+        let kinds = KINDS.iter().filter(|kind| kind.form().kind.starts_with("pipe"));
+        for (kind, kerf) in kinds.flat_map(|kind| [(kind, 1.5), (kind, 0.0)]) {
+            let mut changes = vec![("kerf", Value::Real(kerf))];
+            if kind.form().kind == "pipe-hole" {
+                changes.push(("m", Value::Real(kerf / 2.0)));
+            }
+            let case = kind.cases().first().expect("a case");
+            let outcome = common::outcome_of(*kind, case, Language::En, &changes);
+            let report = typeset(&outcome, &[workbook()], &Stationery::default(), Language::En, &typst()).unwrap();
+            let Some(text) = text(&report.setup) else { return };
+            let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert_eq!(text.contains("The kerf is already compensated"), kerf > 0.0, "{kerf}: {text}");
+            assert_eq!(text.contains("The kerf is not compensated"), kerf == 0.0, "{kerf}: {text}");
+            let hole = kind.form().kind == "pipe-hole";
+            assert_eq!(text.contains("in the middle of the cut"), hole, "{kerf}: {text}");
+            assert!(!text.contains("during the cut"), "{kerf}: {text}");
+        }
+    }
+
     /// What no page holds goes on, and says so on top: more tools than a page has lines.
     #[test]
     fn a_set_up_sheet_that_is_too_long_says_that_it_goes_on() {

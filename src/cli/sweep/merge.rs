@@ -59,6 +59,22 @@ fn take_in<'a>(plan: &'a Plan, rows: &Rows<'_>) -> Result<(Ranked, Shares<'a>, O
     Ok((ranking.end(), shares, indices))
 }
 
+/// The designs that were tried, of those of the whole plan.
+fn tried(count: u64, whole: u64) -> Text {
+    match (count, count == whole) {
+        (1, true) => t("el único diseño del plan", "the only design of the plan"),
+        (_, true) => Text::new(format!("los {count} diseños del plan"), format!("all {count} designs of the plan")),
+        (1, false) => Text::new(
+            format!("el único diseño probado, de los {whole} del plan"),
+            format!("the only design tried, of the {whole} of the plan"),
+        ),
+        (_, false) => Text::new(
+            format!("los {count} diseños probados, de los {whole} del plan"),
+            format!("all {count} designs tried, of the {whole} of the plan"),
+        ),
+    }
+}
+
 /// Makes summary, workbook, report and best designs from the chunks, which are all there.
 pub(super) fn merge(
     arguments: &Sweep,
@@ -132,7 +148,8 @@ pub(super) fn merge(
     if ranked.counts.done == 0 {
         let code = ranked.why.first().map_or_else(String::new, |first| first.code.clone());
         let path = printable_path(&rows.place().join(&names[0]));
-        return Err(NoneDone { count: plan.count, code, path }.refused(Exit::Refused, Place::File));
+        let (designs, count) = (tried(plan.count, plan.whole), plan.count);
+        return Err(NoneDone { designs, count, code, path }.refused(Exit::Refused, Place::File));
     }
     let names: Vec<_> = names.iter().map(|name| printable(&name.to_string_lossy())).collect();
     let folder = printable_path(rows.place());

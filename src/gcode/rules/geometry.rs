@@ -23,8 +23,8 @@ rules! {
             "Centre and radius may disagree: some controls use one, others the other.";
         example Example::program("linuxcnc", "G21 G90 F100|G2 X1 Y1 I1 R1|M2", "2:13");
     "G0403" HelixPitch Stop { word: char, plane: &'static str, axis: char }
-        es "{word} es en {plane} el paso de una hélice, que no está implementado"
-        en "{word} is the pitch of a helix in {plane}, which is not supported"
+        es "{word} es en {plane} el paso de una hélice, que rodete no admite"
+        en "{word} is the pitch of a helix in {plane}, which rodete does not follow"
         remedy "escriba la hélice vuelta a vuelta, con su {axis} y sin {word}; si el arco es de otro plano, prográmelo antes (G17, G18 o G19)", "write the helix turn by turn, with its {axis} and without {word}; if the arc is in another plane, program that plane before it (G17, G18 or G19)";
         why "Este control escribe así una hélice de varias vueltas; rodete no la simula.",
             "This control writes a helix of several turns this way; rodete does not simulate it.";
@@ -184,8 +184,8 @@ rules! {
             "The control does not know how to change from one side to the other.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D2 G1 X10|G42.1 D2 X20|G40 X30|M2", "3:1");
     "G0426" CutterPlane Stop { plane: &'static str }
-        es "la compensación de radio en {plane} no está implementada"
-        en "cutter radius compensation in {plane} is not supported"
+        es "rodete no admite la compensación de radio en {plane}"
+        en "rodete does not follow cutter radius compensation in {plane}"
         remedy "programe G17", "program G17";
         why "En otro plano la fresa está encima del contorno, no al lado.",
             "In another plane the cutter is above the contour, not beside it.";
@@ -247,8 +247,8 @@ rules! {
             "The cutter is beside the programmed point.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D2 G1 X10|#1=#5420|G40 X20|M2", "3:4");
     "G0435" RotaryUnderCompensation Stop {}
-        es "los ejes giratorios y U, V, W no están implementados con G41 o G42 en vigor"
-        en "rotary axes or U, V, W are not supported while G41 or G42 is in force"
+        es "rodete no admite ejes giratorios ni U, V, W con G41 o G42 en vigor"
+        en "rodete does not follow rotary axes or U, V, W while G41 or G42 is in force"
         remedy "muévalos antes de G41 o después de G40", "move them before G41 or after G40";
         why "La compensación trabaja en el plano, y un giro saca el contorno de él.",
             "Compensation works in the plane, and a rotary motion moves the contour out of it.";

@@ -30,8 +30,8 @@ rules! {
             "The block ends at ';', and the control does not run what follows.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.; G1 Z-5. F100.|M30", "2:12");
     "G0004" HighLevel Stop {}
-        es "las sentencias en lenguaje de alto nivel de Fagor no están implementadas"
-        en "statements of Fagor's high-level language are not supported"
+        es "rodete no admite las sentencias en lenguaje de alto nivel de Fagor"
+        en "rodete does not follow statements of Fagor's high-level language"
         remedy "borre la sentencia; los comentarios van detrás de «;»", "delete the statement; comments stand after ';'";
         why "Estas sentencias calculan y deciden dentro del control: sin ejecutarlas no se sabe qué hace el programa.",
             "These statements compute and decide inside the control: without running them nobody knows what the program does.";
@@ -58,8 +58,8 @@ rules! {
             "The beginning of the comment is missing: the control may run its text.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1 (a))|M2", "2:10");
     "G0008" EdgeNotSupported Stop { edge: char }
-        es "«,{edge}» no está implementado como chaflán, redondeo o ángulo en el bloque"
-        en "',{edge}' is not supported as a chamfer, corner radius or angle in a block"
+        es "rodete no admite «,{edge}» como chaflán, redondeo o ángulo en el bloque"
+        en "rodete does not follow ',{edge}' as a chamfer, corner radius or angle in a block"
         remedy "escriba el chaflán o el arco en un bloque propio", "write the chamfer or arc as a block of its own";
         why "Ignorarlo dejaría una esquina viva donde el programa pide otra cosa.",
             "Ignoring it would leave a sharp corner where the program asks for another.";

@@ -100,8 +100,8 @@ rules! {
             "It is not clear whether the motion is rapid or at feed.";
         example Example::program("linuxcnc", "G21 G90 F100|G80|G53 X1|M2", "3:1");
     "G0514" ThreadStartAngle Stop {}
-        es "Q, el ángulo inicial de la rosca, no está implementado en G34"
-        en "Q, a thread's start angle, is not supported in G34"
+        es "rodete no admite en G34 Q, el ángulo inicial de la rosca"
+        en "rodete does not follow Q, a thread's start angle, in G34"
         remedy "escriba los movimientos sin ella", "write the motions without it";
         why "La rosca empezaría en otro sitio.",
             "The thread would begin in another place.";

@@ -9,9 +9,9 @@ rules! {
     RULES;
 
     "G0101" Macros Stop {}
-        es "las macros (#, IF, WHILE, GOTO) no están implementadas"
-        en "macros (#, IF, WHILE, GOTO) are not supported"
-        remedy "si el programa es de otro control, indíquelo con --dialect; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it with --dialect; if not, delete or replace it: rodete cannot verify a program that contains it";
+        es "rodete no admite macros (#, IF, WHILE, GOTO)"
+        en "rodete does not follow macros (#, IF, WHILE, GOTO)"
+        remedy "si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, delete or replace it: rodete cannot verify a program that contains it";
         why "Una macro calcula y decide en el control: sin ejecutarla no se sabe qué hace el programa.",
             "A macro computes and decides inside the control: without running it nobody knows what the program does.";
         example Example::program("fanuc-lathe-a", "G21 G98|#1=5|M30", "2:1");
@@ -58,9 +58,9 @@ rules! {
             "The two codes exclude each other: it is not clear which one counts.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 G1 X1|M2", "2:1");
     "G0108" MachineCodeNotSupported Stop { code: u32, reason: Text }
-        es "M{code} no está implementado: {reason}"
-        en "M{code} is not supported: {reason}"
-        remedy "si el programa es de otro control, indíquelo con --dialect; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it with --dialect; if not, delete or replace it: rodete cannot verify a program that contains it";
+        es "rodete no admite M{code}: {reason}"
+        en "rodete does not follow M{code}: {reason}"
+        remedy "si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, delete or replace it: rodete cannot verify a program that contains it";
         why "rodete no sabe qué hace el código, así que nada de lo que sigue sería seguro.",
             "rodete does not know what the code does, so nothing after it would be certain.";
         example Example::program("fanuc-lathe-a", "G21 G98|M198 P1|M30", "2:1");
@@ -121,9 +121,9 @@ rules! {
             "No control accepts such a number: it is probably wrong.";
         example Example::program("linuxcnc", "G21 G90 F100|T10000000000|M2", "2:2");
     "G0117" LetterNotSupported Stop { letter: char, dialect: &'static str, comma: Text }
-        es "la letra {letter} no está implementada en el dialecto {dialect}"
-        en "letter {letter} is not supported in the dialect {dialect}"
-        remedy "{comma}si el programa es de otro control, indíquelo con --dialect; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "{comma}if the program is for another control, name it with --dialect; if not, delete or replace it: rodete cannot verify a program that contains it";
+        es "rodete no admite la letra {letter} del dialecto {dialect}"
+        en "rodete does not follow letter {letter} of the dialect {dialect}"
+        remedy "{comma}si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "{comma}if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, delete or replace it: rodete cannot verify a program that contains it";
         why "El control conoce esta letra y rodete no: rodete no puede comprobarla.",
             "The control knows this letter but rodete does not, and so cannot verify it.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 Y5.|M30", "2:4");

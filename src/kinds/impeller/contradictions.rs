@@ -21,6 +21,7 @@ use crate::machine::axis::Axis;
 use crate::machine::travel::{AxisTravel, excess};
 use crate::number::shown;
 use crate::parameter::at;
+use crate::text::many;
 
 impl Design {
     /// What is valid alone but not together. All findings are stops.
@@ -106,7 +107,8 @@ impl Design {
             let told = NoThicknessFits { N, e, room: Size::mm(around / f64::from(N)), least };
             findings.push(told.at(place).with(mm(self.e), ""));
         } else if self.e > thickest {
-            let told = BladeTooThick { e, most: Size::mm(thickest), N };
+            let blades = many(N, ["álabe", "álabes"], ["blade", "blades"]);
+            let told = BladeTooThick { e, most: Size::mm(thickest), blades, N };
             findings.push(told.at(place).with(mm(self.e), mm(thickest)));
         }
         // w·cos β, with β = asin(r/R) at both ends: the reverse's first point lies that far outside the mean line's.

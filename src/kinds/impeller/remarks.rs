@@ -1,7 +1,7 @@
 //! What the impeller's job has to say: refusals and remarks for a person.
 
 use crate::finding::{Bare, Finding, Key, Place, Raise, Size};
-use crate::kinds::impeller::clear::fields::D_F;
+use crate::kinds::impeller::clear::fields::OFFSET_F;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::parameters as form;
@@ -16,7 +16,7 @@ use crate::kinds::impeller::start::start;
 use crate::machine::calibration::Axis as Calibrated;
 use crate::number::shown;
 use crate::parameter::at;
-use crate::text::t;
+use crate::text::{Text, all_of, many, t};
 
 pub(super) fn no_splitter(why: NoSplitter) -> Finding {
     let place = at([form::SPLITTERS.key(), form::N.key(), form::E.key(), form::D_T.key()]);
@@ -45,11 +45,16 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
     findings.extend(start(design));
     if design.style == Style::Full && design.post.writing.tool.may_bring_length() {
         let own = [(design.D, form::D.key())].into_iter();
-        let finishing = design.clear.as_ref().map(|asked| (asked.finish.D, D_F.key()));
-        let called: Vec<(u32, Key)> = own.chain(finishing).collect();
-        let offsets = called.iter().map(|(D, _)| format!("D{D}")).collect::<Vec<_>>().join(", ");
-        findings
-            .push(LengthByOffset { offsets }.at(Place::Parameters(called.into_iter().map(|(_, key)| key).collect())));
+        let finishing = design.clear.as_ref().map(|asked| (asked.finish.D, OFFSET_F.key()));
+        // One tool for both is called with one offset, whose cell is the first.
+        let called: Vec<(u32, Key)> = own.chain(finishing.filter(|(D, _)| *D != design.D)).collect();
+        let offsets = all_of(called.iter().map(|(D, _)| Text::same(format!("D{D}"))));
+        let (may, those) = match called.len() {
+            1 => (t("puede", "may"), t("ese corrector", "this offset")),
+            _ => (t("pueden", "may"), t("esos correctores", "these offsets")),
+        };
+        let place = Place::Parameters(called.into_iter().map(|(_, key)| key).collect());
+        findings.push(LengthByOffset { offsets, may, those }.at(place));
     }
     let ends = design.travel.iter().flat_map(|travel| travel.ends.into_iter().zip(travel.keys));
     let unchecked: Vec<Key> = ends.filter(|(end, _)| end.is_none()).map(|(_, key)| key).collect();
@@ -59,10 +64,11 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
     if design.F_max.is_none() {
         findings.push(SpeedNotChecked {}.at(at([form::F_MAX.key()])));
     }
+    let counted = |moves| many(moves, ["movimiento", "movimientos"], ["move", "moves"]);
     let moves = made.limited.by_axis;
     if moves > 0 {
         let most = Size::feed(design.F_max.unwrap_or(0.0), 3);
-        findings.push(FeedReduced { moves, most }.at(at([form::F.key(), form::F_MAX.key()])));
+        findings.push(FeedReduced { counted: counted(moves), moves, most }.at(at([form::F.key(), form::F_MAX.key()])));
     }
     let moves = made.limited.by_format;
     if moves > 0 {
@@ -70,7 +76,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
             None => (form::INTERVALS_N.key(), t("un n menor", "a smaller n")),
             Some(_) => (form::TOL.key(), t("una tol mayor", "a larger tol")),
         };
-        let told = FeedWordAtItsEnd { moves, longer }.at(at([form::F.key(), key]));
+        let told = FeedWordAtItsEnd { counted: counted(moves), moves, longer }.at(at([form::F.key(), key]));
         let greatest = shown(design.post.control.feed.law.greatest(), 3);
         findings.push(told.with(moves.to_string(), format!("0.0001 … {greatest}")));
     }

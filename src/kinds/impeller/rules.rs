@@ -47,9 +47,9 @@ rules! {
             "use fewer blades, a thinner blade, or a smaller tool";
         why "La herramienta sola ocupa ya todo el contorno del cubo.", "The tool alone takes up the whole turn.";
         example book!("impeller --case full", "N" = "60");
-    "P1007" BladeTooThick Stop { e: Size, most: Size, N: u32 }
-        es "el espesor del álabe e es {e} y no debe pasar de e_max = {most} con {N} álabes"
-        en "blade thickness e is {e}; it must not exceed e_max = {most} for {N} blades"
+    "P1007" BladeTooThick Stop { e: Size, most: Size, blades: Text, N: u32 }
+        es "el espesor del álabe e es {e} y no debe pasar de e_max = {most} con {blades}"
+        en "blade thickness e is {e}; it must not exceed e_max = {most} for {blades}"
         remedy "use menos álabes, álabes más delgados o una herramienta menor",
             "use fewer blades, a thinner blade, or a smaller tool";
         why "La herramienta debe pasar entre dos álabes.", "The tool must pass between two blades.";
@@ -156,7 +156,7 @@ rules! {
     "P1023" AnnexIsRepeated Caution { N: u32, half: Size }
         es "ejecute {N} veces el programa del álabe y {N} veces el del intermedio; antes del primer intermedio, gire C {half}"
         en "run the blade program {N} times and the splitter program {N} times; before the first splitter, turn C by {half}"
-        remedy "o ejecute el programa del rodete completo, que lo hace todo de una vez", "or run the program of the whole impeller, which does it all in one run";
+        remedy "ejecute mejor el programa del rodete completo, que lo hace todo de una vez", "rather run the program of the whole impeller, which does it all in one run";
         why "Cada programa corta un álabe y deja C en el siguiente; los intermedios van a mitad de camino.",
             "Each program cuts one blade and leaves C at the next one; splitters are half way between.";
         example book!("impeller --case full", "style" = "annex");
@@ -174,16 +174,16 @@ rules! {
         why "Con los cinco ejes a la vez, un eje lineal puede tener que ir mucho más deprisa que la punta.",
             "With five axes moving together, a linear axis may have to go much faster than the tip.";
         example book!("impeller --case full", "F_max" = "");
-    "P1026" FeedReduced Note { moves: usize, most: Size }
-        es "rodete reduce el avance en {moves} movimientos de toda la pieza para que ningún eje pase de F_max = {most}"
-        en "rodete reduces the feed in {moves} moves of the whole part so that no axis exceeds F_max = {most}"
+    "P1026" FeedReduced Note { counted: Text, moves: usize, most: Size }
+        es "rodete reduce el avance en {counted} de toda la pieza para que ningún eje pase de F_max = {most}"
+        en "rodete reduces the feed in {counted} of the whole part so that no axis exceeds F_max = {most}"
         remedy "", "";
         why "Un eje al que se pide demasiado se retrasa, y la punta se sale de su trayectoria.",
             "An axis that is asked to go too fast lags, and the tip leaves its path.";
         example book!("impeller --case full", "F_max" = "1000");
-    "P1027" FeedWordAtItsEnd Caution { moves: usize, longer: Text }
-        es "en {moves} movimientos de toda la pieza la palabra F llega al límite de su formato: el avance real es otro"
-        en "in {moves} moves of the whole part the F word reaches the limit of its format: the true feed differs"
+    "P1027" FeedWordAtItsEnd Caution { counted: Text, moves: usize, longer: Text }
+        es "en {counted} de toda la pieza la palabra F llega al límite de su formato: el avance real es otro"
+        en "in {counted} of the whole part the F word reaches the limit of its format: the true feed differs"
         remedy "elija otro avance, o bloques más largos: {longer}", "choose another feed, or longer blocks: {longer}";
         why "El formato no permite escribir la F necesaria, y el bloque dura otro tiempo.",
             "The format cannot hold the F needed, so the block takes another time.";
@@ -337,10 +337,10 @@ rules! {
             "write M3 into start_codes, or start the spindle before each program";
         why "Una fresa que no gira se rompe en el primer corte.", "A cutter that does not turn breaks in the first cut.";
         example book!("impeller --case full", "start_codes" = "M11 M13");
-    "P1049" LengthByOffset Caution { offsets: String }
-        es "en este control {offsets} puede activar la longitud de la tabla de herramientas, y los programas la ponen en el cero de Z"
-        en "on this control {offsets} may bring the length of the tool table into force, and the programs take it from the zero of Z"
-        remedy "ponga a 0 en la tabla la longitud de ese corrector, y tome el cero de Z con la herramienta", "set the length of this offset to 0 in the table, and set the Z zero with the tool";
+    "P1049" LengthByOffset Caution { offsets: Text, may: Text, those: Text }
+        es "en este control {offsets} {may} activar la longitud de la tabla de herramientas, y los programas la ponen en el cero de Z"
+        en "on this control {offsets} {may} bring the length of the tool table into force, and the programs take it from the zero of Z"
+        remedy "ponga a 0 en la tabla la longitud de {those}, y tome el cero de Z con la herramienta", "set the length of {those} to 0 in the table, and set the Z zero with the tool";
         why "Con la longitud en la tabla y en el cero, la punta queda baja o alta en toda la longitud de la fresa.",
             "With the length both in the table and in the zero, the tip is too low or too high by the whole length of the tool.";
         example book!("impeller --case full", "dialect" = "fagor-8070", "retract" = "");

@@ -193,9 +193,13 @@ pub(super) fn alarms(alarms: &[Raised], given: &Given) -> Vec<Finding> {
                 finding = finding.found(count as u64);
                 let Text { es, en } = &finding.what;
                 finding.what = match count - 1 {
+                    1 if travel(alarm) => Text::new(
+                        format!("{es}; sale también en otro movimiento"),
+                        format!("{en}; it leaves it in another motion, too"),
+                    ),
                     more if travel(alarm) => Text::new(
-                        format!("{es}, y también en otros movimientos: {more}"),
-                        format!("{en}, and in other motions, too: {more}"),
+                        format!("{es}; sale también en otros {more} movimientos"),
+                        format!("{en}; it leaves it in {more} other motions, too"),
                     ),
                     1 => Text::new(format!("{es}, y otra vez en la línea"), format!("{en}, and once more on the line")),
                     more => Text::new(

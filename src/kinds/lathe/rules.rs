@@ -68,11 +68,11 @@ rules! {
         why "Los ceros de la máquina se cuentan desde ese punto: con una sola cota estarían en otro sitio.",
             "The machine's zeros count from that point: with one coordinate they would be in the wrong place.";
         example book!("lathe", "R_X" = "400");
-    "P4008" PointRuleMissing Stop {}
+    "P4008" PointRuleMissing Stop { choices: Text }
         es "falta decir cómo lee el control una cota sin punto decimal"
         en "the form does not say how the control reads a dimension without a decimal point"
-        remedy "escriba calculadora o micras, según el parámetro DPI de su control",
-            "write calculator or micrometre, according to parameter DPI of your control";
+        remedy "escriba {choices}, según el parámetro DPI de su control",
+            "write {choices}, according to parameter DPI of your control";
         why "Según ese ajuste, X100 son 100 mm o 0.1 mm.", "Depending on that setting, X100 is 100 mm or 0.1 mm.";
         example book!("lathe", "point" = "");
     "P4009" PlaceTwice Stop { T: u32 }
@@ -107,9 +107,9 @@ rules! {
         remedy "elija la letra de forma de la norma ISO 1832", "choose the shape letter of ISO 1832";
         why "La letra da el ángulo de la placa.", "The letter gives the insert's angle.";
         example book!("lathe", "TOOLS!E6" = "");
-    "P4014" ToolSizeMissing Stop { T: u32, symbol: Key }
-        es "la herramienta {T} necesita {symbol}"
-        en "tool {T} needs {symbol}"
+    "P4014" ToolSizeMissing Stop { T: u32, symbol: Key, meaning: Text }
+        es "la herramienta {T} necesita {symbol} ({meaning})"
+        en "tool {T} needs {symbol} ({meaning})"
         remedy "rellene la celda", "fill in the cell";
         why "Sin esa medida no se conoce la forma de la herramienta.", "Without that size the tool's shape is not known.";
         example book!("lathe", "TOOLS!F6" = "");
@@ -273,7 +273,7 @@ rules! {
     "L0229" NoMotion Stop {}
         es "el programa no hace ningún movimiento: no se ha simulado nada"
         en "the program makes no motion: nothing was simulated"
-        remedy "compruebe que el programa completo está en la hoja", "check that the whole program is on the sheet";
+        remedy "compruebe que está el programa completo", "check that the whole program is there";
         why "Si no se ha visto ningún movimiento, que no haya alarmas no dice nada.", "Where no motion was seen, the absence of alarms says nothing.";
         example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120", program: "O0001|G21 G40 G97 G99|M30", machine: &[] };
     "L0230" NothingCut Caution {}

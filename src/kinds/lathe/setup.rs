@@ -19,14 +19,14 @@ use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::var_file::VarFile;
 use crate::machine::work_offset::{ACTIVE, G28_FIRST, System};
-use crate::parameter::field::{Entry, Field, Fields, Optional};
-use crate::parameter::{Parameter, at};
+use crate::parameter::field::{Chosen, Entry, Field, Fields, Optional};
+use crate::parameter::{Choice, Parameter, at};
 use crate::removal::turning::machine::{Chuck, Lathe};
 use crate::removal::turning::simulation::Setup;
 use crate::removal::turning::stock::Stock;
 use crate::removal::turning::tool::{Cutter, Hand, Holder, Shape, TurningTool};
 use crate::removal::turning::turret::Turret;
-use crate::text::Text;
+use crate::text::{Text, one_of};
 
 /// Z′ and X′ of the source: the clearance of the longest tools from the stock at the reference point, mm.
 pub(super) const MARGIN: f64 = 30.0;
@@ -333,7 +333,9 @@ impl Given {
 pub fn without_rule(fields: &Fields) -> Option<Finding> {
     let (control, decimal_point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
     let missing = decimal_point.is_none() && control.lexis.point.by_setting();
-    missing.then(|| fields.locate(PointRuleMissing {}.at(at([form::POINT.key()]))))
+    let quoted = |one: &Choice| Text::new(format!("«{}»", one.label.es), format!("'{}'", one.label.en));
+    let choices = || one_of(DecimalPoint::CHOICES.iter().map(quoted));
+    missing.then(|| fields.locate(PointRuleMissing { choices: choices() }.at(at([form::POINT.key()]))))
 }
 
 /// The tools by place, and the control's offsets by number; what is wrong goes to `findings`.
@@ -408,7 +410,7 @@ fn lost(row: &Entry<'_>, column: &'static Parameter) -> Box<Finding> {
     } else if symbol == tools::SHAPE.key() {
         ToolShapeMissing { T, symbol }.at(Place::Cells(cell))
     } else {
-        ToolSizeMissing { T, symbol }.at(Place::Cells(cell))
+        ToolSizeMissing { T, symbol, meaning: column.meaning.clone() }.at(Place::Cells(cell))
     })
 }
 

@@ -35,6 +35,27 @@ fn sizes(branch: Pipe, header: Pipe) -> Vec<(&'static str, Shown)> {
     [of(["D_branch", "t_branch"], branch), of(["D_header", "t_header"], header)].into_iter().flatten().collect()
 }
 
+/// What the table of the torch's way is called; `kerf` in mm, 0 where nothing is compensated.
+const fn way_title(kerf: f64) -> Text {
+    if kerf > 0.0 {
+        t(
+            "Trayectoria de la antorcha, con el ancho de corte compensado",
+            "Path of the torch, with the kerf compensated",
+        )
+    } else {
+        t("Trayectoria de la antorcha, sin compensar el ancho de corte", "Path of the torch, the kerf not compensated")
+    }
+}
+
+/// What the head of a program says of the kerf in mm, in Spanish and English. With 0 the torch goes along the curve itself.
+fn kerf_in_header(kerf: f64) -> [String; 2] {
+    if kerf > 0.0 {
+        [format!("CORTE DE {kerf:.3} COMPENSADO"), format!("KERF {kerf:.3} COMPENSATED")]
+    } else {
+        ["ANCHO DE CORTE SIN COMPENSAR".to_owned(), "KERF NOT COMPENSATED".to_owned()]
+    }
+}
+
 /// What the program of a pipe comes to.
 fn account(programs: &[Proved]) -> Account {
     programs.last().map(|program| program.account.clone()).unwrap_or_default()

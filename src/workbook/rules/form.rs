@@ -15,7 +15,7 @@ rules! {
         remedy "si la hoja está con otro nombre, llámela \"{sheet}\"; si no, cópiela de un libro nuevo",
             "if the sheet is there under another name, call it \"{sheet}\"; if not, copy it from a new workbook";
         why "La hoja contiene valores que el cálculo necesita.", "The sheet holds values that the calculation needs.";
-        example made!("no-tools", "un libro de torno sin su hoja TOOLS", "a lathe workbook without its sheet TOOLS");
+        example made!("no-tools", "un libro de torno sin su hoja HERRAMIENTAS", "a lathe workbook without its sheet TOOLS");
     "W0502" SheetWithoutCells Stop { sheet: String }
         es "la hoja \"{sheet}\" no tiene celdas"
         en "the sheet \"{sheet}\" has no cells"
@@ -23,13 +23,13 @@ rules! {
             "open it in Excel or LibreOffice, check it and save it again as .xlsx";
         why "Una hoja de gráfico o una hoja vacía no tiene valores.",
             "A chart sheet or an emptied sheet has no values.";
-        example made!("chart", "un gráfico con el nombre DATA", "a chart of the name DATA");
+        example made!("chart", "un gráfico con el nombre DATOS", "a chart of the name DATA");
     "W0503" SheetHidden Note { sheet: String }
         es "la hoja \"{sheet}\" está oculta; rodete la lee igualmente"
         en "the sheet \"{sheet}\" is hidden; rodete reads it all the same"
         remedy "", "";
         why "Los valores de una hoja oculta cuentan como los demás.", "The values of a hidden sheet count like any others.";
-        example made!("hidden", "un libro con la hoja DATA oculta", "a workbook with the sheet DATA hidden");
+        example made!("hidden", "un libro con la hoja DATOS oculta", "a workbook with the sheet DATA hidden");
     "W0504" FormulasRead Note { count: usize, first: Text }
         es "valores de entrada que son resultados de fórmulas: {count}{first}; rodete lee el valor guardado"
         en "input values that are results of formulas: {count}{first}; rodete reads the stored value"
@@ -94,11 +94,11 @@ rules! {
         remedy "deje una sola fila {symbol}", "keep only one row {symbol}";
         why "No se sabe cuál de los valores vale.", "It is not clear which value counts.";
         example book!("impeller", "r:symbol" = "R");
-    "W0516" RowMissing Stop { name: Text, symbol: Key, expected: Text }
+    "W0516" RowMissing Stop { name: Text, symbol: Key, expected: Text, mistyped: Text }
         es "falta la fila {name}"
         en "the row {name} is missing"
-        remedy "añada una fila con {symbol} en la columna A y {expected} en la columna C",
-            "add a row with {symbol} in column A and {expected} in column C";
+        remedy "{mistyped}añada una fila con {symbol} en la columna A y {expected} en la columna C",
+            "{mistyped}add a row with {symbol} in column A and {expected} in column C";
         why "El cálculo necesita este valor, y rodete no lo supone.", "The calculation needs this value, and rodete does not assume one.";
         example book!("impeller", "R:symbol" = "");
     "W0517" SymbolUnknown Note { symbol: String }
@@ -135,14 +135,14 @@ rules! {
         why "rodete lee los datos por su símbolo; las hojas de resultados los leen por estos nombres.",
             "rodete reads the inputs by their symbols; the sheets of results read them by these names.";
         example made!("lost-name", "un libro de resultados sin el nombre thickness_e", "a results workbook without the name thickness_e");
-    "W0522" SheetPassedOver Caution { name: String, like: &'static str, how: Text }
-        es "rodete no lee la hoja \"{name}\", que está hecha como \"{like}\""
-        en "rodete does not read the sheet \"{name}\", which is laid out like \"{like}\""
+    "W0522" SheetPassedOver Caution { name: String, like: Text, how: Text }
+        es "rodete no lee la hoja \"{name}\", que está hecha como {like}"
+        en "rodete does not read the sheet \"{name}\", which is laid out like {like}"
         remedy "si es la que vale, {how}; si no, bórrela o guárdela en otro libro",
             "if it is the one that counts, {how}; if not, delete it or keep it in another workbook";
         why "rodete lee las hojas por su nombre: lo que se cambia en una copia no llega a ningún programa, y la línea de la copia habla de la hoja leída.",
             "rodete reads sheets by their names: what is changed on a copy gets into no program, and the line on the copy speaks of the sheet that is read.";
-        example made!("copied-form", "un libro con la hoja DATA (2), copia de DATA", "a workbook with the sheet DATA (2), a copy of DATA");
+        example made!("copied-form", "un libro con la hoja DATOS (2), copia de DATOS", "a workbook with the sheet DATA (2), a copy of DATA");
     "W0601" HeadingsMissing Stop { first: Text }
         es "falta la fila de títulos, que empieza por \"{first}\" en la columna A"
         en "the row of headings, which begins with \"{first}\" in column A, is missing"
@@ -154,7 +154,7 @@ rules! {
         en "there are no rows below the headings"
         remedy "escriba al menos una fila", "write at least one row";
         why "El cálculo necesita al menos una fila de esta lista.", "The calculation needs at least one row of this list.";
-        example made!("no-rows", "un libro de torno con la hoja TOOLS sin filas", "a lathe workbook with the sheet TOOLS without rows");
+        example made!("no-rows", "un libro de torno con la hoja HERRAMIENTAS sin filas", "a lathe workbook with the sheet TOOLS without rows");
     "W0603" ListTooLong Stop { count: usize, most: usize }
         es "la hoja tiene {count} filas; el máximo es {most}"
         en "the sheet has {count} rows; the maximum is {most}"
@@ -167,19 +167,19 @@ rules! {
         en "rodete does not read \"{heading}\": it does not belong to this table"
         remedy "", "";
         why "Una columna o una fila añadida no cuenta.", "An added column or row does not count.";
-        example made!("heading", "un título «foo» en la hoja TOOLS de un libro de torno", "a heading \"foo\" on the sheet TOOLS of a lathe workbook");
+        example made!("heading", "un título «foo» en la hoja HERRAMIENTAS de un libro de torno", "a heading \"foo\" on the sheet TOOLS of a lathe workbook");
     "W0605" HeadingTwice Stop { heading: String }
         es "\"{heading}\" aparece dos veces"
         en "\"{heading}\" appears twice"
         remedy "deje un solo \"{heading}\"", "keep only one \"{heading}\"";
         why "No se sabe cuál de los dos vale.", "It is not clear which of the two counts.";
-        example made!("heading-twice", "dos columnas T en la hoja TOOLS de un libro de torno", "two columns T on the sheet TOOLS of a lathe workbook");
+        example made!("heading-twice", "dos columnas T en la hoja HERRAMIENTAS de un libro de torno", "two columns T on the sheet TOOLS of a lathe workbook");
     "W0606" ColumnMissing Stop { column: Key }
         es "falta la columna \"{column}\""
         en "the column \"{column}\" is missing"
         remedy "escriba \"{column}\" en la fila de títulos", "write \"{column}\" in the row of headings";
         why "Sin esa columna faltaría un valor en cada fila.", "Without that column every row would lack a value.";
-        example made!("no-column", "la hoja TOOLS de un libro de torno sin el título Q_z", "the sheet TOOLS of a lathe workbook without the heading Q_z");
+        example made!("no-column", "la hoja HERRAMIENTAS de un libro de torno sin el título Q_z", "the sheet TOOLS of a lathe workbook without the heading Q_z");
     "W0607" ColumnUnitEmpty Stop { column: Key, unit: &'static str, cell: String }
         es "{column} se da en {unit}, pero {cell} está vacía"
         en "{column} is given in {unit}, but {cell} is empty"
@@ -187,7 +187,7 @@ rules! {
             "convert the values to {unit} and write {unit} in {cell}";
         why "Si falta la unidad, los valores pueden estar en otra.",
             "Without the unit, the values may be in another one.";
-        example made!("column-unit-empty", "la hoja TOOLS de un libro de torno con la unidad de Q_z borrada",
+        example made!("column-unit-empty", "la hoja HERRAMIENTAS de un libro de torno con la unidad de Q_z borrada",
             "the sheet TOOLS of a lathe workbook with the unit of Q_z cleared");
     "W0608" ColumnUnitOther Stop { column: Key, unit: &'static str, cell: String, written: String }
         es "{column} se da en {unit}, pero {cell} dice \"{written}\""
@@ -196,12 +196,12 @@ rules! {
             "convert the values to {unit} and write {unit} in {cell}";
         why "rodete compara las unidades y no las convierte: una pulgada leída como milímetro da otra pieza.",
             "rodete compares units and does not convert them: an inch read as a millimetre makes another part.";
-        example made!("column-unit", "la hoja TOOLS de un libro de torno con Q_z en inch", "the sheet TOOLS of a lathe workbook with Q_z in inch");
+        example made!("column-unit", "la hoja HERRAMIENTAS de un libro de torno con Q_z en inch", "the sheet TOOLS of a lathe workbook with Q_z in inch");
     "W0609" ColumnUnitWhereNone Stop { column: Key, cell: String, written: String }
         es "{column} no tiene unidad, pero {cell} dice \"{written}\""
         en "{column} has no unit, but {cell} says \"{written}\""
         remedy "vacíe la celda {cell}", "empty cell {cell}";
         why "Un número de herramienta no se mide en milímetros: los valores pueden ser de otra columna.",
             "A tool number is not measured in millimetres: the values may belong to another column.";
-        example made!("column-unit-none", "la hoja TOOLS de un libro de torno con T en mm", "the sheet TOOLS of a lathe workbook with T in mm");
+        example made!("column-unit-none", "la hoja HERRAMIENTAS de un libro de torno con T en mm", "the sheet TOOLS of a lathe workbook with T in mm");
 }

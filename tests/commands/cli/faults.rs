@@ -5,9 +5,10 @@ use std::path::Path;
 
 use predicates::prelude::*;
 use rodete::parameter::Value;
+use rodete::text::Language;
 use tempfile::TempDir;
 
-use super::common::{OUTPUTS, contents, names, rodete, with_impeller, workbook};
+use super::common::{OUTPUTS, contents, names, rodete, with_impeller, workbook, workbook_in};
 
 fn build(folder: &TempDir, output: &str) -> assert_cmd::assert::Assert {
     rodete(folder).args(["build", "impeller.xlsx", "--no-report", "-o", output]).assert()
@@ -32,6 +33,15 @@ fn a_folder_that_takes_no_files_is_said() {
     let folder = with_impeller();
     build(&folder, "/proc/self/out").code(5).stderr(predicate::str::contains("cannot write to /proc/self/out"));
     build(&folder, "/sys/kernel").code(5).stderr(predicate::str::contains("cannot write to /sys/kernel"));
+}
+
+/// Before any workbook is read, too, its language is spoken.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_takes_no_files_is_said_in_the_language_of_the_workbook() {
+    let folder = with_impeller();
+    workbook_in(Language::Es, &folder.path().join("impeller.xlsx"), &[]);
+    build(&folder, "/proc/self/out").code(5).stderr(predicate::str::contains("no se puede escribir en /proc/self/out"));
 }
 
 #[test]

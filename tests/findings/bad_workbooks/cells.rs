@@ -423,15 +423,23 @@ fn symbols_must_be_there_once() {
         ),
         at(
             "B27 other case",
-            &parts.cell(
+            &parts.clone().cell(
                 DATA,
                 &format!("A{}", row("eps_v")),
                 &format!("<c r=\"A{}\" t=\"str\"><v>EPS_V</v></c>", row("eps_v")),
             ),
             Refused,
-            "DATA",
+            format!("A{}", row("eps_v")),
             "the row eps_v",
-            "add a row with eps_v",
+            "which says \"EPS_V\", to \"eps_v\"; if that row is another one, add a row with eps_v",
+        ),
+        at(
+            "B27 mistyped",
+            &parts.clone().cell(DATA, "A7", "<c r=\"A7\" t=\"str\"><v>RR</v></c>"),
+            Refused,
+            "A7",
+            "the row R (",
+            "correct A7, which says \"RR\", to \"R\"; if that row is another one, add a row with R in column A",
         ),
     ]);
 }

@@ -96,7 +96,12 @@ fn contradictions_name_all_their_cells() {
 #[test]
 fn the_rule_for_bare_numbers_is_asked_for_by_its_cell_where_the_control_has_one() {
     let what = "DATA!C12 the form does not say how the control reads a dimension without a decimal point";
-    stops("D41", &sound().without("point").bytes(), &[what], "write calculator or micrometre");
+    stops(
+        "D41",
+        &sound().without("point").bytes(),
+        &[what],
+        "write 'calculator (X100 = 100 mm)' or 'micrometre (X100 = 0.1 mm)'",
+    );
     let spanish = Book::of(Language::Es).without("point").bytes();
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("t.xlsx"), spanish).unwrap();
@@ -105,7 +110,7 @@ fn the_rule_for_bare_numbers_is_asked_for_by_its_cell_where_the_control_has_one(
     for wanted in [
         "falta decir cómo lee el control una cota sin punto decimal",
         "hoja \"DATOS\", celda C12",
-        "escriba calculadora o micras",
+        "escriba «calculadora (X100 = 100 mm)» o «micras (X100 = 0.1 mm)»",
     ] {
         assert!(said.err.contains(wanted), "{}", said.err);
     }
@@ -113,6 +118,39 @@ fn the_rule_for_bare_numbers_is_asked_for_by_its_cell_where_the_control_has_one(
     let fagor = ["N5 G92 S2500", "N10 T1 D1", "N20 G97 S900 M3", "N30 G0 X54 Z2", "N40 M30"].map(str::to_owned);
     let book = sound().put("dialect", Value::Choice("fagor-8055-t")).without("point").program(&fagor);
     assert_eq!(build(&book.bytes()).2, 0);
+}
+
+/// The workbook's commands take no option for the control: the remedy names the sheet that says it.
+#[test]
+fn the_remedy_for_a_program_of_another_control_names_the_sheet_of_the_workbook() {
+    let what = "PROGRAM!A11 rodete does not follow letter Y of the dialect fanuc-lathe-a";
+    stops("another control", &sound().program(&program("G0 Y5.")).bytes(), &[what], "on the sheet DATA of a workbook");
+}
+
+/// Both programs have one layout: nothing says which of them a third sheet of it may replace, and the remedy exchanges none.
+#[test]
+fn a_third_program_is_taken_for_a_copy_of_neither_of_the_two() {
+    let with = |name: &str| {
+        let parts = parts(&sound());
+        let program = parts.text(PROGRAM);
+        parts.put("xl/worksheets/sheet5.xml", program).replace(
+            "xl/workbook.xml",
+            "name=\"PROFILE\"",
+            &format!("name=\"{name}\""),
+        )
+    };
+    let told = |name: &str| {
+        let (_folder, document, _) = build(&with(name).zip());
+        let found = document["findings"].as_array().unwrap().iter().find(|one| one["code"] == "W0522").cloned();
+        let found = found.unwrap_or_else(|| panic!("{:?}", lines(&document)));
+        [&found["what"]["en"], &found["remedy"]["en"]].map(|text| text.as_str().unwrap().to_owned())
+    };
+    let [what, remedy] = told("PROGRAM 3");
+    assert!(what.ends_with("laid out like \"PROGRAM\" or \"PROGRAM 2\""), "{what}");
+    assert!(remedy.starts_with("if it is the one that counts, decide which of them it replaces"), "{remedy}");
+    let [what, remedy] = told("PROGRAM (2)");
+    assert!(what.ends_with("laid out like \"PROGRAM\""), "{what}");
+    assert!(remedy.contains("delete the sheet \"PROGRAM\" and give this one its name"), "{remedy}");
 }
 
 #[test]

@@ -52,7 +52,7 @@ fn a_word_across_an_arc_that_may_be_a_pitch_is_refused() {
         (
             &FAGOR_8055,
             "G2 X0 Y0 Z-6 I5 J0 K2",
-            "3 K is the pitch of a helix in G17, which is not supported; \
+            "3 K is the pitch of a helix in G17, which rodete does not follow; \
              write the helix turn by turn, with its Z and without K; \
              if the arc is in another plane, program that plane before it (G17, G18 or G19)",
         ),

@@ -93,7 +93,7 @@ const BAD: [(&str, &str); 24] = [
     ),
     ("G41.1 D6; G1 X10; X20; G40; G2 X40 I10", "the first motion after G40 is an arc"),
     ("G41.1 D6; G1 X10; G42.1 D6; X20", "G41 or G42 while compensation is already in force"),
-    ("G19 G41.1 D6; G1 X10", "cutter radius compensation in G19 is not supported"),
+    ("G19 G41.1 D6; G1 X10", "rodete does not follow cutter radius compensation in G19"),
     ("G41.1 G1 X10", "G41.1 or G42.1 without D"),
     ("G41.1 D6 L2 G1 X10", "L with G41.1 or G42.1 in G17"),
     ("G41 D4 G1 X10", "G41 or G42 in G17 with tool 4, a turning tool"),
@@ -201,8 +201,8 @@ fn what_linuxcnc_refuses_under_cutter_compensation_is_refused() {
 #[test]
 fn what_is_not_followed_under_cutter_compensation_is_refused() {
     for (body, told) in [
-        ("G18 G41.1 D6; G1 X10", "cutter radius compensation in G18 is not supported"),
-        ("G41.1 D6; G1 X10; X20 A5; X30", "rotary axes or U, V, W are not supported while G41 or G42 is in force"),
+        ("G18 G41.1 D6; G1 X10", "rodete does not follow cutter radius compensation in G18"),
+        ("G41.1 D6; G1 X10; X20 A5; X30", "rodete does not follow rotary axes or U, V, W while G41 or G42 is in force"),
         (&*format!("G41.1 D6; G1 X10; G1{}; X20", "\nZ1\nZ0".repeat(5_001)), "more than 10000 blocks without motion"),
         ("G41; G1 X10", "the tool in the spindle is not known"),
         ("G41.1 D6; G1 X10; X20; M0; X30", "this code is not allowed while G41 or G42 is in force"),

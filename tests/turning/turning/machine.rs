@@ -107,7 +107,10 @@ fn a_motion_code_beside_a_one_shot_code_is_in_force_from_there_on() {
     moves("G28 G00 U0\nG28 W0", &["G0 X300 Z5", "G0 X300 Z400"]);
     moves("G0 G50 S2000\nG30 P2 U0 W0", &["G0 X200 Z250"]);
     let refused = refusal("G30 P3 U0\nM30\n");
-    assert!(refused.starts_with("1:5 G30 P3: the third and fourth reference points are not supported"), "{refused}");
+    assert!(
+        refused.starts_with("1:5 G30 P3: rodete does not follow the third and fourth reference points"),
+        "{refused}"
+    );
 }
 
 #[test]

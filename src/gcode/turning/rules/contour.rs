@@ -82,8 +82,8 @@ rules! {
             "The cycle reads these blocks as geometry and does not run them in order.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G71 U2. R1.|G71 P10 Q20|N10 G0 X30.|M98 P1|N20 X50.|M30", "6:1");
     "G0711" ContourToolChange Stop { cycle: u8 }
-        es "un cambio de herramienta dentro del contorno de G{cycle} no está implementado"
-        en "a tool change inside the contour of G{cycle} is not supported"
+        es "rodete no admite un cambio de herramienta dentro del contorno de G{cycle}"
+        en "rodete does not follow a tool change inside the contour of G{cycle}"
         remedy "escriba T fuera, o en el primer bloque del contorno, que G70 obedece: después la torreta giraría en el corte",
             "write T outside, or in the contour's first block, which G70 obeys: later the turret would index in the cut";
         why "No se sabe qué hace con los arcos un corrector que entra en mitad del contorno.",

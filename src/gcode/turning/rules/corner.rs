@@ -15,7 +15,7 @@ rules! {
     RULES;
 
     "G0601" CornerWithoutLine Stop { word: String }
-        es "«{word}» solo está implementado en una recta con G1"
+        es "rodete admite «{word}» solo en una recta con G1"
         en "'{word}' is supported only in a G1 line"
         remedy "escriba el chaflán o el arco en un bloque aparte", "write the chamfer or arc as a separate block";
         why "El control mata la esquina al final de la recta de ese bloque.",

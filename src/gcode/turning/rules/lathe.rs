@@ -34,8 +34,8 @@ rules! {
             "Depending on the control, the block shifts the zero or moves the tool.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G54 X30. Z15.|G0 X60.|M30", "3:1");
     "G0804" ReferencePointNotSupported Stop { value: f64 }
-        es "G30 P{value}: el tercer y el cuarto punto de referencia no están implementados"
-        en "G30 P{value}: the third and fourth reference points are not supported"
+        es "G30 P{value}: rodete no admite el tercer ni el cuarto punto de referencia"
+        en "G30 P{value}: rodete does not follow the third and fourth reference points"
         remedy "use G30 P2 o G53", "use G30 P2, or G53";
         why "Su posición está en los parámetros del control.", "Their positions are in the control's parameters.";
         example Example::program("fanuc-lathe-a", "T0101 S500 M3 F.2|G0 X50. Z5.|G30 P3 U0|M30", "3:5");

@@ -21,8 +21,8 @@ rules! {
         why "El radio de la punta está en el corrector.", "The tool offset holds the nose radius.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0100|M3 S500 F120.|G0 X40. Z5.|G42 G1 X20. Z2.|Z-10.|G40 X50.|M30", at: "5:1", given: &[("--tools", "T1 D1.6 Q2")] };
     "G0772" PassTip Stop { cycle: u8, tip: u8 }
-        es "G{cycle} con G41 o G42 y orientación de punta {tip} no está implementado"
-        en "G{cycle} with G41 or G42 and tip orientation {tip} is not supported"
+        es "rodete no admite G{cycle} con G41 o G42 y orientación de punta {tip}"
+        en "rodete does not follow G{cycle} with G41 or G42 and tip orientation {tip}"
         remedy "programe la pasada con G0 y G1, o use G40", "program the pass with G0 and G1, or use G40";
         why "Con esta orientación no se sabe a qué lado de la pasada queda el centro de la punta.",
             "With this orientation it is not clear on which side of the pass the nose centre lies.";

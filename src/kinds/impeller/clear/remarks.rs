@@ -377,7 +377,9 @@ fn on_the_floor(asked: &Asked, told: &Told) -> Option<Finding> {
     let (most, beside, share) = (finely(told.floor.most), at_most(told.floor.beside), share(told.floor.v));
     let floor = at([fields::SCALLOP.key(), fields::D_F.key()]);
     if told.floor.most > asked.cut.scallop + asked.tolerance {
-        Some(FloorAboveRidges { most, wanted: Size::mm(asked.cut.scallop), beside, share }.at(floor))
+        // As the cell has it: it may be less than a thousandth.
+        let wanted = Size::length(asked.cut.scallop, 6);
+        Some(FloorAboveRidges { most, wanted, beside, share }.at(floor))
     } else {
         (told.floor.most > 0.0).then(|| RidgesOfTheFloor { most, beside, share }.at(floor))
     }

@@ -37,7 +37,7 @@ use crate::removal::turning::simulation::{Setup, Simulation};
 use crate::removal::turning::stock::{Stock, Support};
 use crate::removal::turning::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
 use crate::removal::turning::turret::Turret;
-use crate::text::{Text, t};
+use crate::text::{Text, many, t};
 
 /// How far what is left may be from the torus, mm: what three decimals of the program's words make of it.
 pub const LIMIT: f64 = 0.001;
@@ -143,7 +143,8 @@ impl<'a> Terms<'a> {
             "Tool, spindle, speed and feed as in the form",
         );
         let count = self.feeds;
-        let value = Text::new(format!("{count} movimientos con avance"), format!("{count} motions at feed"));
+        let value =
+            many(count, ["movimiento con avance", "movimientos con avance"], ["motion at feed", "motions at feed"]);
         let limit = Text::same(format!("T{} D{}, M4, S{}, F{}", blank.T_b, blank.D_b, blank.S_b, shown(blank.F_b, 3)));
         let asked = Question::new("blank-terms", name, program).showing(value, limit.clone()).seen(count);
         let wrong = self.wrong.clone();

@@ -145,7 +145,7 @@ impl Method for Hole {
             tables::curve(stations),
             tables::height(stations),
             tables::pose(stations, design.kerf / 2.0),
-            tables::way(cut),
+            tables::way(cut, design.kerf),
         ]
     }
 

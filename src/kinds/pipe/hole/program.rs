@@ -6,10 +6,10 @@ use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::Program;
 use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::gcode::writer::Writer;
-use crate::kinds::pipe::counted;
 use crate::kinds::pipe::hole::cut::{Cut, Follows, Leg, Place};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::insert::program::TRUE_FOR_BOTH;
+use crate::kinds::pipe::{counted, kerf_in_header};
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
@@ -151,11 +151,9 @@ fn comments(design: &Design, header: &mut Header) {
     );
     let (gamma, b, h) = (shown(design.gamma, 3), mm(design.b), mm(design.h));
     header.line(&format!("BISEL {gamma} HOLGURA {b} TALON {h}"), &format!("GROOVE {gamma} ROOT GAP {b} LAND {h}"));
-    let (kerf, F) = (mm(design.kerf), shown(design.F, 3));
-    header.line(
-        &format!("CORTE DE {kerf} COMPENSADO - AVANCE {F} MM-MIN"),
-        &format!("KERF {kerf} COMPENSATED - FEED {F} MM-MIN"),
-    );
+    let F = shown(design.F, 3);
+    let [es, en] = kerf_in_header(design.kerf);
+    header.line(&format!("{es} - AVANCE {F} MM-MIN"), &format!("{en} - FEED {F} MM-MIN"));
     header.line(
         "X0 EN EL EJE DEL INJERTO - Z0 EN EL EJE DEL TUBO",
         "X0 ON THE AXIS OF THE BRANCH - Z0 ON THE AXIS OF THE PIPE",

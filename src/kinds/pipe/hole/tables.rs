@@ -9,6 +9,7 @@ use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::height::Rule;
 use crate::kinds::pipe::hole::program::{AXES, follows};
 use crate::kinds::pipe::hole::station::Station;
+use crate::kinds::pipe::way_title;
 use crate::machine::torch::TorchAxes;
 use crate::table::{Column, Index, Law, Print, Table, Unit};
 use crate::text::{Text, t};
@@ -190,9 +191,9 @@ pub fn pose(stations: &[Station], beside: f64) -> Table {
     }
 }
 
-/// The torch's way on the output grid.
+/// The torch's way on the output grid, beside the root by half a kerf in mm.
 #[must_use]
-pub fn way(cut: &Cut) -> Table {
+pub fn way(cut: &Cut, kerf: f64) -> Table {
     let places = std::iter::once(cut.pierce).chain(cut.legs.iter().map(|leg| leg.to));
     let symbols = ["A", "X", "Z", "B", "C"];
     let mut columns: Vec<Column> = AXES
@@ -214,10 +215,7 @@ pub fn way(cut: &Cut) -> Table {
     Table {
         key: "way",
         name: t("Corte", "Cut"),
-        title: t(
-            "Trayectoria de la antorcha, con el ancho de corte compensado",
-            "Path of the torch, with the kerf compensated",
-        ),
+        title: way_title(kerf),
         source: t("Redondeado a 0.001; dividido según su tolerancia", "Rounded to 0.001; divided by its tolerance"),
         index: Index::Point,
         print: Print::Short,

@@ -42,6 +42,7 @@ use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
 use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
+use crate::gcode::rules::words::DecimalsTooMany;
 use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
@@ -61,8 +62,9 @@ use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, publish
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
 use crate::kinds::pipe::insert::quantities::quantities;
 use crate::kinds::pipe::insert::rules::{
-    AnnexAsPublished, AnnexWithoutKerf, CurveBehindEdge, GapsOfEnvelope, KerfOnOutside, OutsideForInside,
-    PipeByIncrements, PipeOnLinearAxis, RadiusTyped, TemplateNotRound, WallInsideHeader, WallOverhangs,
+    AnnexAsPublished, AnnexWithoutKerf, CurveBehindEdge, DecimalsAsPublished, GapsOfEnvelope, KerfOnOutside,
+    OutsideForInside, PipeByIncrements, PipeOnLinearAxis, RadiusTyped, TemplateNotRound, WallInsideHeader,
+    WallOverhangs,
 };
 use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
 use crate::kinds::pipe::{self, account, scene, sizes};
@@ -90,6 +92,9 @@ pub struct Model {
     rest: Rest,
 }
 
+/// The decimals of the published program's dimensions.
+const PUBLISHED_DECIMALS: usize = 6;
+
 impl Method for Insert {
     type Design = Design;
     type Model = Model;
@@ -99,8 +104,9 @@ impl Method for Insert {
     const CASES: &'static [Case] = &cases::CASES;
     const RULES: &'static [&'static [&'static Rule]] =
         &[kinds::rules::RULES, pipe::rules::RULES, rules::RULES, proof::rules::RULES];
-    // A torch does not turn, and the published program has no feed.
-    const ANSWERED: &'static [&'static Rule] = &[NoFeed::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE];
+    // A torch does not turn, and the published program has no feed; of its six decimals a caution of its own speaks.
+    const ANSWERED: &'static [&'static Rule] =
+        &[NoFeed::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE, DecimalsTooMany::RULE];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-insert/labels.typ"),
         method: [
@@ -386,6 +392,8 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
             if design.kerf > 0.0 {
                 findings.push(AnnexWithoutKerf {}.at(at([KERF.key(), STYLE.key()])));
             }
+            let most = design.post.control.lexis.decimals.most(false, false).filter(|most| *most < PUBLISHED_DECIMALS);
+            findings.extend(most.map(|most| DecimalsAsPublished { most }.at(at([STYLE.key(), DIALECT.key()]))));
         }
         Style::Full if design.kerf == 0.0 => findings.push(KerfZero {}.at(at([KERF.key()]))),
         Style::Full => {}
@@ -394,7 +402,9 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
         findings.push(NoLeadIn {}.at(at([LEAD_IN.key()])));
     }
     if design.mode == Mode::Rotary {
-        findings.push(KerfOnOutside { outside: Size::mm(outside) }.at(at([MODE.key()])));
+        if design.kerf > 0.0 {
+            findings.push(KerfOnOutside { outside: Size::mm(outside) }.at(at([MODE.key()])));
+        }
         findings.push(match distance(design) {
             Distance::Incremental => PipeByIncrements {}.at(at([DIALECT.key()])),
             Distance::Absolute => PipeOnLinearAxis {}.at(at([DIALECT.key()])),

@@ -7,13 +7,13 @@ use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{Distance, Number, NumberFormat, Word};
 use crate::gcode::writer::Writer;
-use crate::kinds::pipe::counted;
 use crate::kinds::pipe::form::{D_BRANCH, DIALECT};
 use crate::kinds::pipe::insert::arcs::{Triple, triples};
 use crate::kinds::pipe::insert::cut::{Cut, Leg};
 use crate::kinds::pipe::insert::design::{Design, Mode};
 use crate::kinds::pipe::insert::parameters::F as F_FIELD;
 use crate::kinds::pipe::insert::rules::FasterThanFWord;
+use crate::kinds::pipe::{counted, kerf_in_header};
 use crate::machine::axis::Position;
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
@@ -219,11 +219,9 @@ fn comments(design: &Design, header: &mut Header) {
     let (D, t, e) = (mm(design.header.D), mm(design.header.t), mm(design.e));
     header.line(&format!("TUBO BASE DIAM. {D} PARED {t}"), &format!("HEADER DIAM. {D} WALL {t}"));
     header.line(&format!("ANGULO {theta} EXCENTRICIDAD {e}"), &format!("ANGLE {theta} ECCENTRICITY {e}"));
-    let (kerf, F) = (mm(design.kerf), shown(design.F.unwrap_or(0.0), 3));
-    header.line(
-        &format!("CORTE DE {kerf} COMPENSADO - AVANCE {F} MM-MIN"),
-        &format!("KERF {kerf} COMPENSATED - FEED {F} MM-MIN"),
-    );
+    let F = shown(design.F.unwrap_or(0.0), 3);
+    let [es, en] = kerf_in_header(design.kerf);
+    header.line(&format!("{es} - AVANCE {F} MM-MIN"), &format!("{en} - FEED {F} MM-MIN"));
     match design.mode {
         Mode::Flat => {
             let round = mm(design.outline().round());

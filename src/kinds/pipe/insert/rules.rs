@@ -152,4 +152,12 @@ rules! {
         why "Con mode = giratorio la plantilla se enrolla por fuera del tubo; el programa no depende de ella.",
             "With mode = rotary the template is wrapped round the outside of the pipe; the program does not depend on it.";
         example book!("pipe-insert", "sheet" = "inside");
+    "P2124" DecimalsAsPublished Caution { most: usize }
+        es "style = annex escribe las cotas con seis decimales, como el programa publicado; el control admite {most}"
+        en "style = annex writes the dimensions with six decimals, as the published program has them; the control takes {most}"
+        remedy "elija style = full, que escribe tres, o compruebe antes en el control que los admite",
+            "choose style = full, which writes three, or check first at the control that it takes them";
+        why "El manual no dice si el control da una alarma o corta los decimales que sobran.",
+            "The manual does not say whether the control raises an alarm or drops the other decimals.";
+        example book!("pipe-insert", "dialect" = "fagor-8055", "style" = "annex", "mode" = "flat");
 }

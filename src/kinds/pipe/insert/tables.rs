@@ -7,6 +7,7 @@ use crate::kinds::pipe::insert::arcs::{Triple, triples};
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::program::template_points;
+use crate::kinds::pipe::way_title;
 use crate::number::grid::LIMIT;
 use crate::table::{Column, Index, Law, Print, Table, Unit};
 use crate::text::t;
@@ -276,14 +277,15 @@ pub fn way(design: &Design, cut: &Cut) -> Table {
     Table {
         key: "way",
         name: t("Corte", "Cut"),
-        title: t(
-            "Trayectoria de la antorcha, con el ancho de corte compensado",
-            "Path of the torch, with the kerf compensated",
-        ),
-        source: t(
-            "Deducido aquí: la curva a medio ancho de corte por el lado del sobrante, redondeada a 0.001",
-            "Derived here: the curve half a kerf to the side of the waste, rounded to 0.001",
-        ),
+        title: way_title(design.kerf),
+        source: if design.kerf > 0.0 {
+            t(
+                "Deducido aquí: la curva a medio ancho de corte por el lado del sobrante, redondeada a 0.001",
+                "Derived here: the curve half a kerf to the side of the waste, rounded to 0.001",
+            )
+        } else {
+            t("Deducido aquí: la curva misma, redondeada a 0.001", "Derived here: the curve itself, rounded to 0.001")
+        },
         index: Index::Point,
         print: Print::Short,
         columns: vec![

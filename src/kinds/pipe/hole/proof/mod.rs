@@ -327,9 +327,13 @@ impl CutSpeed<'_> {
     fn feed(&self, program: &Program) -> Check {
         let name = t("Velocidad de corte en la raíz", "Cutting speed at the root");
         let [least, most] = self.speed.map(|speed| shown(speed, 1));
-        let value = Text::same(format!("{least} … {most} mm/min"));
-        let limit = Text::same(format!("{} mm/min", shown(self.design.F, 3)));
-        let asked = Question::new("feed", name, program).showing(value, limit).seen(self.seen);
+        // F is what was asked for, and no limit.
+        let F = shown(self.design.F, 3);
+        let value = Text::new(
+            format!("{least} … {most} mm/min, con F = {F} mm/min"),
+            format!("{least} … {most} mm/min, with F = {F} mm/min"),
+        );
+        let asked = Question::new("feed", name, program).showing(value, Text::same("")).seen(self.seen);
         if let Some((speed, at)) = self.off {
             let speed = Size::feed(speed, 1);
             return asked.at(Some(at)).holds(false, |place| NotItsTime { line: at.line, speed }.at(place));
