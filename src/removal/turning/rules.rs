@@ -237,6 +237,14 @@ rules! {
         why "El carro arranca siempre en el mismo ángulo del husillo: a una parte del paso de allí empieza otro filete.",
             "The carriage always starts at the same angle of the spindle: part of a lead from there another groove begins.";
         example program!("T0404|G97 S500 M3|M8|G0 X54. Z8.|G92 X49.2 Z-15. F2.|X48.6|G0 Z7.|G92 X48.2 Z-15. F2.|G0 X100. Z50.|M30");
+    "L0149" ThreadPassTooDeep Caution alarm Lathe 149 { depth: Size, most: Size }
+        es "Una pasada de la rosca es más honda de lo que aguanta la punta de la placa"
+        en "A pass of the thread is deeper than the tip of the insert stands"
+        remedy "reparta la profundidad en más pasadas: menos en la primera, y poco en la última",
+            "spread the depth over more passes: less in the first, and little in the last";
+        why "La punta de una placa de roscar es pequeña y corta por los dos flancos: con demasiada profundidad se rompe.",
+            "The tip of a threading insert is small and cuts on both flanks: too deep a pass breaks it.";
+        example program!("T0404|G97 S500 M3|M8|G0 X54. Z8.|G92 X48. Z-15. F2.|G0 X100. Z50.|M30");
     "L0151" NoGreatestSpeed Caution alarm Lathe 151 { asked: Size, most: Size }
         es "Velocidad de corte constante sin límite de giro, o con uno mayor que el giro máximo: cerca del eje el husillo llega a su máximo"
         en "Constant surface speed without a speed limit, or with one above the maximum: near the axis the spindle runs up to its maximum"

@@ -457,7 +457,7 @@ impl Simulation {
         if let MotionKind::Thread(thread) = kind {
             self.part.spend(watch.passes());
             let tool = (control.tool, ready.map(|ready| &ready.tool));
-            watch.thread(thread, [start, end], tool, (begins, cuts), tally);
+            watch.thread(thread, [start, end], tool, (begins, cuts.then_some(contact.across)), tally);
         }
         let turning = SpindleUse::new(control, lathe);
         let asked = [start, end].map(|at| turning.asked(at[1] + tally.shift[1])).into_iter().fold(0.0, f64::max);
