@@ -192,7 +192,7 @@ impl Reader<'_, '_> {
             }
             Some((dwell @ DwellWord { letter, unit }, value)) if unit < 1.0 && value.fract() != 0.0 => {
                 let at = self.block.column(dwell.index());
-                Err(Refused::of(&DwellNotWhole { letter, value, unit }, &[at]))
+                Err(Refused::of(&DwellNotWhole { letter, value, unit, number: 4 }, &[at]))
             }
             Some((dwell, number)) => Ok((dwell.index(), dwell.seconds(number))),
         }

@@ -167,9 +167,14 @@ impl Reader<'_, '_> {
     /// X has been given below the axis. Facing ends a little beyond it, by the nose of the tool; farther is a slip of the
     /// sign.
     pub(super) fn remark_beyond_axis(&mut self, to: &Pose) {
-        let spot = self.block.spot;
         let Some(word) = [letter::X, letter::U].into_iter().find(|&word| self.block.has(word)) else { return };
-        let facing = 2.0 * to.get(Axis::X) >= -FACING;
+        self.remark_word_beyond_axis(to.get(Axis::X), word);
+    }
+
+    /// The same of a word that gives X the radius, mm.
+    pub(super) fn remark_word_beyond_axis(&mut self, radius: f64, word: usize) {
+        let spot = self.block.spot;
+        let facing = 2.0 * radius >= -FACING;
         let grade = if facing { Grade::Note } else { Grade::Caution };
         self.memory.remarks.row_as(grade, &BeyondAxis {}, spot, Some(self.block.column(word)));
     }

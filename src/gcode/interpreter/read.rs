@@ -100,6 +100,7 @@ impl Reader<'_, '_> {
         }
         if let Some(D) = self.block.get(letter::D).filter(|D| *D < 0.0)
             && !matches!(self.block.g(Group::CutterCompensation), Some(G::CompensationGiven(_)))
+            && !self.fagor_cycle()
         {
             return Err(negative('D', D, self.block.column(letter::D)));
         }

@@ -18,6 +18,8 @@ pub struct ToolOffset {
     pub diameter: f64,
     /// Of a turning tool its nose; `None` where the table gives none: it cannot be compensated then.
     pub nose: Option<Nose>,
+    /// Of a tool for grooves the width of its blade, mm; `None` of any other, and where the table gives none.
+    pub blade: Option<f64>,
 }
 
 /// The tools by their number.

@@ -176,9 +176,9 @@ rules! {
         why "El manual no dice si el control da una alarma o corta los decimales que sobran.",
             "The manual does not say whether the control raises an alarm or drops the other decimals.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|G1 X10.1234567|M30", "2:4");
-    "G0125" DwellNotWhole Stop { letter: char, value: f64, unit: f64 }
-        es "{letter}{value} en G4: {letter} cuenta unidades de {unit} s y admite un número entero"
-        en "{letter}{value} in G4: {letter} counts units of {unit} s and takes a whole number"
+    "G0125" DwellNotWhole Stop { letter: char, value: f64, unit: f64, number: u8 }
+        es "{letter}{value} en G{number}: {letter} cuenta unidades de {unit} s y admite un número entero"
+        en "{letter}{value} in G{number}: {letter} counts units of {unit} s and takes a whole number"
         remedy "escriba el tiempo en esas unidades: 0.5 s son 50 centésimas", "write the time in these units: 0.5 s are 50 hundredths";
         why "Un decimal suele venir de un programa en segundos, y el control esperaría la centésima parte.",
             "A decimal often comes from a program in seconds, and the control would dwell a hundredth of it.";

@@ -367,7 +367,11 @@ fn turret(
         offset.set(Axis::X, tool.overhang[0]);
         offset.set(Axis::Z, tool.overhang[1]);
         let nose = Some(Nose { radius: tool.nose(), tip: tool.tip });
-        if offsets.insert(D, ToolOffset { offset, nose, ..ToolOffset::default() }).is_some() {
+        let blade = match tool.cutter {
+            Cutter::Groover { width, .. } => Some(width),
+            Cutter::Insert { .. } | Cutter::Threader { .. } | Cutter::Drill { .. } | Cutter::CentreDrill { .. } => None,
+        };
+        if offsets.insert(D, ToolOffset { offset, nose, blade, ..ToolOffset::default() }).is_some() {
             let place = Place::Cells([row.cell(&tools::D.row), row.cell(&tools::T.row)].concat());
             findings.push(OffsetTwice { D }.at(place));
         }

@@ -24,17 +24,17 @@ pub use self::cycles::{
     AllowanceIntoMetal, AllowanceIntoWall, ContourBackAlongX, ContourBackAlongZ, ContourBeginsWithArc,
     ContourBeyondStart, ContourDoesNotAdvance, ContourEntersAside, ContourNotFound, CycleNotFinite, FirstBlockMissing,
     FirstBlockUnused, FirstBlockWordMissing, GrooveReliefNegative, GrooveStepNegative, GrooveStepZero,
-    GrooveWithoutDepth, NoDepthOfCut, RepeatIntoMetal, RepeatPassesNotWhole, RepeatWithoutPasses, RetractionNegative,
-    ThreadAllowance, ThreadAngle, ThreadDigits, ThreadFirstBlockDigits, ThreadInOnePass, ThreadLeadNotPositive,
-    ThreadLeastCut, ThreadStartsInside, ThreadTooShort, ThreadWithoutHeight, ThreadWordMissing, TooManyGrooveSteps,
-    TooManyRepeats, TooManyRoughingPasses, TooManyThreadPasses,
+    GrooveWithoutDepth, NoDepthOfCut, PlungesApart, RepeatIntoMetal, RepeatPassesNotWhole, RepeatWithoutPasses,
+    RetractionNegative, ThreadAllowance, ThreadAngle, ThreadDigits, ThreadFirstBlockDigits, ThreadInOnePass,
+    ThreadLeadNotPositive, ThreadLeastCut, ThreadStartsInside, ThreadTooShort, ThreadWithoutHeight, ThreadWordMissing,
+    TooManyGrooveSteps, TooManyRepeats, TooManyRoughingPasses, TooManyThreadPasses,
 };
 pub use self::fagor::{
     FagorArcHalf, FagorArcRadii, FagorArcTurnsBack, FagorDrillFactor, FagorDrillNegative, FagorGrooveNegative,
     FagorGroovePoint, FagorGrooveStepMissing, FagorGrooveWithoutDepth, FagorHoleWithoutDepth, FagorLetterMissing,
-    FagorLetterNotSupported, FagorNegative, FagorStartInside, FagorStepNotPositive, FagorTapping, FagorThreadExit,
-    FagorThreadLastPass, FagorThreadTooShort, FagorThreadWithoutDepth, FagorThreadWithoutLead, TooManyFagorDrillSteps,
-    TooManyFagorPasses, TooManyFagorThreadPasses,
+    FagorLetterNotSupported, FagorNegative, FagorStartInside, FagorStepNotPositive, FagorTapping, FagorTaps,
+    FagorThreadExit, FagorThreadLastPass, FagorThreadTooShort, FagorThreadWithoutDepth, FagorThreadWithoutLead,
+    TooManyFagorDrillSteps, TooManyFagorPasses, TooManyFagorThreadPasses,
 };
 pub use self::holes::{
     BareG90, CycleMovesOtherAxis, CycleRepeats, CycleSpindle, CycleUnderInverseTime, CycleWordMissing,
