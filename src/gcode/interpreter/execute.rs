@@ -64,6 +64,7 @@ impl Reader<'_, '_> {
             self.one_word_an_axis()?;
             self.no_increments()?;
         }
+        self.axes_of_lathe()?;
         let plan = self.plan()?;
         self.rotary_words()?;
         self.take_square_edge(plan.motion)?;

@@ -44,11 +44,12 @@ pub use self::holes::{
     TappingOutsideG17, TooManyLathePecks, TooManyPecks,
 };
 pub use self::lathe::{
-    AddedLength, BeyondAxis, ChangeWithoutTool, EndlessLoop, G91InSystemA, LengthWithoutAxes, MachineMoveByIncrements,
-    NoOrientation, NoToolNumber, NoToolTable, NoTurretPlace, NoWordOfToolTable, OffsetAlone, OffsetMeasuredAtMachine,
-    OffsetNotInTable, ReferencePointNotKnown, ReferencePointNotSupported, ReferenceWithoutAxes, RefusedInLoop,
-    SecondPointNotKnown, SetToolWithoutQ, StaleFeed, SystemShifted, TooManyCycleMotions, ToolNotInTable,
-    ToolNotInTurret, ToolOffsetWithoutValues, ToolTableNotKnown, ToolTwiceInTable, TwoWordsAnAxis,
+    AddedLength, AxisNotFollowed, AxisNotOfLathe, BeyondAxis, ChangeWithoutTool, EndlessLoop, G91InSystemA,
+    LengthWithoutAxes, MachineMoveByIncrements, NoOrientation, NoToolNumber, NoToolTable, NoTurretPlace,
+    NoWordOfToolTable, OffsetAlone, OffsetMeasuredAtMachine, OffsetNotInTable, ReferencePointNotKnown,
+    ReferencePointNotSupported, ReferenceWithoutAxes, RefusedInLoop, SecondPointNotKnown, SetToolWithoutQ, StaleFeed,
+    SystemShifted, TooManyCycleMotions, ToolNotInTable, ToolNotInTurret, ToolOffsetWithoutValues, ToolTableNotKnown,
+    ToolTwiceInTable, TwoWordsAnAxis,
 };
 pub use self::nose::{
     ArcOfOtherPlane, CompensationBeginsOnArc, CompensationEndsOnArc, CompensationPlane, CompensationWithoutOffset,
