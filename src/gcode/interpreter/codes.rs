@@ -95,6 +95,7 @@ impl Reader<'_, '_> {
     pub(super) fn set_feed_mode(&mut self, mode: FeedMode) {
         let changes = mode != self.state.modal.feed_mode;
         self.state.modal.feed_mode = mode;
+        self.memory.units.feed_said = true;
         match self.memory.control.feed.change {
             FeedChange::Forgets if mode != FeedMode::InverseTime => {
                 (self.state.modal.feed, self.state.modal.feed_word) = (0.0, 0.0);

@@ -5,7 +5,8 @@ use crate::gcode::code::G;
 use crate::gcode::control::UnitChange;
 use crate::gcode::interpreter::Memory;
 use crate::gcode::interpreter::library::Spot;
-use crate::gcode::rules::modes::{UnitNotSaid, UnitsChange};
+use crate::gcode::motion::FeedMode;
+use crate::gcode::rules::modes::{FeedMeaningNotSaid, UnitNotSaid, UnitsChange};
 use crate::machine::length_unit::LengthUnit;
 use crate::text::t;
 
@@ -18,6 +19,8 @@ pub(super) struct UnitsSeen {
     moved_in: Option<LengthUnit>,
     /// A motion has been made in inches.
     pub(super) inches: bool,
+    /// A code has said what F means, or it was told that none has.
+    pub(super) feed_said: bool,
 }
 
 impl UnitsSeen {
@@ -52,5 +55,20 @@ impl Memory<'_> {
             (None, Some(_)) | (Some(_), None) => {}
         }
         self.units.inches |= unit == LengthUnit::Inch;
+    }
+
+    /// A motion goes at feed: remarked where no code has said what F means, and the machine may start with the other meaning.
+    pub(super) fn see_feed(&mut self, mode: FeedMode, spot: Spot) {
+        let rule = self.control.feed;
+        if std::mem::replace(&mut self.units.feed_said, true) || !rule.unsaid.told_of() {
+            return;
+        }
+        let meaning = match mode {
+            FeedMode::PerMinute => t("por minuto", "per minute"),
+            FeedMode::PerRevolution => t("por vuelta", "per revolution"),
+            FeedMode::InverseTime | FeedMode::Seconds => t("como tiempo", "as a time"),
+        };
+        let [minute, turn, ..] = rule.codes.names();
+        self.remarks.row(&FeedMeaningNotSaid { meaning, minute, turn }, spot, None);
     }
 }
