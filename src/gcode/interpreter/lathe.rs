@@ -71,10 +71,9 @@ impl Reader<'_, '_> {
                         format!("write the end point with {along}, or the increment with G91 and {along}"),
                     )
                 }
-                Axis::X | Axis::Y | Axis::Z | Axis::A | Axis::B | Axis::C | Axis::V => t(
-                    "quite la palabra, o escriba la cota con X o Z",
-                    "delete the word, or write the end point with X or Z",
-                ),
+                Axis::X | Axis::Y | Axis::Z | Axis::A | Axis::B | Axis::C | Axis::V => {
+                    t("escriba la cota con X o Z", "write the end point with X or Z")
+                }
             };
             match self.memory.setting.axes {
                 Some(axes) if axes.has(name as u8 - b'A') => {}

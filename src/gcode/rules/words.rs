@@ -234,7 +234,7 @@ rules! {
             "write the end point with {first} and {second}: without {letter} the block would go to another place";
         why "R es la distancia al origen polar y Q el ángulo, también junto a una sola cota: quitarlos cambia la trayectoria.",
             "R is the distance from the polar origin and Q the angle, also beside one coordinate: deleting them changes the path.";
-        example Example::program("fagor-8055-t", "G71 G95 F0.2 S500 M3|G0 X60 Z5|G1 Z-10 Q150|M30", "3:8");
+        example Example::program("fagor-8055-t", "G71 G95 F0.2 S500 M3|G0 X60 Z5|G1 Z-10 Q150|M30", "3:9");
     "G0135" BlockRepeated Stop {}
         es "N al final del bloque: el número de repeticiones, que rodete no sigue"
         en "N at the end of the block: the number of repetitions, which rodete does not follow"

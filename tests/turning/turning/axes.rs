@@ -60,7 +60,6 @@ fn polar_words_and_repetitions_of_a_fagor_are_refused_by_what_they_are() {
         (&FAGOR_8055, "G1 X40 N5 ;repeat", "G0135"),
         // Neither: a slip.
         (&FAGOR_8055_T, "G1 X40 R5", "G0515"),
-        (&FAGOR_8055_T, "S800 Q5", "G0515"),
         (&FAGOR_8055, "G1 N5 X40", "G0118"),
     ] {
         assert_eq!(found(control, FAGOR, block, None)[0], [code], "{block}");

@@ -215,8 +215,8 @@ rules! {
             "make the step smaller than the blade is wide, or call a wider one";
         why "Entre dos entradas queda un anillo tan alto como honda es la ranura: se rompe, o choca con lo que viene después.",
             "Between two plunges a ring stays as high as the groove is deep: it breaks off, or what comes after hits it.";
-        example Example::Turning { control: "fagor-8055-t", stock: "D50xL120",
-            program: "%A,MX,|G71 G90 G95 F0.08|T3 D3|G97 S800 M3 M8|G0 X54 Z-50|G88 X50 Z-50 Q36 R-58 C25 D1|G0 X100 Z50|M30", machine: &[] };
+        example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120",
+            program: "G50 S2500|T0303|G97 S500 M3|M8|G0 X54. Z-20.|G75 R1.|G75 X40. Z-28. P2000 Q8000 F0.1|G0 X100. Z50. M9|M30", machine: &[] };
     "G0650" RepeatPassesNotWhole Stop { value: f64 }
         es "R{value} del primer bloque de G73 no es un número de pasadas"
         en "R{value} in the first block of G73 is not a number of passes"
