@@ -88,3 +88,23 @@ fn a_deeper_pass_that_begins_in_another_groove_is_cautioned() {
         assert_eq!(raised(blocks), expected, "{blocks}");
     }
 }
+
+#[test]
+fn a_pass_deeper_than_half_a_millimetre_is_cautioned() {
+    for (blocks, expected) in [
+        // 0.6 and 0.4 on the radius; from 0.5 on it is no more than the makers allow.
+        ("G0 X34. Z6. M8|G92 X28.8 Z-25. F2.|X28.", vec!["149@4"]),
+        ("G0 X34. Z6. M8|G92 X29. Z-25. F2.|X28.", vec![]),
+        ("G0 X34. Z6. M8|G92 X29.4 Z-25. F2.|X28.2|X27.6", vec!["149@5"]),
+        ("G0 X29. Z6. M8|G32 Z-20. F2.|G0 X34.|Z6.|X27.8|G32 Z-20. F2.|G0 X34.", vec!["149@8"]),
+        // Q600 is the first pass, and the next are less; the same depth in passes of 0.4 √n.
+        ("G0 X34. Z6. M8|G76 P010060 Q100 R0.05|G76 X27.546 Z-25. P1227 Q600 F2.", vec!["149@5"]),
+        ("G0 X34. Z6. M8|G76 P010060 Q100 R0.05|G76 X27.546 Z-25. P1227 Q400 F2.", vec![]),
+        // The last pass takes what R leaves.
+        ("G0 X34. Z6. M8|G76 P010060 Q100 R0.6|G76 X27.546 Z-25. P1227 Q400 F2.", vec!["149@5"]),
+        // In two starts, each in virgin metal.
+        ("G0 X34. Z6. M8|G92 X29.2 Z-25. F2.|X28.4|G0 Z7.|G92 X29.2 Z-25. F2.|X28.4", vec![]),
+    ] {
+        assert_eq!(raised(blocks), expected, "{blocks}");
+    }
+}

@@ -3,6 +3,7 @@
 
 use crate::common;
 
+mod axes;
 mod contours;
 mod corners;
 mod cycles;

@@ -6,9 +6,9 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
-    MissingFeed, NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Post, Radii, RadiusRule, Reference,
-    Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall,
-    ToolChange, Turns, UnitChange, Writing,
+    MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Post,
+    Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
+    ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -51,6 +51,7 @@ pub static FAGOR_8055_T: Control = Control {
     order: Order::FagorLathe,
     axes: AxisWords { x: AcrossWord::Diameter, increments: Increments::ByMode },
     arcs: ArcWords { across: Across::Unknown, ..FAGOR_8055_BASE.arcs },
+    feed: FeedRule { unsaid: UnsaidFeed::Told, ..FAGOR_8055_BASE.feed },
     spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
     tool: ToolCall::Words,
     radius: RadiusRule::Nose(NoseCorner::StraightTo120),
@@ -80,6 +81,7 @@ pub static FAGOR_8070: Control = Control {
         empty: EmptyBlock::Passed,
         greatest_number: 999_999_999,
         decimals: Decimals::Free,
+        behind: NumberBehind::Rejected,
         ..LEXIS
     },
     arcs: ArcWords { across: Across::Unknown, ..FAGOR_8055_BASE.arcs },
@@ -134,6 +136,7 @@ const FAGOR_8055_BASE: Control = Control {
         missing: MissingFeed::Cautioned,
         change: FeedChange::KeepsStale,
         path: FeedPath::AllAxes,
+        unsaid: UnsaidFeed::Taken,
     },
     spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Code },
     tool: ToolCall::Change,
@@ -192,6 +195,8 @@ const LEXIS: Lexis = Lexis {
     longest_line: 4096,
     most_machine_codes: 7,
     builders: BuilderCodes::Several,
+    behind: NumberBehind::Repeats,
+    polar: PolarWords::RadiusAndAngle,
 };
 
 const GEOMETRY: Name = (

@@ -13,8 +13,9 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark, MissingFeed,
-    NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
-    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, UnitChange,
+    NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii, RadiusRule,
+    Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall,
+    ToolChange, Turns, UnitChange, UnsaidFeed,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -66,6 +67,8 @@ pub static FANUC_LATHE_A: Control = Control {
         longest_line: 4096,
         most_machine_codes: 3,
         builders: BuilderCodes::Several,
+        behind: NumberBehind::Rejected,
+        polar: PolarWords::None,
     },
     codes: &CODES,
     machine_code,
@@ -91,6 +94,7 @@ pub static FANUC_LATHE_A: Control = Control {
         missing: MissingFeed::Cautioned,
         change: FeedChange::KeepsStale,
         path: FeedPath::AllAxes,
+        unsaid: UnsaidFeed::Taken,
     },
     spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
     tool: ToolCall::Digits,

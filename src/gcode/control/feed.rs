@@ -32,6 +32,26 @@ pub enum FeedChange {
     KeepsStale,
 }
 
+/// What is made of a program that moves at feed before a code has said what F means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnsaidFeed {
+    /// F is taken as at the start of the control.
+    Taken,
+    /// The same, and it is told: the machine may be set to the other meaning, and both are usual.
+    Told,
+}
+
+impl UnsaidFeed {
+    /// True where it is told.
+    #[must_use]
+    pub const fn told_of(self) -> bool {
+        match self {
+            Self::Taken => false,
+            Self::Told => true,
+        }
+    }
+}
+
 /// Which axes F belongs to in a feed per minute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FeedPath {
@@ -97,4 +117,6 @@ pub struct FeedRule {
     pub change: FeedChange,
     /// The axes that it belongs to.
     pub path: FeedPath,
+    /// Before a code has said what it means.
+    pub unsaid: UnsaidFeed,
 }

@@ -260,6 +260,48 @@ impl BuilderCodes {
     }
 }
 
+/// What an N behind the words of a block is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NumberBehind {
+    /// No word: N stands first.
+    Rejected,
+    /// How many times more the block is made, which is refused by name.
+    Repeats,
+}
+
+impl NumberBehind {
+    /// True where the control makes the block several times.
+    #[must_use]
+    pub const fn repeats(self) -> bool {
+        match self {
+            Self::Rejected => false,
+            Self::Repeats => true,
+        }
+    }
+}
+
+/// Words of polar coordinates, or of an angle beside one coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PolarWords {
+    /// None of the words that rodete knows.
+    None,
+    /// `@` and `^`, which are read.
+    Signs,
+    /// R and Q, which are refused by name.
+    RadiusAndAngle,
+}
+
+impl PolarWords {
+    /// True where R and Q of a motion are refused as polar words.
+    #[must_use]
+    pub const fn by_letters(self) -> bool {
+        match self {
+            Self::None | Self::Signs => false,
+            Self::RadiusAndAngle => true,
+        }
+    }
+}
+
 /// What a program's text is made of.
 #[derive(Clone, Copy, Debug)]
 pub struct Lexis {
@@ -299,4 +341,8 @@ pub struct Lexis {
     pub most_machine_codes: usize,
     /// M codes of the machine's builder.
     pub builders: BuilderCodes,
+    /// An N behind the words of a block.
+    pub behind: NumberBehind,
+    /// Polar coordinates, and angles of lines.
+    pub polar: PolarWords,
 }

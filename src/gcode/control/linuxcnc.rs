@@ -6,9 +6,9 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
-    MissingFeed, NegativeRadius, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
-    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns,
-    UnitChange, Writing,
+    MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii, RadiusRule,
+    Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks,
+    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -51,6 +51,8 @@ pub static LINUXCNC: Control = Control {
         longest_line: 251,
         most_machine_codes: 4,
         builders: BuilderCodes::One,
+        behind: NumberBehind::Rejected,
+        polar: PolarWords::Signs,
     },
     codes: &CODES,
     machine_code,
@@ -76,6 +78,7 @@ pub static LINUXCNC: Control = Control {
         missing: MissingFeed::Refused,
         change: FeedChange::Forgets,
         path: FeedPath::LinearFirst,
+        unsaid: UnsaidFeed::Taken,
     },
     spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Word },
     tool: ToolCall::Change,

@@ -27,10 +27,10 @@ pub use self::codes::{Codes, code_name};
 pub use self::dwell::DwellWord;
 pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, POST_8055_T};
 pub use self::fanuc::FANUC_LATHE_A;
-pub use self::feed::{FeedChange, FeedCodes, FeedPath, FeedRule, MissingFeed};
+pub use self::feed::{FeedChange, FeedCodes, FeedPath, FeedRule, MissingFeed, UnsaidFeed};
 pub use self::lexis::{
     BlockDelete, BuilderCodes, Comments, Decimals, DimensionPoint, EmptyBlock, Language, Lexis, LoneReturn, Mark,
-    Percent,
+    NumberBehind, Percent, PolarWords,
 };
 pub use self::linuxcnc::LINUXCNC;
 pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Reference};

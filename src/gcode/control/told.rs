@@ -6,9 +6,9 @@ use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
     FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
-    MissingFeed, NegativeRadius, NoseCorner, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference,
-    Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
-    UnitChange, Writing,
+    MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii,
+    RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
+    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -67,6 +67,8 @@ impl Features {
             longest_line,
             most_machine_codes,
             builders,
+            behind,
+            polar,
         } = lexis;
         self.row(t("letras, además de G, M y N", "letters, besides G, M and N"), letters.told());
         self.row(t("letras que rodete rechaza", "letters that rodete rejects"), refused.told());
@@ -95,6 +97,8 @@ impl Features {
         self.row(t("mayor longitud de una línea", "longest line"), Text::same(longest_line.to_string()));
         self.row(t("códigos M en un bloque", "M codes in a block"), at_most(*most_machine_codes));
         self.row(t("códigos M del fabricante en un bloque", "the builder's M codes in a block"), builders.told());
+        self.row(t("N detrás de las palabras de un bloque", "N behind the words of a block"), behind.told());
+        self.row(t("coordenadas polares", "polar coordinates"), polar.told());
     }
 
     fn start(&mut self, start: &Start, drilling: Drilling) {
@@ -127,7 +131,7 @@ impl Features {
     fn rates(&mut self, rotary: &RotaryRule, feed: &FeedRule, letters: Letters) {
         let RotaryRule { delivered, rollover } = rotary;
         // Codes have tables of their own, those of F among them.
-        let FeedRule { law, codes: _, missing, change, path } = feed;
+        let FeedRule { law, codes: _, missing, change, path, unsaid } = feed;
         let rotary_axes = ['A', 'B', 'C'].into_iter().any(|axis| letters.has(axis as u8 - b'A'));
         let turned = |does: Text| if rotary_axes { does } else { t("ningún eje giratorio", "no rotary axis") };
         self.row(t("ejes giratorios como se entrega", "rotary axes as delivered"), turned(delivered.told()));
@@ -139,6 +143,7 @@ impl Features {
         self.row(t("avance sin F", "feed move without F"), missing.told());
         self.row(t("F cuando un código cambia lo que significa", "F where a code changes its meaning"), change.told());
         self.row(t("ejes a los que pertenece F", "axes that F belongs to"), path.told());
+        self.row(t("F antes de decir lo que significa", "F before its meaning is said"), unsaid.told());
     }
 
     fn spindle(&mut self, spindle: &SpindleRule, codes: &Codes) {
@@ -372,6 +377,19 @@ told! {
     BuilderCodes {
         Self::One => "uno", "one";
         Self::Several => "varios", "several";
+    }
+    NumberBehind {
+        Self::Rejected => "se rechaza", "rejected";
+        Self::Repeats => "cuántas veces más se repite el bloque; rodete lo rechaza por su nombre", "how many times more the block is made; rodete rejects it by name";
+    }
+    PolarWords {
+        Self::None => "ninguna", "none";
+        Self::Signs => "@ y ^", "@ and ^";
+        Self::RadiusAndAngle => "R y Q; rodete las rechaza por su nombre", "R and Q; rodete rejects them by name";
+    }
+    UnsaidFeed {
+        Self::Taken => "como al empezar", "as at the start";
+        Self::Told => "como al empezar, y una precaución: la máquina puede empezar con lo otro", "as at the start, and a caution: the machine may start with the other";
     }
     Retract {
         Self::Initial => "a la altura de la que salieron", "to the height that they started from";

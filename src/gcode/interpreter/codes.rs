@@ -96,6 +96,7 @@ impl Reader<'_, '_> {
     pub(super) fn set_feed_mode(&mut self, mode: FeedMode) {
         let changes = mode != self.state.modal.feed_mode;
         self.state.modal.feed_mode = mode;
+        self.memory.units.feed_said = true;
         match self.memory.control.feed.change {
             FeedChange::Forgets if mode != FeedMode::InverseTime => {
                 (self.state.modal.feed, self.state.modal.feed_word) = (0.0, 0.0);
@@ -193,7 +194,7 @@ impl Reader<'_, '_> {
             }
             Some((dwell @ DwellWord { letter, unit }, value)) if unit < 1.0 && value.fract() != 0.0 => {
                 let at = self.block.column(dwell.index());
-                Err(Refused::of(&DwellNotWhole { letter, value, unit }, &[at]))
+                Err(Refused::of(&DwellNotWhole { letter, value, unit, number: 4 }, &[at]))
             }
             Some((dwell, number)) => Ok((dwell.index(), dwell.seconds(number))),
         }

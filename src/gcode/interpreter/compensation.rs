@@ -22,7 +22,7 @@
 use std::f64::consts::PI;
 
 use crate::finding::Size;
-use crate::gcode::code::{G, Group, SinglePassCycle};
+use crate::gcode::code::{G, Group, SinglePassCycle, TurningCycle};
 use crate::gcode::control::{NoseCorner, RadiusRule};
 use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::interpreter::Reader;
@@ -40,6 +40,7 @@ use crate::gcode::turning::rules::{
 };
 use crate::limits::STILL_PIECES;
 use crate::machine::axis::{Axis, Pose};
+use crate::text::{Text, t};
 
 /// The sharpest outer corner that a Fagor goes round straight: 300 degrees between the paths, a turn of 120.
 const FAGOR_STRAIGHT: f64 = PI * 2.0 / 3.0;
@@ -168,7 +169,17 @@ impl Reader<'_, '_> {
             return;
         }
         let spot = self.block.spot;
-        self.memory.remarks.row(&PassesNotCompensated {}, spot, None);
+        let finish = match self.memory.control.codes.names(G::Turning(TurningCycle::Finish)).first() {
+            Some(code) => Text::new(
+                format!("use {code} para acabar con compensación"),
+                format!("use {code} to finish with compensation"),
+            ),
+            None => t(
+                "para acabar con compensación escriba el contorno con G1, G2 y G3",
+                "to finish with compensation write the contour with G1, G2 and G3",
+            ),
+        };
+        self.memory.remarks.row(&PassesNotCompensated { finish }, spot, None);
     }
 
     /// Counts a block, by which it is seen how far ahead the control would have to look.

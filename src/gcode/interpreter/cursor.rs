@@ -102,6 +102,14 @@ impl<'l> Cursor<'l> {
         Some(round)
     }
 
+    /// True where the letter in hand has a whole number and ends the block, but for a comment.
+    pub(super) fn ends_block(&self) -> bool {
+        let rest = self.line.get(self.at + 1..).unwrap_or_default().trim_ascii_start();
+        let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        let behind = rest[digits..].trim_ascii_start();
+        digits > 0 && behind.first().is_none_or(|byte| b";(".contains(byte))
+    }
+
     /// The number without a sign right behind the letter in hand, as it stands there; empty if there is none.
     pub(super) fn size_behind(&self) -> &'l str {
         let rest = self.line.get(self.at + 1..).unwrap_or_default();

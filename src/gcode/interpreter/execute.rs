@@ -64,6 +64,7 @@ impl Reader<'_, '_> {
             self.one_word_an_axis()?;
             self.no_increments()?;
         }
+        self.axes_of_lathe()?;
         let plan = self.plan()?;
         self.rotary_words()?;
         self.take_square_edge(plan.motion)?;
@@ -379,6 +380,13 @@ impl Reader<'_, '_> {
             (G::Linear, 'I' | 'K' | 'R') if self.memory.control.corners.by_words() => {
                 Some(without_line(&name.to_string(), self.block.column(index)))
             }
+            // R alone beside X or Z may be a slip; Q is an angle, and R without a coordinate a radius.
+            (G::Rapid | G::Linear | G::Arc(_), 'Q' | 'R')
+                if self.memory.control.lexis.polar.by_letters()
+                    && (idle & Letters::of("Q").mask() != 0 || !self.has_axes()) =>
+            {
+                Some(self.polar_by_letters(name, self.block.column(index)))
+            }
             (G::Thread(_), 'Q') => Some(Refused::of(&ThreadStartAngle {}, &[self.block.column(index)])),
             _ => None,
         };
@@ -473,6 +481,9 @@ impl Reader<'_, '_> {
         }
         if mode == FeedMode::PerRevolution {
             self.remark_standing_spindle();
+        }
+        if !self.in_doubt(doubt::FEED) {
+            self.memory.see_feed(mode, self.block.spot);
         }
         if self.state.modal.feed_stale {
             self.remark_stale_feed();

@@ -10,6 +10,7 @@ use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::letters::Letters;
+use crate::gcode::rules::words::DwellNotWhole;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::Along;
 use crate::gcode::turning::fagor::drill::{Drill, drill};
@@ -17,12 +18,16 @@ use crate::gcode::turning::fagor::groove::{Groove, groove};
 use crate::gcode::turning::fagor::section::{Section, section};
 use crate::gcode::turning::fagor::thread::{Threading, thread};
 use crate::gcode::turning::rules::{
-    FagorGroovePoint, FagorGrooveStepMissing, FagorLetterMissing, FagorLetterNotSupported, FagorTapping,
+    FagorGroovePoint, FagorGrooveStepMissing, FagorLetterMissing, FagorLetterNotSupported, FagorTapping, FagorTaps,
 };
 use crate::machine::axis::Axis;
+use crate::text::{Text, t};
 
 /// The angle of a thread's flank where A does not give it, degrees.
 const FLANK: f64 = 30.0;
+
+/// What K of a cycle counts, s.
+const HUNDREDTH: f64 = 0.01;
 
 /// The letters that a cycle must have, and those that it may have.
 const fn letters(number: u8) -> (Letters, Letters) {
@@ -46,6 +51,7 @@ impl Reader<'_, '_> {
             86 | 87 => self.fagor_thread(along)?,
             _ => self.fagor_groove(number, along)?,
         };
+        self.remark_points(number);
         // F of the block is not the feed of the passes.
         self.block.take(letter::F);
         let feed = self.feed_of(&moves)?;
@@ -96,8 +102,25 @@ impl Reader<'_, '_> {
         [self.memory.control.axes.x.coordinate(Q), self.length(letter::R)]
     }
 
-    fn hundredths(&self, letter: usize) -> f64 {
-        self.block.get(letter).unwrap_or(0.0) * 0.01
+    /// K, the dwell of a cycle, s: it counts whole hundredths, as that of G4 does.
+    fn dwell_of_cycle(&self, number: u8) -> Result<f64> {
+        let K = self.block.get(letter::K).unwrap_or(0.0);
+        if K.fract() == 0.0 {
+            return Ok(K * HUNDREDTH);
+        }
+        let row = DwellNotWhole { letter: 'K', value: K, unit: HUNDREDTH, number };
+        Err(Refused::of(&row, &[self.block.column(letter::K)]))
+    }
+
+    /// X and Q, the diameters of the two points, beyond the axis: the cycle goes there as a motion does.
+    fn remark_points(&mut self, number: u8) {
+        let words: &[usize] = if number == 83 { &[letter::X] } else { &[letter::X, letter::Q] };
+        for &word in words {
+            let radius = self.memory.control.axes.x.coordinate(self.length(word));
+            if radius < 0.0 {
+                self.remark_word_beyond_axis(radius, word);
+            }
+        }
     }
 
     /// G81, G82, G84, G85.
@@ -116,25 +139,29 @@ impl Reader<'_, '_> {
         self.told(section(self.here(), along, &parameters))
     }
 
-    /// G83 of the 8055 T: drilling; refused where its words ask for tapping.
-    fn fagor_drill(&self) -> Result<Vec<Move>> {
+    /// G83 of the 8055 T: drilling, or tapping with B0, which is told; refused where the words of a tapping mean something else.
+    fn fagor_drill(&mut self) -> Result<Vec<Move>> {
         let step = self.length(letter::B);
-        let tapping_words = [letter::C, letter::H, letter::L, letter::R];
-        if step == 0.0
-            && let Some(&word) = tapping_words.iter().find(|&&word| self.block.has(word))
-        {
-            let name = char::from(b'A' + u8::try_from(word).unwrap_or(0));
-            // Written with 0, as the examples of the control do, they say nothing.
-            if name == 'R' || self.length(word) != 0.0 && name != 'C' {
+        if step == 0.0 {
+            // Written with 0, as the examples of the control do, they say nothing. C is a distance of pecking alone.
+            let says = |word: usize| self.block.has(word) && (word == letter::R || self.length(word) != 0.0);
+            if let Some(word) = [letter::H, letter::L, letter::R].into_iter().find(|&word| says(word)) {
+                let name = char::from(b'A' + u8::try_from(word).unwrap_or(0));
                 return Err(Refused::of(&FagorTapping { letter: name }, &[self.block.column(word)]));
             }
+            let with = match self.state.modal.tool {
+                0 => t("", ""),
+                tool => Text::new(format!(", con T{tool}"), format!(", with T{tool}")),
+            };
+            let (spot, column) = (self.block.spot, self.block.column(letter::B));
+            self.memory.remarks.row(&FagorTaps { with }, spot, Some(column));
         }
         let parameters = Drill {
             at: self.initial(),
             depth: self.length(letter::I),
             step,
             safety: self.length(letter::D),
-            dwell: self.hundredths(letter::K),
+            dwell: self.dwell_of_cycle(83)?,
             back: self.length_given(letter::H),
             near: self.length_given(letter::C),
             least: self.length(letter::L),
@@ -167,9 +194,10 @@ impl Reader<'_, '_> {
             to: self.last_point(),
             step: self.length(letter::C),
             safety: self.length(letter::D),
-            dwell: self.hundredths(letter::K),
+            dwell: self.dwell_of_cycle(number)?,
         };
         let moves = self.told(groove(self.here(), along, &parameters))?;
+        self.remark_step(number, parameters.spacing(along));
         let (spot, column) = (self.block.spot, self.block.g_column(Group::NonModal));
         self.memory.remarks.row(&FagorGroovePoint { number }, spot, Some(column));
         Ok(moves)

@@ -11,18 +11,19 @@
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group};
 use crate::gcode::interpreter::Reader;
-use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::{Arc, Feed, FeedMode, MotionKind, Thread};
 use crate::gcode::turning::pace::Pace;
 use crate::gcode::turning::rules::{
-    BeyondAxis, G91InSystemA, MachineMoveByIncrements, ReferencePointNotKnown, ReferencePointNotSupported,
-    ReferenceWithoutAxes, SecondPointNotKnown, StaleFeed, SystemShifted, TwoWordsAnAxis,
+    AxisNotFollowed, AxisNotOfLathe, BeyondAxis, G91InSystemA, MachineMoveByIncrements, ReferencePointNotKnown,
+    ReferencePointNotSupported, ReferenceWithoutAxes, SecondPointNotKnown, StaleFeed, SystemShifted, TwoWordsAnAxis,
 };
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::work_offset::{ACTIVE, ActiveOffsets, G28_FIRST, G30_FIRST, WorkOffset};
+use crate::text::{Text, t};
 
 /// The axes of a lathe with the letters of their absolute and their incremental words.
 const WORDS: [(Axis, usize, usize); 2] = [(Axis::X, letter::X, letter::U), (Axis::Z, letter::Z, letter::W)];
@@ -45,6 +46,42 @@ impl Reader<'_, '_> {
             }
             if at_once == Some(G::MachineCoordinates) && self.block.has(incremental) {
                 return Err(Refused::of(&MachineMoveByIncrements {}, &[column]));
+            }
+        }
+        Ok(())
+    }
+
+    /// Axis words other than X and Z and the increments of them: refused where the machine's axes are known, else told.
+    pub(super) fn axes_of_lathe(&mut self) -> Result<()> {
+        let control = self.memory.control;
+        // Letters of a turning cycle are its parameters.
+        if !control.turns() || self.has_turning_cycle() {
+            return Ok(());
+        }
+        for (letter, axis) in AXES.into_iter().zip(Axis::ALL) {
+            if !self.block.has(letter) || matches!(axis, Axis::X | Axis::Z) || control.axes.increment(axis).is_some() {
+                continue;
+            }
+            let (name, column) = (axis.letter(), self.block.column(letter));
+            let advice = match axis {
+                Axis::U | Axis::W => {
+                    let along = if axis == Axis::U { 'X' } else { 'Z' };
+                    Text::new(
+                        format!("escriba la cota con {along}, o el incremento con G91 y {along}"),
+                        format!("write the end point with {along}, or the increment with G91 and {along}"),
+                    )
+                }
+                Axis::X | Axis::Y | Axis::Z | Axis::A | Axis::B | Axis::C | Axis::V => {
+                    t("escriba la cota con X o Z", "write the end point with X or Z")
+                }
+            };
+            match self.memory.setting.axes {
+                Some(axes) if axes.has(name as u8 - b'A') => {}
+                Some(_) => return Err(Refused::of(&AxisNotOfLathe { axis: name, advice }, &[column])),
+                None => {
+                    let spot = self.block.spot;
+                    self.memory.remarks.row(&AxisNotFollowed { axis: name, advice }, spot, Some(column));
+                }
             }
         }
         Ok(())
@@ -168,9 +205,14 @@ impl Reader<'_, '_> {
     /// X has been given below the axis. Facing ends a little beyond it, by the nose of the tool; farther is a slip of the
     /// sign.
     pub(super) fn remark_beyond_axis(&mut self, to: &Pose) {
-        let spot = self.block.spot;
         let Some(word) = [letter::X, letter::U].into_iter().find(|&word| self.block.has(word)) else { return };
-        let facing = 2.0 * to.get(Axis::X) >= -FACING;
+        self.remark_word_beyond_axis(to.get(Axis::X), word);
+    }
+
+    /// The same of a word that gives X the radius, mm.
+    pub(super) fn remark_word_beyond_axis(&mut self, radius: f64, word: usize) {
+        let spot = self.block.spot;
+        let facing = 2.0 * radius >= -FACING;
         let grade = if facing { Grade::Note } else { Grade::Caution };
         self.memory.remarks.row_as(grade, &BeyondAxis {}, spot, Some(self.block.column(word)));
     }

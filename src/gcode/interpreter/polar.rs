@@ -13,6 +13,7 @@ use crate::gcode::motion::Plane;
 use crate::gcode::rules::geometry::{
     PolarAtOrigin, PolarBesideAxes, PolarBesideCode, PolarPlane, PolarRepeated, PolarTooGreat, PolarTwice,
 };
+use crate::gcode::rules::words::PolarByLetters;
 use crate::machine::axis::Axis;
 use crate::number::grid::LIMIT;
 use crate::number::trig;
@@ -33,6 +34,20 @@ impl Reader<'_, '_> {
             None => Ok(()),
             Some(_) => Err(Refused::of(&PolarTwice {}, &[column])),
         }
+    }
+
+    /// The refusal of R or Q as a polar word of a motion, by the plane in force.
+    pub(super) fn polar_by_letters(&self, letter: char, column: usize) -> Box<Refused> {
+        let plane = match self.block.g(Group::Plane) {
+            Some(G::Plane(plane)) => plane,
+            _ => self.state.modal.plane,
+        };
+        let [first, second] = match plane {
+            Plane::XY => ['X', 'Y'],
+            Plane::ZX => ['X', 'Z'],
+            Plane::YZ => ['Y', 'Z'],
+        };
+        Refused::of(&PolarByLetters { letter, first, second }, &[column])
     }
 
     /// Puts the X and the Y in place of the polar words of the block.

@@ -10,10 +10,10 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
-    CodeNotSupported, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat,
-    LetterNotSupported, LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany,
-    MacroLanguage, Macros, Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, UnknownToAll,
-    WordTooGreat, WordTwice,
+    BlockRepeated, CodeNotSupported, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize, EdgeTwice,
+    FeedOrSpeedTooGreat, LetterNotSupported, LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder,
+    MachineCodesTooMany, MacroLanguage, Macros, Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup,
+    Unknown, UnknownToAll, WordTooGreat, WordTwice,
 };
 use crate::limits::COUNT;
 use crate::machine::length_unit::LengthUnit;
@@ -100,6 +100,7 @@ impl Reader<'_, '_> {
         }
         if let Some(D) = self.block.get(letter::D).filter(|D| *D < 0.0)
             && !matches!(self.block.g(Group::CutterCompensation), Some(G::CompensationGiven(_)))
+            && !self.fagor_cycle()
         {
             return Err(negative('D', D, self.block.column(letter::D)));
         }
@@ -267,6 +268,7 @@ impl Reader<'_, '_> {
             && !self.memory.control.lexis.negative.has(index)
             && !(letter == b'q' && matches!(self.block.m(5), Some((M::AnalogOutput, _))))
             && !self.fagor_cycle()
+            && !(letter == b'q' && self.memory.control.lexis.polar.by_letters())
         {
             return Err(negative(name(letter), value, number_column));
         }
@@ -296,6 +298,13 @@ impl Reader<'_, '_> {
     fn unknown_letter(&self, letter: u8, cursor: &Cursor<'_>) -> Box<Refused> {
         let column = cursor.column();
         let (name, dialect) = (name(letter), self.memory.setting.control.name);
+        let lexis = &self.memory.control.lexis;
+        if letter == b'n' && lexis.behind.repeats() && cursor.ends_block() {
+            return Refused::of(&BlockRepeated {}, &[column]);
+        }
+        if letter == b'q' && lexis.polar.by_letters() {
+            return self.polar_by_letters(name, column);
+        }
         if let Some(G::Turning(cycle)) = self.block.g(Group::NonModal)
             && matches!(name, 'A' | 'D')
             && !self.fagor_cycle()

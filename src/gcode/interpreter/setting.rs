@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::gcode::control::{Control, RotaryMode};
+use crate::gcode::letters::Letters;
 use crate::gcode::turning::nose::Nose;
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
@@ -18,6 +19,8 @@ pub struct ToolOffset {
     pub diameter: f64,
     /// Of a turning tool its nose; `None` where the table gives none: it cannot be compensated then.
     pub nose: Option<Nose>,
+    /// Of a tool for grooves the width of its blade, mm; `None` of any other, and where the table gives none.
+    pub blade: Option<f64>,
 }
 
 /// The tools by their number.
@@ -102,6 +105,8 @@ pub struct Setting {
     pub headed: BTreeSet<u32>,
     /// The places of a turret, where they are known beside the table, whose numbers are then those of the offsets alone.
     pub places: Option<BTreeSet<u32>>,
+    /// The letters of the axes that a lathe has; `None` where the machine is not known.
+    pub axes: Option<Letters>,
     /// What a dimension without a decimal point is; where it is not known a lathe program that has one is refused.
     pub decimal_point: Option<DecimalPoint>,
     /// What R of a lathe's drilling cycles is; where it is not known it is taken as absolute, and said so.
@@ -132,6 +137,7 @@ impl Setting {
             tools: None,
             headed: BTreeSet::new(),
             places: None,
+            axes: None,
             decimal_point: None,
             hole_plane: None,
             rotary: control.rotary.delivered,

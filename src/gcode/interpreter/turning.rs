@@ -22,7 +22,7 @@ use crate::gcode::turning::groove::{self, Groove};
 use crate::gcode::turning::pattern_repeating::{Repeat, repeat};
 use crate::gcode::turning::rough::{self, Rough};
 use crate::gcode::turning::rules::{
-    AllowanceIntoWall, FirstBlockMissing, FirstBlockUnused, FirstBlockWordMissing, RepeatPassesNotWhole,
+    AllowanceIntoWall, FirstBlockMissing, FirstBlockUnused, FirstBlockWordMissing, PlungesApart, RepeatPassesNotWhole,
     ThreadFirstBlockDigits, ThreadInOnePass, ThreadWordMissing,
 };
 use crate::gcode::turning::thread_cycle::{Threading, thread};
@@ -33,6 +33,9 @@ use crate::machine::axis::Axis;
 pub(super) type First = [Option<f64>; 5];
 
 const FIRST: [usize; 5] = [letter::P, letter::Q, letter::R, letter::U, letter::W];
+
+/// By how much plunges may be farther apart than the blade is wide, mm: what is left by rounding.
+const WIDER: f64 = 1e-6;
 
 /// Letters that only the second block of a cycle along a contour has, and of one without.
 const OF_CONTOUR: &[u8] = b"PQ";
@@ -170,8 +173,18 @@ impl Reader<'_, '_> {
             _ => groove::radial(start, &groove),
         };
         let moves = self.told(moves)?;
+        self.remark_step(cycle.number(), groove.spacing(start, usize::from(cycle == TurningCycle::GrooveOutside)));
         self.make_moves(moves, feed);
         Ok(())
+    }
+
+    /// Remarks plunges farther apart than the blade in force is wide, mm: metal stays between them.
+    pub(super) fn remark_step(&mut self, number: u8, step: f64) {
+        let blade = self.memory.tools.get(&self.state.modal.offset).and_then(|tool| tool.blade);
+        if let Some(width) = blade.filter(|width| step > width + WIDER) {
+            let row = PlungesApart { number, step: Size::mm(step), width: Size::mm(width) };
+            self.memory.remarks.row(&row, self.block.spot, Some(self.block.g_column(Group::NonModal)));
+        }
     }
 
     /// G76, of two blocks: the first one's words are kept for the second.

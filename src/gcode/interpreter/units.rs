@@ -8,7 +8,7 @@ use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Memory, Reader, doubt};
 use crate::gcode::motion::FeedMode;
-use crate::gcode::rules::modes::{FeedUnitNotKnown, UnitBesideFeed, UnitNotSaid, UnitsChange};
+use crate::gcode::rules::modes::{FeedMeaningNotSaid, FeedUnitNotKnown, UnitBesideFeed, UnitNotSaid, UnitsChange};
 use crate::machine::length_unit::LengthUnit;
 use crate::text::t;
 
@@ -21,6 +21,8 @@ pub(super) struct UnitsSeen {
     moved_in: Option<LengthUnit>,
     /// A motion has been made in inches.
     pub(super) inches: bool,
+    /// A code has said what F means, or it was told that none has.
+    pub(super) feed_said: bool,
 }
 
 impl UnitsSeen {
@@ -55,6 +57,21 @@ impl Memory<'_> {
             (None, Some(_)) | (Some(_), None) => {}
         }
         self.units.inches |= unit == LengthUnit::Inch;
+    }
+
+    /// A motion goes at feed: remarked where no code has said what F means, and the machine may start with the other meaning.
+    pub(super) fn see_feed(&mut self, mode: FeedMode, spot: Spot) {
+        let rule = self.control.feed;
+        if std::mem::replace(&mut self.units.feed_said, true) || !rule.unsaid.told_of() {
+            return;
+        }
+        let meaning = match mode {
+            FeedMode::PerMinute => t("por minuto", "per minute"),
+            FeedMode::PerRevolution => t("por vuelta", "per revolution"),
+            FeedMode::InverseTime | FeedMode::Seconds => t("como tiempo", "as a time"),
+        };
+        let [minute, turn, ..] = rule.codes.names();
+        self.remarks.row(&FeedMeaningNotSaid { meaning, minute, turn }, spot, None);
     }
 }
 

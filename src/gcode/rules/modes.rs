@@ -259,4 +259,11 @@ rules! {
         why "En la otra unidad el avance es 25.4 veces mayor o menor.",
             "In the other unit the feed is 25.4 times larger or smaller.";
         example Example::program("fagor-8055", "G71 G90 G94 S900 M3|G70 F10|G1 X1|M30", "3");
+    "G0537" FeedMeaningNotSaid Caution { meaning: Text, minute: &'static str, turn: &'static str }
+        es "el programa avanza sin haber dicho lo que significa F ({minute} o {turn}): rodete la lee {meaning}, el control como diga un parámetro de la máquina"
+        en "the program moves at feed before it says what F means ({minute} or {turn}): rodete reads it {meaning}, the control as a machine parameter says"
+        remedy "programe {minute} o {turn} en el primer bloque", "program {minute} or {turn} in the first block";
+        why "0.2 mm por vuelta leídos por minuto paran la herramienta; 100 mm por minuto leídos por vuelta la rompen.",
+            "0.2 mm per revolution read per minute stops the tool; 100 mm per minute read per revolution breaks it.";
+        example Example::program("fagor-8055-t", "G71 G90 S500 M3|G0 X48 Z2|G1 Z-20 F0.2|M30", "3");
 }

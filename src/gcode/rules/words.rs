@@ -176,9 +176,9 @@ rules! {
         why "El manual no dice si el control da una alarma o corta los decimales que sobran.",
             "The manual does not say whether the control raises an alarm or drops the other decimals.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|G1 X10.1234567|M30", "2:4");
-    "G0125" DwellNotWhole Stop { letter: char, value: f64, unit: f64 }
-        es "{letter}{value} en G4: {letter} cuenta unidades de {unit} s y admite un número entero"
-        en "{letter}{value} in G4: {letter} counts units of {unit} s and takes a whole number"
+    "G0125" DwellNotWhole Stop { letter: char, value: f64, unit: f64, number: u8 }
+        es "{letter}{value} en G{number}: {letter} cuenta unidades de {unit} s y admite un número entero"
+        en "{letter}{value} in G{number}: {letter} counts units of {unit} s and takes a whole number"
         remedy "escriba el tiempo en esas unidades: 0.5 s son 50 centésimas", "write the time in these units: 0.5 s are 50 hundredths";
         why "Un decimal suele venir de un programa en segundos, y el control esperaría la centésima parte.",
             "A decimal often comes from a program in seconds, and the control would dwell a hundredth of it.";
@@ -227,4 +227,20 @@ rules! {
             "write R: the radius where the cut begins less the one where it ends; in G94, the Z where it begins less the one where it ends";
         why "Sin R el ciclo corta un cilindro, o una cara plana.", "Without R the cycle cuts a cylinder, or a plane face.";
         example Example::program("fanuc-lathe-a", "G21 G99|G0 X54. Z2.|G92 X50. Z-20. I-1. F2.|M30", "3:16");
+    "G0134" PolarByLetters Stop { letter: char, first: char, second: char }
+        es "{letter}: programación polar o con ángulo, que rodete no sigue"
+        en "{letter}: polar or angle programming, which rodete does not follow"
+        remedy "escriba el punto final con {first} y {second}: sin {letter} el bloque iría a otro sitio",
+            "write the end point with {first} and {second}: without {letter} the block would go to another place";
+        why "R es la distancia al origen polar y Q el ángulo, también junto a una sola cota: quitarlos cambia la trayectoria.",
+            "R is the distance from the polar origin and Q the angle, also beside one coordinate: deleting them changes the path.";
+        example Example::program("fagor-8055-t", "G71 G95 F0.2 S500 M3|G0 X60 Z5|G1 Z-10 Q150|M30", "3:9");
+    "G0135" BlockRepeated Stop {}
+        es "N al final del bloque: el número de repeticiones, que rodete no sigue"
+        en "N at the end of the block: the number of repetitions, which rodete does not follow"
+        remedy "escriba el bloque tantas veces como se hace: la primera, y una por cada repetición",
+            "write the block as many times as it is made: once, and once more for each repetition";
+        why "El control hace el bloque una vez y lo repite N veces más: quitar N deja trabajo sin hacer.",
+            "The control makes the block once and repeats it N times more: deleting N leaves work undone.";
+        example Example::program("fagor-8055", "G71 G91 G94 F100|G1 X10 N5|M30", "2:8");
 }

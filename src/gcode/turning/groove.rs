@@ -39,6 +39,15 @@ pub struct Groove {
     pub feed: Option<f64>,
 }
 
+impl Groove {
+    /// How far apart along an axis (0 for X, 1 for Z) the tool goes in from where it starts, mm; 0 where it goes in at one place.
+    #[must_use]
+    pub fn spacing(&self, start: [f64; 2], axis: usize) -> f64 {
+        let way = (self.to[axis] - start[axis]).abs();
+        if way < EPS { 0.0 } else { self.step[axis].min(way) }
+    }
+}
+
 /// G74: cuts along Z, goes from place to place along X. Without a way along X it drills in steps.
 ///
 /// # Errors

@@ -6,6 +6,7 @@ use crate::finding::{Bare, CellPlace, Finding, Grade, Key, Place, Raise, Size};
 use crate::gcode::control::Control;
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, ToolOffset, Tools};
+use crate::gcode::letters::Letters;
 use crate::gcode::motion::Motion;
 use crate::gcode::turning::nose::{Nose, Tip};
 use crate::kinds::lathe::hold;
@@ -284,6 +285,7 @@ impl Given {
         }
         setting.tools = Some(self.offsets.clone());
         setting.places = Some(self.setup.turret.tools.keys().copied().collect());
+        setting.axes = Some(Letters::of("XZ"));
         setting.decimal_point = setting.decimal_point.or(self.decimal_point);
         setting.hole_plane = setting.hole_plane.or(self.hole_plane);
         setting.block_delete |= self.block_delete;
@@ -369,7 +371,11 @@ fn turret(
         offset.set(Axis::X, tool.overhang[0]);
         offset.set(Axis::Z, tool.overhang[1]);
         let nose = Some(Nose { radius: tool.nose(), tip: tool.tip });
-        if offsets.insert(D, ToolOffset { offset, nose, ..ToolOffset::default() }).is_some() {
+        let blade = match tool.cutter {
+            Cutter::Groover { width, .. } => Some(width),
+            Cutter::Insert { .. } | Cutter::Threader { .. } | Cutter::Drill { .. } | Cutter::CentreDrill { .. } => None,
+        };
+        if offsets.insert(D, ToolOffset { offset, nose, blade, ..ToolOffset::default() }).is_some() {
             let place = Place::Cells([row.cell(&tools::D.row), row.cell(&tools::T.row)].concat());
             findings.push(OffsetTwice { D }.at(place));
         }

@@ -168,6 +168,13 @@ pub enum Cause {
         /// The greatest depth for its lead, mm.
         most: f64,
     },
+    /// A pass of a thread goes deeper at once than its insert is made for.
+    ThreadPassTooDeep {
+        /// How much deeper than the passes before, mm.
+        depth: f64,
+        /// The greatest depth of one pass, mm.
+        most: f64,
+    },
     /// A thread begins in metal before the slide has come up to its speed.
     ShortRunIn {
         /// How far it runs in.
@@ -229,6 +236,7 @@ impl Cause {
                 | Self::DepthOfCut { .. }
                 | Self::BackCutting
                 | Self::ThreadTooDeep { .. }
+                | Self::ThreadPassTooDeep { .. }
                 | Self::ShortRunIn { .. }
                 | Self::OffAxis
                 | Self::SpindleWrongWay
@@ -295,6 +303,9 @@ impl Cause {
             Self::ThreadTooDeep { depth, most } => {
                 Box::new(row::ThreadTooDeep { depth: Size::mm(depth), most: Size::mm(most) })
             }
+            Self::ThreadPassTooDeep { depth, most } => {
+                Box::new(row::ThreadPassTooDeep { depth: Size::mm(depth), most: Size::mm(most) })
+            }
             Self::ShortRunIn { length, least } => {
                 Box::new(row::ShortRunIn { length: Size::mm(length), least: Size::mm(least) })
             }
@@ -359,7 +370,9 @@ impl Alarm {
             }
             Cause::BoreWithoutHole { hole, least } => (format!("Ø {}", mm(hole)), format!("≥ Ø {}", mm(least))),
             Cause::OtherOffset { offset, own } => (format!("D{offset}"), format!("D{own}")),
-            Cause::ThreadTooDeep { depth, most } => (mm(depth), format!("≤ {}", mm(most))),
+            Cause::ThreadTooDeep { depth, most } | Cause::ThreadPassTooDeep { depth, most } => {
+                (mm(depth), format!("≤ {}", mm(most)))
+            }
             Cause::ShortRunIn { length, least } => (mm(length), format!("≥ {}", mm(least))),
             Cause::OffGroove { off, most } => (mm(off), format!("≤ {}", mm(most))),
             Cause::CoarseFeed { feed, most } => (mm(feed), format!("≤ {}", mm(most))),

@@ -5,7 +5,7 @@ use super::motion_totals::Tally;
 use super::path::Piece;
 use super::spindle::{extent, revolutions};
 use super::thread_groove::ThreadGroove;
-use super::threads::{Pass, Threads};
+use super::threads::{DEEPEST_PASS, Pass, Threads};
 use super::tool::{Cutter, TurningTool};
 use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::motion::{FeedMode, MotionKind, Thread};
@@ -146,13 +146,13 @@ impl Watch {
     }
 
     /// The alarms of a thread's pass as programmed, with the tool and its place in the turret; `begins` where it does not go on
-    /// from another block of the thread.
+    /// from another block of the thread, `deep` how deep the metal is that it cuts, mm.
     pub(super) fn thread(
         &mut self,
         thread: Thread,
         [start, end]: Piece,
         (place, tool): (u32, Option<&TurningTool>),
-        (begins, cuts): (bool, bool),
+        (begins, deep): (bool, Option<f64>),
         tally: &mut Tally,
     ) {
         let Some(turns) = revolutions(thread, extent([start, end])) else {
@@ -170,14 +170,23 @@ impl Watch {
                 }
             }
             _ => {
-                if self.begins(Cause::NoThreader, cuts, place) {
+                if self.begins(Cause::NoThreader, deep.is_some(), place) {
                     tally.raise(Cause::NoThreader, start, None);
                 }
             }
         }
-        if cuts {
+        if let Some(deep) = deep {
             self.grooves.extend(ThreadGroove::new([start, end], lead, tool));
-            self.threads.judge(&Pass { thread, way: [start, end], turned, place, tool }, tally);
+            let pass = Pass { thread, way: [start, end], turned, place, tool, begins, deep };
+            let most = DEEPEST_PASS;
+            if let Some(depth) =
+                self.threads.judge(&pass, tally).filter(|_| matches!(tool.cutter, Cutter::Threader { .. }))
+            {
+                let cause = Cause::ThreadPassTooDeep { depth, most };
+                if self.begins(cause, depth > most + TOUCH, place) {
+                    tally.raise(cause, start, None);
+                }
+            }
         }
     }
 }

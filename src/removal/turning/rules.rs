@@ -189,7 +189,7 @@ rules! {
     "L0142" LeadNotOfInsert Caution alarm Lathe 142 { lead: Size, least: Size, most: Size }
         es "El paso está fuera de los que admite la placa de roscar"
         en "The lead is outside the threading insert's range"
-        remedy "cambie de placa o corrija F", "change the insert or correct F";
+        remedy "cambie de placa o corrija el paso", "change the insert or correct the lead";
         why "Una placa de roscar sirve para ciertos pasos: con otro el perfil de la rosca es incorrecto.",
             "A threading insert is made for certain leads: with another one the thread form is wrong.";
         example program!("T0404|G97 S500 M3|M8|G0 X54. Z12.|X49.|G32 Z-15. F5.|G0 X54.|X100. Z50.|M30");
@@ -217,8 +217,8 @@ rules! {
     "L0146" ThreadTooDeep Caution alarm Lathe 146 { depth: Size, most: Size }
         es "La rosca es más honda de lo que admite su paso: la herramienta se lleva las crestas"
         en "The thread is deeper than its lead allows: the tool cuts the crests away"
-        remedy "compruebe el diámetro del fondo, el paso F y que la rosca acabe antes del escalón",
-            "check the diameter of the root, the lead F, and that the thread ends before the shoulder";
+        remedy "compruebe el diámetro del fondo, el paso y que la rosca acabe antes del escalón",
+            "check the diameter of the root, the lead, and that the thread ends before the shoulder";
         why "Los flancos de dos vueltas vecinas se juntan: la cresta desaparece y la rosca no sujeta.",
             "The flanks of neighbouring turns meet: the crest disappears and the thread does not hold.";
         example blocks!("X40.|G1 Z-30. F.2|X54.|G0 X100. Z50.|T0404|G97 S900 M3|M8|G0 X54. Z5.|X37.5|G32 Z-15. F1.5|G0 X54.|Z50.");
@@ -226,8 +226,8 @@ rules! {
         es "La entrada de la rosca es más corta de lo que necesita el control: el paso sale corto"
         en "The thread's run-in is shorter than the control needs: the lead comes out short"
         remedy "comience la pasada más lejos o reduzca S", "begin the pass farther away, or reduce S";
-        why "El paso es menor que F hasta que el carro alcanza su velocidad.",
-            "The lead is less than F until the carriage has reached its speed.";
+        why "El paso es menor que el programado hasta que el carro alcanza su velocidad.",
+            "The lead is less than programmed until the carriage has reached its speed.";
         example blocks!("X40.|G1 Z-30. F.2|X54.|G0 X100. Z50.|T0404|G97 S900 M3|M8|G0 X54. Z1.|X38.2|G32 Z-15. F1.5|G0 X54.|Z50.");
     "L0148" OffGroove Caution alarm Lathe 148 { off: Size, most: Size }
         es "Esta pasada, más honda, no empieza en el filete de las anteriores: corta un flanco de la rosca"
@@ -237,10 +237,18 @@ rules! {
         why "El carro arranca siempre en el mismo ángulo del husillo: a una parte del paso de allí empieza otro filete.",
             "The carriage always starts at the same angle of the spindle: part of a lead from there another groove begins.";
         example program!("T0404|G97 S500 M3|M8|G0 X54. Z8.|G92 X49.2 Z-15. F2.|X48.6|G0 Z7.|G92 X48.2 Z-15. F2.|G0 X100. Z50.|M30");
+    "L0149" ThreadPassTooDeep Caution alarm Lathe 149 { depth: Size, most: Size }
+        es "Una pasada de la rosca es más honda de lo que aguanta la punta de la placa"
+        en "A pass of the thread is deeper than the tip of the insert stands"
+        remedy "reparta la profundidad en más pasadas: menos en la primera, y poco en la última",
+            "spread the depth over more passes: less in the first, and little in the last";
+        why "La punta de una placa de roscar es pequeña y corta por los dos flancos: con demasiada profundidad se rompe.",
+            "The tip of a threading insert is small and cuts on both flanks: too deep a pass breaks it.";
+        example program!("T0404|G97 S500 M3|M8|G0 X54. Z8.|G92 X48. Z-15. F2.|G0 X100. Z50.|M30");
     "L0151" NoGreatestSpeed Caution alarm Lathe 151 { asked: Size, most: Size }
         es "Velocidad de corte constante sin límite de giro, o con uno mayor que el giro máximo: cerca del eje el husillo llega a su máximo"
         en "Constant surface speed without a speed limit, or with one above the maximum: near the axis the spindle runs up to its maximum"
-        remedy "limite el giro con G50 S (G92 S)", "limit the speed with G50 S (G92 S)";
+        remedy "limite el giro: en un torno Fanuc con G50 S, en un Fagor con G92 S", "limit the speed: on a Fanuc lathe with G50 S, on a Fagor with G92 S";
         why "A la velocidad máxima del husillo las garras pierden fuerza y la pieza puede salir despedida.",
             "At the spindle's maximum speed the jaws lose their grip and may throw the work.";
         example program!("T0101|G96 S180 M3|M8|G0 X54. Z0.|G1 X-1.6 F0.2|G0 Z2.|X100. Z50.|M30");
@@ -329,8 +337,8 @@ rules! {
     "L0184" ToolChange Stop alarm Lathe 184 { place: u32 }
         es "La torreta gira al puesto {place} dentro de la pieza, dentro del amarre o sobre el bruto"
         en "The turret indexes to place {place} inside the work, inside the clamping or over the stock"
-        remedy "retire antes la torreta: a la derecha de la cara, con todas sus herramientas libres, o con G28",
-            "retract the turret first: to the right of the face, with all its tools clear, or with G28";
+        remedy "retire antes la torreta: a la derecha de la cara, con todas sus herramientas libres, o al punto de referencia",
+            "retract the turret first: to the right of the face, with all its tools clear, or to the reference point";
         why "Al girar la torreta, las otras herramientas barren lo que hay delante.",
             "When the turret indexes, the other tools sweep the space in front of it.";
         example blocks!("G0 X60.|Z-20.|T0202|G0 X100. Z50.");

@@ -21,6 +21,14 @@ const SAME_SPEED: f64 = 1e-3;
 /// 0.006 mm off. On a flank at 30° to the depth, 0.01 mm along the thread is 0.017 mm of depth. Our choice.
 const OFF_GROOVE: f64 = 0.01;
 
+/// The greatest depth of one pass of a thread, on the radius, mm.
+///
+/// # References
+/// Tungaloy, General Catalogue 2020–2021, user's guide, threading: "Set the first infeed to 150 ~ 200% of nose R and do not allow it
+/// to exceed 0.5 mm." The first pass is the deepest of the tables of the makers (Sumitomo, General Catalogue 2019–2020, page 415: 0.16
+/// to 0.25 mm for leads of 1 to 3 mm), so that the limit holds for all.
+pub(super) const DEEPEST_PASS: f64 = 0.5;
+
 /// A pass of a thread, or a block of one.
 pub(super) struct Pass<'a> {
     pub thread: Thread,
@@ -31,6 +39,10 @@ pub(super) struct Pass<'a> {
     /// The tool's place in the turret.
     pub place: u32,
     pub tool: &'a TurningTool,
+    /// It does not go on from another block of the thread.
+    pub begins: bool,
+    /// How deep the metal is that it meets, mm.
+    pub deep: f64,
 }
 
 /// Where a pass lies; mm.
@@ -80,8 +92,8 @@ impl Cut {
     }
 
     /// Notes a pass; `alarm` makes the alarm of one that is deeper than all before and in the groove of none. One that is no
-    /// deeper may be another start.
-    fn take(&mut self, pass: Groove, alarm: impl FnOnce(Cause) -> Alarm) {
+    /// deeper may be another start. Returns how much deeper it is than the passes before in its groove, mm; `None` for the first.
+    fn take(&mut self, pass: Groove, alarm: impl FnOnce(Cause) -> Alarm) -> Option<f64> {
         let numbered = self.starts.iter().enumerate();
         let before = numbered.flat_map(|(at, start)| start.passes.iter().map(move |&groove| (at, groove)));
         let nearest = before
@@ -96,12 +108,17 @@ impl Cut {
                 let farthest = found.max_by(|[one, ..], [other, ..]| one.total_cmp(other));
                 let [beyond, off, most] = farthest.unwrap_or_default();
                 let start = &mut self.starts[at];
+                let before = start.passes.iter().map(|groove| groove.depth).fold(f64::MIN, f64::max);
                 start.passes.push(pass);
                 if beyond > OFF_GROOVE && start.off.is_none() {
                     start.off = Some(alarm(Cause::OffGroove { off, most }));
                 }
+                Some(pass.depth - before)
             }
-            _ => self.starts.push(Start { passes: vec![pass], off: None }),
+            _ => {
+                self.starts.push(Start { passes: vec![pass], off: None });
+                None
+            }
         }
     }
 
@@ -145,8 +162,9 @@ impl Threads {
         self.known.len() + cuts.flat_map(|cut| &cut.starts).map(|start| start.passes.len()).sum::<usize>()
     }
 
-    /// Notes a pass in metal, and raises the alarms of another lead or spindle speed than in the passes before.
-    pub fn judge(&mut self, pass: &Pass<'_>, tally: &mut Tally) {
+    /// Notes a pass in metal, and raises the alarms of another lead or spindle speed than in the passes before. Returns how deep it goes
+    /// at once, mm on the radius; `None` for what does not say it.
+    pub fn judge(&mut self, pass: &Pass<'_>, tally: &mut Tally) -> Option<f64> {
         let ([from, to], lead) = (pass.way, pass.thread.lead);
         let [z, r] = [0, 1].map(|axis| [from[axis].min(to[axis]), from[axis].max(to[axis])]);
         let meets = |one: [f64; 2], two: [f64; 2], apart: f64| one[0] < two[1] + apart && two[0] < one[1] + apart;
@@ -162,12 +180,12 @@ impl Threads {
         let known = &mut self.known[at];
         if (known.lead - lead).abs() > 1e-6 {
             tally.raise(Cause::LeadDiffers { lead, before: known.lead }, from, None);
-            return;
+            return None;
         }
         for (held, new) in [(&mut known.z, z), (&mut known.r, r)] {
             *held = [held[0].min(new[0]), held[1].max(new[1])];
         }
-        known.take(pass, tally);
+        known.take(pass, tally)
     }
 
     /// The alarms of deeper passes off the groove of the passes before, which can be reported only when the program has ended:
@@ -178,8 +196,8 @@ impl Threads {
 }
 
 impl Known {
-    fn take(&mut self, pass: &Pass<'_>, tally: &mut Tally) {
-        let &Pass { thread, way: [from, to], turned, place, tool } = pass;
+    fn take(&mut self, pass: &Pass<'_>, tally: &mut Tally) -> Option<f64> {
+        let &Pass { thread, way: [from, to], turned, place, tool, begins, deep } = pass;
         let along = usize::from((to[1] - from[1]).abs() > (to[0] - from[0]).abs());
         let across = 1 - along;
         let forward = to[along] > from[along];
@@ -204,12 +222,15 @@ impl Known {
             tally.raise(Cause::ThreadSpeed { speed, before }, from, None);
         }
         let into = tool.tip.vector()[across];
-        if into != 0.0 {
-            let part = (cut.along - from[along]) / (to[along] - from[along]);
-            let depth = into.signum() * (from[across] + (to[across] - from[across]) * part);
-            let turned = thread.lead * turned;
-            let phase = from[along] + if forward { -turned } else { turned };
-            cut.take(Groove { phase, depth }, |cause| tally.alarm(cause, from, None));
+        if into == 0.0 {
+            return None;
         }
+        let part = (cut.along - from[along]) / (to[along] - from[along]);
+        let depth = into.signum() * (from[across] + (to[across] - from[across]) * part);
+        let turned = thread.lead * turned;
+        let phase = from[along] + if forward { -turned } else { turned };
+        let more = cut.take(Groove { phase, depth }, |cause| tally.alarm(cause, from, None));
+        // A further block of a pass has its depth from where the pass began.
+        more.map_or(Some(deep), |more| begins.then_some(more))
     }
 }

@@ -127,3 +127,37 @@ fn nothing_is_made_behind_a_rejected_cycle_of_a_workbook() {
     let (_folder, document, exit) = build(&Book::new(&program(&blocks)).bytes());
     assert_eq!((exit, quantity(&document, "V_r")), (3, 0.0), "{:?}", lines(&document));
 }
+
+/// The blade of T3 is known from the workbook; a blade that is no wider than the step leaves a ring.
+#[test]
+fn plunges_farther_apart_than_the_blade_is_wide_are_told() {
+    for (dialect, blocks, told) in [
+        ("fagor-8055-t", "T3 D3|G95 F0.1|G0 X54 Z-50|G88 X50 Z-50 Q40 R-58 C25 D1", true),
+        ("fagor-8055-t", "T3 D3|G95 F0.1|G0 X54 Z-50|G88 X50 Z-50 Q40 R-58 C2 D1", false),
+        // One plunge, whatever the step.
+        ("fagor-8055-t", "T3 D3|G95 F0.1|G0 X54 Z-50|G88 X50 Z-50 Q40 R-50 C25 D1", false),
+        ("fanuc-lathe-a", "T0303|G97 S800|G0 X54. Z-50.|G75 R1.|G75 X40. Z-58. P2000 Q8000 F0.1", true),
+        ("fanuc-lathe-a", "T0303|G97 S800|G0 X54. Z-50.|G75 R1.|G75 X40. Z-58. P2000 Q2000 F0.1", false),
+    ] {
+        let blocks = blocks.split('|');
+        let text: Vec<&str> = match dialect {
+            "fagor-8055-t" => FAGOR.into_iter().chain(blocks).chain(["G0 X100 Z50", "M30"]).collect(),
+            _ => HEAD.into_iter().chain(blocks).chain(["G0 X60."]).chain(TAIL).collect(),
+        };
+        let text = text.join("\n");
+        let (document, _) = simulate(&text, &[], &["--dialect", dialect, "--decimal-point", "calculator"]);
+        let codes = document["findings"].as_array().unwrap().iter().filter_map(|one| one["code"].as_str());
+        assert_eq!(codes.filter(|code| *code == "G0644").count(), usize::from(told), "{text}\n{document}");
+    }
+}
+
+/// A word of Fanuc habit, where the workbook says which axes the lathe has.
+#[test]
+fn an_axis_that_the_lathe_of_a_workbook_lacks_stops() {
+    let text = [&FAGOR[..], &["G95 F0.2", "X46", "G1 W-22", "X54", "G0 X100 Z50", "M30"]].concat().join("\n");
+    let (document, exit) = simulate(&text, &[], &["--dialect", "fagor-8055-t"]);
+    let stops: Vec<_> = document["findings"].as_array().unwrap().iter().filter(|one| one["grade"] == "stop").collect();
+    assert_eq!((exit, stops.len()), (3, 1), "{document}");
+    assert_eq!(stops[0]["code"], "G0836");
+    assert!(stops[0]["remedy"]["en"].as_str().unwrap().contains("G91 and Z"), "{document}");
+}

@@ -67,6 +67,13 @@ fn a_thread_has_its_run_in_and_no_more_depth_than_its_lead() {
             "X40.|G1 Z-30. F.2|X54.|G0 X100. Z50.|T0404|G97 S900 M3|M8|G0 X54. Z{start}|X{root}|G32 Z-15. F1.5|G0 X54.|Z50."
         )
     };
+    // They are cut in one pass, which is told beside what is asked here.
+    let of = |program: &str| {
+        let (found, exit) = of(program);
+        let (deep, found): (Vec<_>, Vec<_>) = found.into_iter().partition(|one| one.contains(" 149 "));
+        assert_eq!(deep.len(), 1, "{deep:?}");
+        (found, exit)
+    };
     assert_eq!(of(&thread("5.", "38.2")), none());
     // 3.2 · 1.5 · 900 / 1800 = 2.4 mm.
     let (found, exit) = of(&thread("1.", "38.2"));

@@ -1,5 +1,6 @@
 //! G81 to G89 in programs of the dialect fagor-8055-t.
 
+use rodete::finding::{Finding, Grade, Place};
 use rodete::gcode::control::FAGOR_8055_T;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::{FeedMode, Motion, MotionKind, Plane};
@@ -120,6 +121,13 @@ fn missing_and_unknown_words_and_impossible_cycles_are_refused_by_name() {
         ("G86 X40 Z0 Q40 R-20 I1 B1 D3 C2 V3", "V in G86 is not supported"),
         ("G86 X40 Z0 Q40 R-20 I1 B1 D3 C2 K5", "K in G86 is not supported"),
         ("G83 X0 Z0 I10 B0 D1 H3", "H in G83 with B0"),
+        // Whatever stands before it.
+        ("G83 X0 Z0 I10 B0 D1 C1 H3 L2 R0.8", "H in G83 with B0"),
+        ("G83 X0 Z0 I10 B0 D1 C1 H0 L2", "L in G83 with B0"),
+        ("G83 X0 Z0 I10 B0 D1 C1 H0 L0 R0", "R in G83 with B0"),
+        ("G83 X0 Z0 I10 B5 D1 K1.5", "K1.5 in G83: K counts units of 0.01 s"),
+        ("G88 X30 Z-5 Q20 R-5 C2 D1 K0.5", "K0.5 in G88: K counts units of 0.01 s"),
+        ("G89 X30 Z0 Q30 R-5 C2 D1 K0.5", "K0.5 in G89: K counts units of 0.01 s"),
         ("G81 X20 Z0 Q20 R-20 C0", "the step C is not above 0"),
         ("G85 X20 Z-10 Q0 R0 C1 I0 K1", "two radii"),
         ("G81 X10 Z0 Q60 R-20 C5", "the cycle cannot start here"),
@@ -131,6 +139,59 @@ fn missing_and_unknown_words_and_impossible_cycles_are_refused_by_name() {
         assert!(faults[0].1.contains(what), "{block}: {}", faults[0].1);
         assert_eq!(motions.len(), 1, "{block}: the block is not executed");
     }
+}
+
+/// What a block of a program of these cycles is told, with its grade.
+fn told(block: &str) -> Vec<(Grade, &'static str, String)> {
+    let program = format!("G71 G90 G95 F0.2 T5 D5 S500 M3\nG0 X40 Z2\n{block}\nM30\n");
+    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(&FAGOR_8055_T));
+    let faults: Vec<_> = interpreter.by_ref().filter_map(Result::err).collect();
+    assert_eq!(faults, [], "{block}");
+    let line_3 = |finding: &Finding| matches!(finding.place, Place::Line { line: 3, .. });
+    let told = interpreter.remarks().into_iter().filter(line_3);
+    told.map(|one| (one.grade, one.rule().code, one.what.en.to_string())).collect()
+}
+
+#[test]
+fn a_b_of_0_is_told_to_tap_with_its_tool() {
+    let [(grade, code, what)] = told("G83 X0 Z0 I10 B0 D1 H0 C1 K50").try_into().unwrap();
+    assert_eq!((grade, code), (Grade::Caution, "G0695"));
+    assert!(what.starts_with("G83 with B0 taps, with T5:"), "{what}");
+    assert_eq!(told("G83 X0 Z0 I10 B5 D1 H0 C1 K50"), []);
+}
+
+#[test]
+fn the_sign_of_d_in_a_thread_changes_no_motion() {
+    let [one, other] = ["D2", "D-2"].map(|D| {
+        let block =
+            format!("G95 F0.2 S500 M3\nG0 X40 Z9\nG86 X30 Z8 Q30 R-33 I1.2 B0.3 E0.05 {D} L0.05 C2 J2 A29.5\nM30\n");
+        let (motions, faults, _) = run(block.as_bytes());
+        assert_eq!(faults, [], "{D}");
+        motions
+    });
+    assert!(one.len() > 50);
+    assert_eq!(one, other);
+    // Of the other cycles D is a length.
+    for (block, what) in [
+        ("G81 X20 Z0 Q20 R-20 C5 D-1", "negative D in the cycle"),
+        ("G83 X0 Z0 I10 B5 D-1", "negative D in G83"),
+        ("G88 X30 Z-5 Q20 R-9 C2 D-1", "negative D or K in the grooving"),
+    ] {
+        let (_, faults, _) = run(format!("G95 F0.2 S500 M3\nG0 X40 Z2\n{block}\nM30\n").as_bytes());
+        assert!(matches!(&faults[..], [(3, fault)] if fault == what), "{block}: {faults:?}");
+    }
+}
+
+#[test]
+fn points_of_a_cycle_beyond_the_axis_are_told_as_those_of_a_motion() {
+    let beyond = |block| -> Vec<Grade> {
+        told(block).into_iter().filter(|(_, code, _)| *code == "G0808").map(|(grade, ..)| grade).collect()
+    };
+    assert_eq!(beyond("G81 X-20 Z0 Q30 R-20 C5 D1"), [Grade::Caution]);
+    assert_eq!(beyond("G82 X30 Z-2 Q-1.6 R0 C1 D1"), [Grade::Note], "facing");
+    assert_eq!(beyond("G88 X30 Z-5 Q-20 R-5 C2 D1"), [Grade::Caution]);
+    assert_eq!(beyond("G83 X-10 Z0 I10 B5 D1"), [Grade::Caution]);
+    assert_eq!(beyond("G81 X20 Z0 Q30 R-20 C5 D1"), []);
 }
 
 #[test]

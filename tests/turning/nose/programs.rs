@@ -390,3 +390,32 @@ fn g70_refuses_at_the_block_of_the_contour() {
         (13, "nose radius 0.8 mm does not fit into the arc of radius 0.5 mm")
     );
 }
+
+/// G70 finishes on a Fanuc, and puts inches into force on a Fagor.
+#[test]
+fn the_remedy_for_passes_without_compensation_names_only_what_the_control_has() {
+    for (control, text, finish) in [
+        (
+            &FANUC_LATHE_A,
+            "G21 G98 G97\nT0101\nM3 S500 F120.\nG0 X40. Z5.\nG42\nG71 U2. R1.\nG71 P10 Q20\nN10 G0 X20.\nG1 Z-10.\nN20 X40.\nG40 G0 X50.\nM30\n",
+            Some("use G70"),
+        ),
+        (
+            &FAGOR_8055_T,
+            "G71 G95 F0.2 S500 M3\nT1 D1\nG0 X60 Z5\nG42 G1 X54 Z3\nG81 X20 Z0 Q30 R-30 C2 D1\nG40 G0 X100 Z50\nM30\n",
+            None,
+        ),
+    ] {
+        let mut setting = Setting::new(control);
+        setting.tools = Some(Tools::from([(1, ToolOffset { nose: Some(nose(0.8, 3)), ..ToolOffset::default() })]));
+        let mut reader = Interpreter::over(text.as_bytes(), setting);
+        assert_eq!(reader.by_ref().filter_map(Result::err).count(), 0, "{text}");
+        let remarks = reader.remarks();
+        let told = remarks.iter().find(|finding| finding.rule().code == "G0773").unwrap();
+        let remedy = told.remedy.en.to_string();
+        match finish {
+            Some(finish) => assert!(remedy.starts_with(finish), "{remedy}"),
+            None => assert!(!remedy.contains("G70") && remedy.contains("G1, G2 and G3"), "{remedy}"),
+        }
+    }
+}

@@ -37,6 +37,18 @@ pub struct Groove {
     pub dwell: f64,
 }
 
+impl Groove {
+    /// How far apart the tool plunges, mm: the way from the initial to the final point in equal steps, as great as C allows; 0 for
+    /// a groove of one plunge.
+    #[must_use]
+    pub fn spacing(&self, along: Along) -> f64 {
+        let [u, _] = along.axes();
+        let way = (self.from[u] - self.to[u]).abs();
+        let steps = (way / self.step - EPS).ceil();
+        if steps >= 1.0 { way / steps } else { 0.0 }
+    }
+}
+
 /// G88 and G89 from the point where the tool stands, `[X, Z]`.
 ///
 /// # Errors

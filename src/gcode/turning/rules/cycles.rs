@@ -208,6 +208,15 @@ rules! {
         why "G71 desbasta a lo largo de Z y entra en X; G72 desbasta a lo largo de X y entra en Z.",
             "G71 roughs along Z and goes in along X; G72 roughs along X and goes in along Z.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G72 W2. R1.|G72 P10 Q20 U.4 W.1|N10 G0 X20.|G1 Z-10.|N20 X50.|M30", "5");
+    "G0644" PlungesApart Caution { number: u8, step: Size, width: Size }
+        es "G{number}: la herramienta entra cada {step} y la cuchilla mide {width} de ancho: entre las entradas queda material"
+        en "G{number}: the tool goes in every {step} and the blade is {width} wide: metal stays between the plunges"
+        remedy "reduzca el paso por debajo del ancho de la cuchilla, o llame a una más ancha",
+            "make the step smaller than the blade is wide, or call a wider one";
+        why "Entre dos entradas queda un anillo tan alto como honda es la ranura: se rompe, o choca con lo que viene después.",
+            "Between two plunges a ring stays as high as the groove is deep: it breaks off, or what comes after hits it.";
+        example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120",
+            program: "G50 S2500|T0303|G97 S500 M3|M8|G0 X54. Z-20.|G75 R1.|G75 X40. Z-28. P2000 Q8000 F0.1|G0 X100. Z50. M9|M30", machine: &[] };
     "G0650" RepeatPassesNotWhole Stop { value: f64 }
         es "R{value} del primer bloque de G73 no es un número de pasadas"
         en "R{value} in the first block of G73 is not a number of passes"

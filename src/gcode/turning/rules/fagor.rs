@@ -2,6 +2,7 @@
 
 use crate::finding::rule::rules;
 use crate::finding::{Example, Size};
+use crate::text::Text;
 
 rules! {
     /// The rows of this file.
@@ -166,4 +167,12 @@ rules! {
         why "El ancho de la cuchilla está en la tabla del control.",
             "The width of the grooving tool is in the control's table.";
         example Example::program("fagor-8055-t", "G95 F0.2 S500 M3|G0 X40 Z2|G88 X30 Z-5 Q20 R-9 D1|M30", "3:1");
+    "G0695" FagorTaps Caution { with: Text }
+        es "G83 con B0 rosca con macho{with}: entra hasta el fondo y sale con avance, sin sacar la viruta"
+        en "G83 with B0 taps{with}: it goes to the bottom and comes back at feed, and clears no chips"
+        remedy "si es una broca, dé en B la profundidad de cada penetración",
+            "if the tool is a drill, give the depth of each peck in B";
+        why "Una B que ha perdido una cifra convierte un taladrado en un roscado: la broca se atasca y se rompe.",
+            "A B that has lost a digit turns drilling into tapping: the drill jams and breaks.";
+        example Example::program("fagor-8055-t", "G95 F0.2 S500 M3|G0 X40 Z2|G83 X0 Z0 I10 B0 D1|M30", "3:15");
 }

@@ -24,17 +24,17 @@ pub use self::cycles::{
     AllowanceIntoMetal, AllowanceIntoWall, ContourBackAlongX, ContourBackAlongZ, ContourBeginsWithArc,
     ContourBeyondStart, ContourDoesNotAdvance, ContourEntersAside, ContourNotFound, CycleNotFinite, FirstBlockMissing,
     FirstBlockUnused, FirstBlockWordMissing, GrooveReliefNegative, GrooveStepNegative, GrooveStepZero,
-    GrooveWithoutDepth, NoDepthOfCut, RepeatIntoMetal, RepeatPassesNotWhole, RepeatWithoutPasses, RetractionNegative,
-    ThreadAllowance, ThreadAngle, ThreadDigits, ThreadFirstBlockDigits, ThreadInOnePass, ThreadLeadNotPositive,
-    ThreadLeastCut, ThreadStartsInside, ThreadTooShort, ThreadWithoutHeight, ThreadWordMissing, TooManyGrooveSteps,
-    TooManyRepeats, TooManyRoughingPasses, TooManyThreadPasses,
+    GrooveWithoutDepth, NoDepthOfCut, PlungesApart, RepeatIntoMetal, RepeatPassesNotWhole, RepeatWithoutPasses,
+    RetractionNegative, ThreadAllowance, ThreadAngle, ThreadDigits, ThreadFirstBlockDigits, ThreadInOnePass,
+    ThreadLeadNotPositive, ThreadLeastCut, ThreadStartsInside, ThreadTooShort, ThreadWithoutHeight, ThreadWordMissing,
+    TooManyGrooveSteps, TooManyRepeats, TooManyRoughingPasses, TooManyThreadPasses,
 };
 pub use self::fagor::{
     FagorArcHalf, FagorArcRadii, FagorArcTurnsBack, FagorDrillFactor, FagorDrillNegative, FagorGrooveNegative,
     FagorGroovePoint, FagorGrooveStepMissing, FagorGrooveWithoutDepth, FagorHoleWithoutDepth, FagorLetterMissing,
-    FagorLetterNotSupported, FagorNegative, FagorStartInside, FagorStepNotPositive, FagorTapping, FagorThreadExit,
-    FagorThreadLastPass, FagorThreadTooShort, FagorThreadWithoutDepth, FagorThreadWithoutLead, TooManyFagorDrillSteps,
-    TooManyFagorPasses, TooManyFagorThreadPasses,
+    FagorLetterNotSupported, FagorNegative, FagorStartInside, FagorStepNotPositive, FagorTapping, FagorTaps,
+    FagorThreadExit, FagorThreadLastPass, FagorThreadTooShort, FagorThreadWithoutDepth, FagorThreadWithoutLead,
+    TooManyFagorDrillSteps, TooManyFagorPasses, TooManyFagorThreadPasses,
 };
 pub use self::holes::{
     BareG90, CycleMovesOtherAxis, CycleRepeats, CycleSpindle, CycleUnderInverseTime, CycleWordMissing,
@@ -44,11 +44,12 @@ pub use self::holes::{
     TappingOutsideG17, TooManyLathePecks, TooManyPecks,
 };
 pub use self::lathe::{
-    AddedLength, BeyondAxis, ChangeWithoutTool, EndlessLoop, G91InSystemA, LengthWithoutAxes, MachineMoveByIncrements,
-    NoOrientation, NoToolNumber, NoToolTable, NoTurretPlace, NoWordOfToolTable, OffsetAlone, OffsetMeasuredAtMachine,
-    OffsetNotInTable, ReferencePointNotKnown, ReferencePointNotSupported, ReferenceWithoutAxes, RefusedInLoop,
-    SecondPointNotKnown, SetToolWithoutQ, StaleFeed, SystemShifted, TooManyCycleMotions, ToolNotInTable,
-    ToolNotInTurret, ToolOffsetWithoutValues, ToolTableNotKnown, ToolTwiceInTable, TwoWordsAnAxis,
+    AddedLength, AxisNotFollowed, AxisNotOfLathe, BeyondAxis, ChangeWithoutTool, EndlessLoop, G91InSystemA,
+    LengthWithoutAxes, MachineMoveByIncrements, NoOrientation, NoToolNumber, NoToolTable, NoTurretPlace,
+    NoWordOfToolTable, OffsetAlone, OffsetMeasuredAtMachine, OffsetNotInTable, ReferencePointNotKnown,
+    ReferencePointNotSupported, ReferenceWithoutAxes, RefusedInLoop, SecondPointNotKnown, SetToolWithoutQ, StaleFeed,
+    SystemShifted, TooManyCycleMotions, ToolNotInTable, ToolNotInTurret, ToolOffsetWithoutValues, ToolTableNotKnown,
+    ToolTwiceInTable, TwoWordsAnAxis,
 };
 pub use self::nose::{
     ArcOfOtherPlane, CompensationBeginsOnArc, CompensationEndsOnArc, CompensationPlane, CompensationWithoutOffset,
