@@ -24,6 +24,7 @@ use crate::figure::Figure;
 use crate::finding::{Finding, Grade, Place, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
+use crate::gcode::lines::write_block;
 use crate::gcode::program::Program;
 use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
 use crate::gcode::word::{Distance, NumberFormat};
@@ -194,7 +195,7 @@ impl Method for Hole {
     fn setup(design: &Design, _: &Model) -> Vec<(&'static str, Shown)> {
         let codes = |on| {
             let mut block = String::new();
-            hold(design, on)?.into_iter().for_each(|word| word.write(NumberFormat::Fixed, &mut block));
+            write_block(design.post.control, &mut hold(design, on)?, NumberFormat::Fixed, &mut block);
             Some(Shown::Words(block))
         };
         let holds = [("hold-on", codes(true)), ("hold-off", codes(false))];
