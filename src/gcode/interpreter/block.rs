@@ -102,6 +102,8 @@ pub(super) struct Block {
     pub(super) settings: Vec<(Parameter, f64)>,
     /// Which words may still come.
     pub(super) seen: WordsSeen,
+    /// It begins with `/`: a switch of the control may pass over it.
+    pub(super) skippable: bool,
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a line has at most 4096 characters")]
@@ -130,6 +132,7 @@ impl Block {
             machine_codes: 0,
             settings: Vec::new(),
             seen: WordsSeen::NONE,
+            skippable: false,
         }
     }
 
@@ -150,6 +153,7 @@ impl Block {
         self.machine_codes = 0;
         self.settings.clear();
         self.seen = WordsSeen::NONE;
+        self.skippable = false;
     }
 
     /// True where a letter has a word.

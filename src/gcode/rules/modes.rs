@@ -245,4 +245,11 @@ rules! {
         why "Con la otra unidad la pieza saldría 25.4 veces mayor o menor. El control guarda la unidad del programa anterior, un Fanuc también sin tensión.",
             "In the other unit the part would be 25.4 times larger or smaller. The control keeps the unit of the program before, a Fanuc also with the power off.";
         example Example::program("linuxcnc", "G0 X1|M2", "1");
+    "G0535" CutsWithoutSpeed Caution {}
+        es "movimiento de avance con M3 o M4 y sin S, o con S0"
+        en "feed move under M3 or M4 without S, or with S0"
+        remedy "programe S con M3 o M4", "program S with M3 or M4";
+        why "Sin S la fresa o la pieza gira a la velocidad de antes, o no gira.",
+            "Without S the cutter or the part turns at the speed of before, or does not turn.";
+        example Example::program("linuxcnc", "G21 G90 M3|G0 Z5|G1 Z-2 F100|M5|M2", "3");
 }

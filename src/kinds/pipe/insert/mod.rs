@@ -41,7 +41,7 @@ use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
-use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
+use crate::gcode::rules::modes::{CutsBeforeSpindle, CutsWithoutSpeed, NoFeed, SpindleStopped};
 use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
@@ -100,7 +100,8 @@ impl Method for Insert {
     const RULES: &'static [&'static [&'static Rule]] =
         &[kinds::rules::RULES, pipe::rules::RULES, rules::RULES, proof::rules::RULES];
     // A torch does not turn, and the published program has no feed.
-    const ANSWERED: &'static [&'static Rule] = &[NoFeed::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE];
+    const ANSWERED: &'static [&'static Rule] =
+        &[NoFeed::RULE, CutsBeforeSpindle::RULE, CutsWithoutSpeed::RULE, SpindleStopped::RULE];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-insert/labels.typ"),
         method: [
