@@ -2,11 +2,11 @@
 
 use std::io;
 
-use crate::gcode::control::CommentForm;
+use crate::gcode::control::{CommentForm, Control};
 use crate::gcode::digits::push_whole;
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::{Feed, Part, Path, Program};
-use crate::gcode::word::{Distance, Retract, Word};
+use crate::gcode::word::{Distance, NumberFormat, Retract, Word};
 use crate::machine::axis::{Axis, Position};
 
 /// The lines of a program. Lends each line from one buffer, so that a program of any length needs no memory for its
@@ -20,6 +20,8 @@ pub struct Lines<'a> {
     feed: Option<FeedWord>,
     number: u32,
     line: String,
+    /// The words of the block in hand.
+    words: Vec<Word>,
 }
 
 impl Program {
@@ -85,7 +87,16 @@ impl Program {
 
 impl<'a> Lines<'a> {
     fn new(program: &'a Program) -> Self {
-        Self { program, part: 0, step: 0, at: program.start, feed: None, number: 0, line: String::new() }
+        Self {
+            program,
+            part: 0,
+            step: 0,
+            at: program.start,
+            feed: None,
+            number: 0,
+            line: String::new(),
+            words: Vec::new(),
+        }
     }
 
     /// The next line: block number, and the text without number and end of line.
@@ -117,9 +128,9 @@ impl<'a> Lines<'a> {
                 }
                 Part::Block(words) | Part::Away(Retract(words)) => {
                     self.part += 1;
-                    for word in words {
-                        word.write(program.format, &mut self.line);
-                    }
+                    self.words.clear();
+                    self.words.extend_from_slice(words);
+                    self.write_words();
                     return Some((self.count(), &self.line));
                 }
                 Part::Path(path) => match path.position(self.step) {
@@ -162,8 +173,8 @@ impl<'a> Lines<'a> {
     }
 
     fn write_move(&mut self, path: &Path, step: usize, to: Position) {
-        let format = self.program.format;
-        Word::whole('G', u32::from(!path.rapid)).write(format, &mut self.line);
+        self.words.clear();
+        self.words.push(Word::whole('G', u32::from(!path.rapid)));
         for &axis in path.axes {
             if path.moving_only && to.get(axis) == self.at.get(axis) {
                 continue;
@@ -172,7 +183,7 @@ impl<'a> Lines<'a> {
                 Distance::Absolute => to.get(axis),
                 Distance::Incremental => to.get(axis) - self.at.get(axis),
             };
-            Word::size(axis.letter(), size).write(format, &mut self.line);
+            self.words.push(Word::size(axis.letter(), size));
         }
         debug_assert!(
             Axis::ALL.into_iter().all(|axis| path.axes.contains(&axis) || to.get(axis) == self.at.get(axis)),
@@ -182,9 +193,22 @@ impl<'a> Lines<'a> {
             && let Some(&feed) = words.get(step)
             && feed.is_written(self.program.control.feed.law, self.feed)
         {
-            Word::feed(feed).write(format, &mut self.line);
+            self.words.push(Word::feed(feed));
             self.feed = Some(feed);
         }
         self.at = to;
+        self.write_words();
     }
+
+    /// The words of the block in hand, in the order that the control wants.
+    fn write_words(&mut self) {
+        let Program { control, format, .. } = self.program;
+        write_block(control, &mut self.words, *format, &mut self.line);
+    }
+}
+
+/// Appends a block to a text, its words in the order in which a control takes them. All that rodete writes goes through here.
+pub fn write_block(control: &Control, words: &mut [Word], format: NumberFormat, text: &mut String) {
+    control.lexis.words.arrange(words);
+    words.iter().for_each(|word| word.write(format, text));
 }

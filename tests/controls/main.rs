@@ -11,3 +11,4 @@ mod pipe_rollover;
 mod programs;
 mod rotary_axes;
 mod round_trip;
+mod word_order;

@@ -8,7 +8,7 @@ use crate::gcode::control::{
     FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
     MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Post,
     Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
-    ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, Writing,
+    ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -25,8 +25,8 @@ pub static FAGOR_8055: Control = Control {
             "Fagor Automation, CNC 8055 M, programming manual: list of G functions; header %name,MX--,; comment ;, no empty lines; order of a block G, axes, F, S, T, D, M; numbers ±5.4; N 0 to 99999999; G70 inch and G71 millimetre; G43 and G44; G94, F along the resultant of the axes, degrees taken as millimetres",
         ),
         t(
-            "Fagor Automation, CNC 8055 M, solución de errores (Ref. 1310), errores 0054 y 1085: en un arco de G17 K es el paso de una hélice, siempre positivo",
-            "Fagor Automation, CNC 8055 M, error solution (Ref. 1310), errors 0054 and 1085: in an arc of G17 K is the pitch of a helix, always positive",
+            "Fagor Automation, CNC 8055 M, solución de errores (Ref. 1310), errores 0054 y 1085: en un arco de G17 K es el paso de una hélice, siempre positivo; 0002 a 0004, 0009, 0012 y 0048: orden G, ejes X Y Z U V W A B C, F S T D, M (manual de programación, p. 47 y 65)",
+            "Fagor Automation, CNC 8055 M, error solution (Ref. 1310), errors 0054 and 1085: in an arc of G17 K is the pitch of a helix, always positive; 0002 to 0004, 0009, 0012 and 0048: order G, axes X Y Z U V W A B C, F S T D, M (programming manual, p. 47 and 65)",
         ),
         FRAME,
     ],
@@ -40,6 +40,10 @@ pub static FAGOR_8055_T: Control = Control {
         t(
             "Fagor Automation, CNC 8055 T, manual de programación: lista de funciones G",
             "Fagor Automation, CNC 8055 T, programming manual: list of G functions",
+        ),
+        t(
+            "del orden de las palabras de un bloque no había página del 8055 T a mano: se toma el del 8055 M, con sus errores 0002 a 0004, 0009, 0012 y 0048",
+            "of the order of the words of a block no page of the 8055 T was at hand: that of the 8055 M is taken, with its errors 0002 to 0004, 0009, 0012 and 0048",
         ),
         FRAME,
         NO_HELIX,
@@ -73,11 +77,12 @@ pub static FAGOR_8070: Control = Control {
     feed: FeedRule { law: FeedLaw::Seconds, ..FAGOR_8055_BASE.feed },
     written: Some(&WRITING_8070),
     codes: &CODES_8070,
-    // Of block numbers, empty lines, switches and decimals no page was at hand. Comments in parentheses: p. 204.
+    // Of block numbers, empty lines, switches, decimals and the order of words no page was at hand. Comments in parentheses: p. 204.
     lexis: Lexis {
         comments: Comments::Either,
         dwell: &[DwellWord { letter: 'K', unit: 1.0 }],
         delete: BlockDelete::Numbered,
+        words: WordOrder::Free,
         empty: EmptyBlock::Passed,
         greatest_number: 999_999_999,
         decimals: Decimals::Free,
@@ -188,6 +193,7 @@ const LEXIS: Lexis = Lexis {
     percent: Percent::Named,
     mark: Mark::Skipped,
     lone_return: LoneReturn::EndsLine,
+    words: WordOrder::Ranked,
     empty: EmptyBlock::Rejected,
     greatest_number: 99_999_999,
     decimals: Decimals::FourOrFive,

@@ -15,7 +15,7 @@ use crate::gcode::control::{
     FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark, MissingFeed,
     NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii, RadiusRule,
     Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolCall,
-    ToolChange, Turns, UnitChange, UnsaidFeed,
+    ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -60,6 +60,7 @@ pub static FANUC_LATHE_A: Control = Control {
         percent: Percent::Leader,
         mark: Mark::Skipped,
         lone_return: LoneReturn::EndsLine,
+        words: WordOrder::Free,
         empty: EmptyBlock::Passed,
         greatest_number: 999_999_999,
         decimals: Decimals::Free,

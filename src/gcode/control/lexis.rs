@@ -1,6 +1,6 @@
 //! The characters of a program: letters, comments, expressions, `/` and `%`.
 
-use super::DwellWord;
+use super::{DwellWord, WordOrder};
 use crate::gcode::letters::Letters;
 
 /// What a control reads beside letters with numbers.
@@ -327,6 +327,8 @@ pub struct Lexis {
     pub mark: Mark,
     /// A carriage return without a line feed behind it.
     pub lone_return: LoneReturn,
+    /// The order of the words of a block, as read and as written.
+    pub words: WordOrder,
     /// A block without words.
     pub empty: EmptyBlock,
     /// The greatest block number N that is read.

@@ -8,7 +8,7 @@ use crate::gcode::control::{
     FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
     MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii, RadiusRule,
     Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks,
-    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, Writing,
+    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -43,6 +43,7 @@ pub static LINUXCNC: Control = Control {
         percent: Percent::Pair,
         mark: Mark::Rejected,
         lone_return: LoneReturn::Rejected,
+        words: WordOrder::Free,
         empty: EmptyBlock::Passed,
         greatest_number: 999_999_999,
         decimals: Decimals::Free,

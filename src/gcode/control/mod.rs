@@ -20,6 +20,7 @@ mod rotary;
 mod spindle;
 mod told;
 mod tool;
+mod word_order;
 mod writing;
 
 pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments, NegativeRadius, Radii};
@@ -40,6 +41,7 @@ pub use self::rotary::{Rollover, RotaryMode, RotaryRule};
 pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
 pub use self::told::Feature;
 pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
+pub use self::word_order::{Disorder, WordOrder, WordsSeen};
 pub use self::writing::{CommentForm, Opening, Post, TextForm, Writing};
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};

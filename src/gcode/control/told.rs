@@ -8,7 +8,7 @@ use super::{
     FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
     MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii,
     RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
-    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, Writing,
+    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -60,6 +60,7 @@ impl Features {
             percent,
             mark,
             lone_return,
+            words,
             empty,
             greatest_number,
             decimals,
@@ -87,6 +88,7 @@ impl Features {
         self.row(t("principio y fin del texto", "begin and end of the text"), percent.told());
         self.row(t("marca de orden de bytes (BOM)", "byte order mark (BOM)"), mark.told());
         self.row(t("CR sin LF detrás", "CR without an LF behind it"), lone_return.told());
+        self.row(t("orden de las palabras de un bloque", "order of the words of a block"), words.told());
         self.row(t("bloque sin palabras", "block without words"), empty.told());
         self.row(
             t("mayor número de bloque que se lee", "largest block number as read"),
@@ -361,6 +363,10 @@ told! {
     LoneReturn {
         Self::EndsLine => "termina la línea", "ends the line";
         Self::Rejected => "se rechaza: el control lo toma por un espacio", "rejected: the control takes it for a blank";
+    }
+    WordOrder {
+        Self::Free => "cualquiera", "any";
+        Self::Ranked => "G, ejes X Y Z U V W A B C, F S T D, M: otro se rechaza; I, J, K y R, donde estén", "G, axes X Y Z U V W A B C, F S T D, M: another is rejected; I, J, K and R anywhere";
     }
     EmptyBlock {
         Self::Passed => "se pasa por alto", "passed over";

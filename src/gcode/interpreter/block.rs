@@ -1,6 +1,7 @@
 //! What stands in one block.
 
 use crate::gcode::code::{G, GROUPS, Group, M};
+use crate::gcode::control::WordsSeen;
 use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::turning::edge::Square;
@@ -99,6 +100,10 @@ pub(super) struct Block {
     pub(super) machine_codes: usize,
     /// Parameters set by the block, once it has been read.
     pub(super) settings: Vec<(Parameter, f64)>,
+    /// Which words may still come.
+    pub(super) seen: WordsSeen,
+    /// It begins with `/`: a switch of the control may pass over it.
+    pub(super) skippable: bool,
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a line has at most 4096 characters")]
@@ -126,6 +131,8 @@ impl Block {
             m_columns: [0; MACHINE_GROUPS],
             machine_codes: 0,
             settings: Vec::new(),
+            seen: WordsSeen::NONE,
+            skippable: false,
         }
     }
 
@@ -145,6 +152,8 @@ impl Block {
         self.machine_groups = 0;
         self.machine_codes = 0;
         self.settings.clear();
+        self.seen = WordsSeen::NONE;
+        self.skippable = false;
     }
 
     /// True where a letter has a word.

@@ -5,11 +5,12 @@
 use crate::finding::Size;
 use crate::gcode::code::M;
 use crate::gcode::in_force::Spindle;
+use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{FeedMode, MotionKind};
 use crate::gcode::rules::modes::{
-    CutsBeforeSpindle, GreatFeedPerTurn, LengthNotInForce, LengthOfAnother, SpindleStopped,
+    CutsBeforeSpindle, CutsWithoutSpeed, GreatFeedPerTurn, LengthNotInForce, LengthOfAnother, SpindleStopped,
 };
 use crate::limits::GREATEST_FEED_PER_TURN;
 use crate::machine::axis::{Axis, Pose};
@@ -23,6 +24,12 @@ pub(super) struct SpindleSeen {
     speed: bool,
     /// The first motion at feed before any of the three.
     cut_before: Option<Spot>,
+    /// The first motion at feed under M3 or M4 at a speed of 0.
+    cut_still: Option<Spot>,
+    /// What turns at it is a spindle, and no torch that M3 lights.
+    no_torch: bool,
+    /// M5 has been programmed.
+    off: bool,
 }
 
 impl Reader<'_, '_> {
@@ -30,6 +37,8 @@ impl Reader<'_, '_> {
     pub(super) fn see_spindle(&mut self) {
         let code = self.block.m(7).map(|(code, _)| code);
         self.memory.spindle.speed |= self.state.modal.speed > 0.0;
+        self.memory.spindle.off |= code == Some(M::SpindleOff);
+        self.memory.spindle.no_torch |= self.block.has(letter::S);
         self.memory.spindle.said |= matches!(code, Some(M::Spindle(_) | M::SpindleOff));
         if matches!(code, Some(M::Spindle(_))) {
             self.remark_cut_before_spindle();
@@ -49,11 +58,39 @@ impl Reader<'_, '_> {
         if self.memory.spindle.speed {
             self.remark_cut_before_spindle();
         }
+        self.remark_cut_still();
+    }
+
+    /// A cut under M3 or M4 without a speed. A torch or a laser is lit by M3 for its cuts alone and put out by M5: a program without any S that
+    /// makes no rapid motion with it on is one of those, and has no speed to say.
+    fn remark_cut_still(&mut self) {
+        let SpindleSeen { cut_still, no_torch, off, speed, .. } = &self.memory.spindle;
+        if let Some(spot) = *cut_still
+            && (*no_torch || *speed || !*off)
+        {
+            self.memory.remarks.row(&CutsWithoutSpeed {}, spot, None);
+        }
+    }
+
+    /// True where the spindle turns at no speed that the program has said. Of G96 without S another caution speaks.
+    fn turns_without_speed(&self) -> bool {
+        let modal = &self.state.modal;
+        modal.spindle != Spindle::Stopped
+            && modal.speed <= 0.0
+            && !modal.constant_surface_speed
+            && !self.in_doubt(doubt::SPINDLE | doubt::SPEED)
     }
 
     /// Sees whether what a motion at feed needs is in force.
     pub(super) fn see_cut(&mut self, kind: MotionKind, to: &Pose) {
-        let (MotionKind::Feed(feed) | MotionKind::Arc(_, feed)) = kind else { return };
+        let feed = match kind {
+            MotionKind::Feed(feed) | MotionKind::Arc(_, feed) => feed,
+            MotionKind::Rapid => {
+                self.memory.spindle.no_torch |= self.turns_without_speed();
+                return;
+            }
+            MotionKind::Thread(_) | MotionKind::Dwell(_) => return,
+        };
         let along = |axis: &Axis| to.get(*axis) != self.state.at.get(*axis);
         if !Axis::ALL.iter().filter(|axis| !axis.rotary()).any(along) {
             return;
@@ -62,6 +99,9 @@ impl Reader<'_, '_> {
         if feed.mode == FeedMode::PerRevolution && feed.value > GREATEST_FEED_PER_TURN && !self.in_doubt(doubt::FEED) {
             let row = GreatFeedPerTurn { feed: Size { value: feed.value, unit: "mm/rev", decimals: 3 } };
             self.memory.remarks.row(&row, spot, None);
+        }
+        if self.turns_without_speed() {
+            self.memory.spindle.cut_still.get_or_insert(spot);
         }
         if self.memory.control.turns() {
             return;
@@ -159,9 +199,19 @@ mod tests {
         for (blocks, told) in [
             ("S900 M3|G1 X1", &[][..]),
             ("G1 X1", &[]),
-            ("M3|G0 X1|M5|G0 X2|M3|G1 X3", &[]),
+            ("S900 M3|G0 X1|M5|G0 X2|M3|G1 X3", &[]),
             ("S900|G1 X1", &["G0530"]),
-            ("G1 X1|M3|G1 X2", &["G0530"]),
+            ("G1 X1|M3 S900|G1 X2", &["G0530"]),
+            ("M3|G0 X1|M5|G0 X2|M3|G1 X3", &["G0538"]),
+            ("M3|G1 X1", &["G0538"]),
+            ("S0 M3|G1 X1|M5", &["G0538"]),
+            ("M4 S0|G1 X1|S900|G1 X2|M5", &["G0538"]),
+            ("S900 M3|G1 X1|S0|G1 X2|M5", &["G0538"]),
+            ("M3|S900|G1 X1", &[]),
+            ("M3|G0 X1|G1 A90", &[]),
+            // A torch: lit for its cuts alone.
+            ("G0 X1|M3|G4 P1|G1 X2|M5|G0 X9|M3|G1 X3|M5", &[]),
+            ("G0 X1|M3|G4 P1|G1 X2|G0 X9|G1 X3|M5", &["G0538"]),
             ("S900 M3|G1 X1|M5|G1 X2", &["G0531"]),
             ("S900 M3|G1 X1|M19 R0|G1 X2", &["G0531"]),
             ("S900 M3|G1 X1|T1 M6|G43|G1 X2", &["G0531"]),

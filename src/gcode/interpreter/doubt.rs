@@ -203,6 +203,11 @@ impl Reader<'_, '_> {
 }
 
 impl Doubts {
+    /// True where a block has been refused.
+    pub(super) const fn any_refused(&self) -> bool {
+        self.since.is_some()
+    }
+
     /// The sentence about the refusals that were left out.
     pub(super) fn left_out(&self) -> Option<Finding> {
         let Self { left_out, because, since, .. } = self;

@@ -66,7 +66,7 @@ impl Reader<'_, '_> {
                 return Err(Refused::of(&SwitchUnknown { switch: switch.into(), most: switches.into() }, &[column]));
             }
             Some(_) if self.memory.setting.block_delete => return Ok(None),
-            _ => {}
+            switch => self.block.skippable = switch.is_some(),
         }
         let column = cursor.column();
         if cursor.accept(b'n') {

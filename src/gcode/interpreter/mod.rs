@@ -75,6 +75,7 @@ pub mod tool_table;
 mod turning;
 mod turret;
 mod units;
+mod unreached;
 
 use std::collections::VecDeque;
 

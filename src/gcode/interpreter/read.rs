@@ -1,7 +1,7 @@
 //! From a line to a block.
 
 use crate::gcode::code::{G, Group, M, TurningCycle};
-use crate::gcode::control::ALL;
+use crate::gcode::control::{ALL, Disorder};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent, letter_for_zero};
@@ -13,7 +13,7 @@ use crate::gcode::rules::words::{
     BlockRepeated, CodeNotSupported, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize, EdgeTwice,
     FeedOrSpeedTooGreat, LetterNotSupported, LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder,
     MachineCodesTooMany, MacroLanguage, Macros, Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup,
-    Unknown, UnknownToAll, WordTooGreat, WordTwice,
+    Unknown, UnknownToAll, WordTooGreat, WordTwice, WordsOutOfOrder,
 };
 use crate::limits::COUNT;
 use crate::machine::length_unit::LengthUnit;
@@ -150,10 +150,13 @@ impl Reader<'_, '_> {
             Some(G::Refused(_, name) | G::RefusedCycle(name)) => {
                 Err(Refused::of(&CodeNotSupported { code: value, reason: t(name.0, name.1) }, &[column]))
             }
-            Some(g) => self.block.put_g(g, column).map_err(|first| {
-                let group = g.group().name();
-                Refused::of(&TwoCodesOfGroup { group }, &[first, column])
-            }),
+            Some(g) => {
+                self.in_order('G', value, column)?;
+                self.block.put_g(g, column).map_err(|first| {
+                    let group = g.group().name();
+                    Refused::of(&TwoCodesOfGroup { group }, &[first, column])
+                })
+            }
             None => Err(self.unknown('G', value, column)),
         }
     }
@@ -173,6 +176,7 @@ impl Reader<'_, '_> {
                 Err(Refused::of(&MachineCodeNotSupported { code: number, reason: t(name.0, name.1) }, &[column]))
             }
             Some((number, m)) => {
+                self.in_order('M', value, column)?;
                 if m == M::User {
                     let spot = self.block.spot;
                     self.memory.remarks.row(&MachineCodeOfBuilder { code: number }, spot, Some(column));
@@ -278,9 +282,24 @@ impl Reader<'_, '_> {
         if self.memory.control.lexis.point.by_setting() {
             self.see_point(index, &number, column)?;
         }
+        if self.fagor_cycle() {
+            self.memory.control.lexis.words.take_of_cycle(&mut self.block.seen, name(letter), column);
+        } else {
+            self.in_order(name(letter), value, column)?;
+        }
         self.block.put(index.into(), value, column).map_err(|first| match cursor.glued {
             Some(column) if index == E => exponent(column),
             _ => twice(name(letter), first, column),
+        })
+    }
+
+    /// Refuses a word behind one that the control wants it to stand before.
+    fn in_order(&mut self, letter: char, number: f64, column: usize) -> Result<()> {
+        let order = self.memory.control.lexis.words;
+        order.take(&mut self.block.seen, letter, number, column).map_err(|Disorder { behind, column: first, error }| {
+            let error = error.map_or_else(String::new, |error| format!(" (error {error})"));
+            let row = WordsOutOfOrder { word: format!("{letter}{number}"), behind, error };
+            Refused::of(&row, &[column, first])
         })
     }
 

@@ -191,6 +191,13 @@ fn inside(mark: &OWord, outer: &OWord) -> Box<Refused> {
     )
 }
 
+impl OWord {
+    /// True where what follows is run on a condition, or more than once.
+    pub(super) const fn opens_clause(&self) -> bool {
+        matches!(self.word, Word::If | Word::ElseIf | Word::Else | Word::While | Word::Do | Word::Repeat)
+    }
+}
+
 impl Structure {
     /// Looks through a file up to the second `%`.
     ///

@@ -266,4 +266,11 @@ rules! {
         why "0.2 mm por vuelta leídos por minuto paran la herramienta; 100 mm por minuto leídos por vuelta la rompen.",
             "0.2 mm per revolution read per minute stops the tool; 100 mm per minute read per revolution breaks it.";
         example Example::program("fagor-8055-t", "G71 G90 S500 M3|G0 X48 Z2|G1 Z-20 F0.2|M30", "3");
+    "G0538" CutsWithoutSpeed Caution {}
+        es "movimiento de avance con M3 o M4 y sin S, o con S0"
+        en "feed move under M3 or M4 without S, or with S0"
+        remedy "programe S con M3 o M4", "program S with M3 or M4";
+        why "Sin S la fresa o la pieza gira a la velocidad de antes, o no gira.",
+            "Without S the cutter or the part turns at the speed of before, or does not turn.";
+        example Example::program("linuxcnc", "G21 G90 M3|G0 Z5|G1 Z-2 F100|M5|M2", "3");
 }

@@ -227,6 +227,14 @@ rules! {
             "write R: the radius where the cut begins less the one where it ends; in G94, the Z where it begins less the one where it ends";
         why "Sin R el ciclo corta un cilindro, o una cara plana.", "Without R the cycle cuts a cylinder, or a plane face.";
         example Example::program("fanuc-lathe-a", "G21 G99|G0 X54. Z2.|G92 X50. Z-20. I-1. F2.|M30", "3:16");
+    "G0132" WordsOutOfOrder Stop { word: String, behind: char, error: String }
+        es "{word} está detrás de {behind}, y el control pide otro orden{error}"
+        en "{word} stands behind {behind}, and the control wants another order{error}"
+        remedy "escriba las palabras del bloque en el orden G, X Y Z U V W A B C, F S T D, M",
+            "write the words of the block in the order G, X Y Z U V W A B C, F S T D, M";
+        why "El control comprueba el orden de las palabras y no ejecuta un bloque que tenga otro.",
+            "The control checks the order of the words and does not run a block that has another.";
+        example Example::program("fagor-8055", "G71 G90 G94|G1 A10 X5 F100|M30", "2:8");
     "G0134" PolarByLetters Stop { letter: char, first: char, second: char }
         es "{letter}: programación polar o con ángulo, que rodete no sigue"
         en "{letter}: polar or angle programming, which rodete does not follow"

@@ -59,7 +59,9 @@ use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
-use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, NoSpeedLimit, SpindleStopped, SurfaceSpeedMissing};
+use crate::gcode::rules::modes::{
+    CutsBeforeSpindle, CutsWithoutSpeed, NoFeed, NoSpeedLimit, SpindleStopped, SurfaceSpeedMissing,
+};
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
 use crate::kind::method::{Method, Unproved};
@@ -133,8 +135,14 @@ impl Method for Impeller {
     const RULES: &'static [&'static [&'static Rule]] =
         &[kinds::rules::RULES, rules::RULES, clear::rules::RULES, proof::rules::RULES];
     // A published program has neither feed nor speed nor spindle, as its own caution says, and of the limit of the blank's speed its judge speaks.
-    const ANSWERED: &'static [&'static Rule] =
-        &[NoFeed::RULE, NoSpeedLimit::RULE, SurfaceSpeedMissing::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE];
+    const ANSWERED: &'static [&'static Rule] = &[
+        NoFeed::RULE,
+        NoSpeedLimit::RULE,
+        SurfaceSpeedMissing::RULE,
+        CutsBeforeSpindle::RULE,
+        CutsWithoutSpeed::RULE,
+        SpindleStopped::RULE,
+    ];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../report-templates/impeller/labels.typ"),
         method: [

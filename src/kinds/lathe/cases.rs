@@ -231,7 +231,7 @@ fn shaft_lists(language: Language) -> Vec<Rows> {
 
 const BLANK: &[&str] = &[
     "N5 G92 S2500",
-    "N10 G0 G71 G90 G95 G96 S300 X80 Z50 M3",
+    "N10 G0 G71 G90 G95 G96 X80 Z50 S300 M3",
     "N20 T1 D1",
     "N25 M8",
     "N30 X55 Z0",

@@ -70,7 +70,7 @@ fn increments_are_the_same_under_both_settings() {
     let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
     let published = |name: &str| std::fs::read_to_string(golden.join(name)).expect("a published program");
     let programs = [
-        "G91 G1 F100 C-90\nC720\nC-0\nG90 X5\nM30\n".to_owned(),
+        "G91 G1 C-90 F100\nC720\nC-0\nG90 X5\nM30\n".to_owned(),
         published("annex-09-blade-as-printed.nc"),
         published("annex-10-splitter-as-printed.nc"),
     ];
@@ -82,7 +82,7 @@ fn increments_are_the_same_under_both_settings() {
 
 #[test]
 fn an_absolute_program_for_linear_axes_turns_the_other_way_where_they_are_rollover() {
-    let program = "G90 G0 C-270\nG1 F100 C-265.5\nX1 C-261\nX2 C270\nX3 C265.5\nX4 C261.25\nM30\n";
+    let program = "G90 G0 C-270\nG1 C-265.5 F100\nX1 C-261\nX2 C270\nX3 C265.5\nX4 C261.25\nM30\n";
     let linear = read(&FAGOR_8055, Some(RotaryMode::Linear), program);
     assert_eq!(linear.ends, [-270.0, -265.5, -261.0, 270.0, 265.5, 261.25]);
     let rollover = read(&FAGOR_8055, None, program);

@@ -142,7 +142,7 @@ fn the_control_shows_the_side_of_each_motion() {
 
 #[test]
 fn a_fagor_program_moves_the_same_tip() {
-    let text = "%LATHE,MX--,\nG18 G71 G90 G94 G97 G40\nT1 D1\nM3 S500\nG0 X40 Z5\nG42 G1 X0 Z0 F120\nX16\nX20 Z-2\nG4 K50\nZ-20\n\
+    let text = "%LATHE,MX--,\nG18 G71 G90 G94 G97 G40\nT1 D1\nS500 M3\nG0 X40 Z5\nG42 G1 X0 Z0 F120\nX16\nX20 Z-2\nG4 K50\nZ-20\n\
         G2 X30 Z-25 R5\nG1 X38\nG40 X50 Z5\nM30\n";
     let run = clean(&FAGOR_8055_T, text);
     let moved: Vec<&Motion> = run
@@ -315,7 +315,7 @@ fn moves_to_the_reference_point_end_the_compensation_and_it_starts_up_again() {
 
 #[test]
 fn a_fagor_program_loses_its_compensation_at_g53_and_is_told() {
-    let text = "%LATHE,MX--,\nG18 G71 G90 G94 G97 G40\nT1 D1\nM3 S500\nG0 X40 Z5\nG42 G1 X20 Z2 F120\nZ-10\nG0 G53 X200 Z100\n\
+    let text = "%LATHE,MX--,\nG18 G71 G90 G94 G97 G40\nT1 D1\nS500 M3\nG0 X40 Z5\nG42 G1 X20 Z2 F120\nZ-10\nG0 G53 X200 Z100\n\
         G0 X40 Z5\nG1 Z-3\nM30\n";
     let run = clean(&FAGOR_8055_T, text);
     near(end(&run.motions.last().unwrap().0), [-3.0, 20.0]);

@@ -24,8 +24,9 @@ use crate::figure::Figure;
 use crate::finding::{Finding, Grade, Place, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
+use crate::gcode::lines::write_block;
 use crate::gcode::program::Program;
-use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
+use crate::gcode::rules::modes::{CutsBeforeSpindle, CutsWithoutSpeed, NoFeed, SpindleStopped};
 use crate::gcode::word::{Distance, NumberFormat};
 use crate::kind::live_form::LiveForm;
 use crate::kind::measure::{Measure, Suggested};
@@ -83,7 +84,8 @@ impl Method for Hole {
     const RULES: &'static [&'static [&'static Rule]] =
         &[kinds::rules::RULES, pipe::rules::RULES, rules::RULES, proof::rules::RULES];
     // A torch does not turn, and the feed has its judge.
-    const ANSWERED: &'static [&'static Rule] = &[NoFeed::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE];
+    const ANSWERED: &'static [&'static Rule] =
+        &[NoFeed::RULE, CutsBeforeSpindle::RULE, CutsWithoutSpeed::RULE, SpindleStopped::RULE];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-hole/labels.typ"),
         method: [
@@ -194,7 +196,7 @@ impl Method for Hole {
     fn setup(design: &Design, _: &Model) -> Vec<(&'static str, Shown)> {
         let codes = |on| {
             let mut block = String::new();
-            hold(design, on)?.into_iter().for_each(|word| word.write(NumberFormat::Fixed, &mut block));
+            write_block(design.post.control, &mut hold(design, on)?, NumberFormat::Fixed, &mut block);
             Some(Shown::Words(block))
         };
         let holds = [("hold-on", codes(true)), ("hold-off", codes(false))];

@@ -41,7 +41,7 @@ use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
-use crate::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
+use crate::gcode::rules::modes::{CutsBeforeSpindle, CutsWithoutSpeed, NoFeed, SpindleStopped};
 use crate::gcode::rules::words::DecimalsTooMany;
 use crate::gcode::word::Distance;
 use crate::kind::live_form::LiveForm;
@@ -106,7 +106,7 @@ impl Method for Insert {
         &[kinds::rules::RULES, pipe::rules::RULES, rules::RULES, proof::rules::RULES];
     // A torch does not turn, and the published program has no feed; of its six decimals a caution of its own speaks.
     const ANSWERED: &'static [&'static Rule] =
-        &[NoFeed::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE, DecimalsTooMany::RULE];
+        &[NoFeed::RULE, CutsBeforeSpindle::RULE, CutsWithoutSpeed::RULE, SpindleStopped::RULE, DecimalsTooMany::RULE];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-insert/labels.typ"),
         method: [
