@@ -525,8 +525,8 @@ fn chosen<T: Chosen + Send + Sync>() -> impl TypedValueParser<Value = T> {
 }
 
 fn rotary() -> impl TypedValueParser<Value = RotaryMode> {
-    PossibleValuesParser::new([RotaryMode::Linear, RotaryMode::Rollover].map(RotaryMode::name))
-        .map(|rule| if rule == RotaryMode::Rollover.name() { RotaryMode::Rollover } else { RotaryMode::Linear })
+    PossibleValuesParser::new(RotaryMode::ALL.map(RotaryMode::name))
+        .try_map(|name| RotaryMode::named(&name).ok_or(name))
 }
 
 #[cfg(test)]
