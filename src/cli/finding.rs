@@ -85,9 +85,10 @@ pub(super) fn beside<'f>(
 /// Prints how to learn more of the first code that needs attention, as the last line; nothing where none was printed.
 pub(super) fn more(terminal: &mut Terminal) {
     let Some((code, language)) = terminal.told else { return };
+    let program = &terminal.program;
     let text = Text::new(
-        format!("rodete explain {code} dice qué significa, con un ejemplo"),
-        format!("rodete explain {code} says what it means, with an example"),
+        format!("{program} explain {code} dice qué significa, con un ejemplo"),
+        format!("{program} explain {code} says what it means, with an example"),
     );
     let text = wrapped(text.get(language), 2, terminal.width);
     terminal.err(&text);
