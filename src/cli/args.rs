@@ -8,6 +8,7 @@ use clap::error::Error;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::aot::Shell;
 
+use super::called::called;
 use super::locale::language;
 use super::stock::Stock;
 use super::sweep::args::Sweep;
@@ -30,8 +31,8 @@ pub(super) struct Arguments {
 }
 
 impl Arguments {
-    /// The command line of a binary with these kinds of workbooks, the usual one first.
-    pub(super) fn command(kinds: &[&dyn Kind]) -> clap::Command {
+    /// The command line of a binary of this name with these kinds of workbooks, the usual one first.
+    pub(super) fn command(program: &str, kinds: &[&dyn Kind]) -> clap::Command {
         let forms = || kinds.iter().map(|kind| kind.form());
         let names = PossibleValuesParser::new(forms().map(|form| form.kind));
         let cases = PossibleValuesParser::new(kinds.iter().flat_map(|kind| kind.cases()).map(|case| case.name));
@@ -41,27 +42,33 @@ impl Arguments {
             [] => String::new(),
             others => format!("{:32}(other kinds: {})\n", "", others.join(", ")),
         };
-        let line = |words: &str, what: &str| format!("  {words:<28}  {what}\n");
+        let line = |words: &str, what: &str| format!("  {:<28}  {what}\n", format!("{program} {words}"));
         let how = [
-            line(&format!("rodete new {kind}"), &format!("writes {kind}.xlsx, ready to edit in Excel")),
+            line(&format!("new {kind}"), &format!("writes {kind}.xlsx, ready to edit in Excel")),
             others,
-            line(&format!("rodete check {kind}.xlsx"), "shows the limits and what would stop a build"),
-            line(&format!("rodete build {kind}.xlsx"), &format!("writes tables, programs and a report to {kind}-out")),
-            line(&format!("rodete watch {kind}.xlsx"), "builds again whenever the workbook is saved"),
-            line(&format!("rodete compare {kind}.xlsx B.xlsx"), "shows how two workbooks and their programs differ"),
-            line(&format!("rodete sweep {kind}-sweep.xlsx"), "works out every variant that the sheet SWEEP asks for"),
-            line(
-                &format!("rodete view {kind}.xlsx"),
-                &format!("writes {kind}.html: part and programs, to play in a browser"),
-            ),
-            line("rodete verify program.nc", "reads a program as the control would and sums it up"),
-            line("rodete simulate part.nc", "simulates a turning program before you run it"),
-            line("rodete offsets linuxcnc.var", "shows the work offsets of a LinuxCNC machine"),
-            line("rodete explain L0131", "explains a code: what it means, the remedy, an example"),
+            line(&format!("check {kind}.xlsx"), "shows the limits and what would stop a build"),
+            line(&format!("build {kind}.xlsx"), &format!("writes tables, programs and a report to {kind}-out")),
+            line(&format!("watch {kind}.xlsx"), "builds again whenever the workbook is saved"),
+            line(&format!("compare {kind}.xlsx B.xlsx"), "shows how two workbooks and their programs differ"),
+            line(&format!("sweep {kind}-sweep.xlsx"), "works out every variant that the sheet SWEEP asks for"),
+            line(&format!("view {kind}.xlsx"), &format!("writes {kind}.html: part and programs, to play in a browser")),
+            line("verify program.nc", "reads a program as the control would and sums it up"),
+            line("simulate part.nc", "simulates a turning program before you run it"),
+            line("offsets linuxcnc.var", "shows the work offsets of a LinuxCNC machine"),
+            line("explain L0131", "explains a code: what it means, the remedy, an example"),
         ];
         <Self as CommandFactory>::command()
-            .after_help(format!("Start with `rodete new {kind}`, edit the workbook, then `rodete build {kind}.xlsx`."))
+            .after_help(format!(
+                "Start with `{program} new {kind}`, edit the workbook, then `{program} build {kind}.xlsx`."
+            ))
             .after_long_help(format!("How to work with it:\n{}{}", how.concat(), exits()))
+            // Examples are written for `rodete` and its usual kind.
+            .mut_subcommands(|command| match command.get_after_help().map(ToString::to_string) {
+                Some(example) => {
+                    command.after_help(example.replace("rodete ", &format!("{program} ")).replace("impeller", kind))
+                }
+                None => command,
+            })
             .mut_subcommands(|command| match command.get_name() {
                 "new" => command.mut_args(|argument| match argument.get_id().as_str() {
                     "kind" => argument.value_parser(names.clone()),
@@ -77,7 +84,8 @@ impl Arguments {
     /// # Errors
     /// Help, version, or what is wrong with it.
     pub(super) fn read(words: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -> Result<Self, Error> {
-        let mut command = Self::command(kinds);
+        let words: Vec<OsString> = words.into_iter().collect();
+        let mut command = Self::command(&called(words.first()), kinds);
         let matches = command.try_get_matches_from_mut(words)?;
         Self::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
     }
@@ -525,23 +533,24 @@ fn chosen<T: Chosen + Send + Sync>() -> impl TypedValueParser<Value = T> {
 }
 
 fn rotary() -> impl TypedValueParser<Value = RotaryMode> {
-    PossibleValuesParser::new([RotaryMode::Linear, RotaryMode::Rollover].map(RotaryMode::name))
-        .map(|rule| if rule == RotaryMode::Rollover.name() { RotaryMode::Rollover } else { RotaryMode::Linear })
+    PossibleValuesParser::new(RotaryMode::ALL.map(RotaryMode::name))
+        .try_map(|name| RotaryMode::named(&name).ok_or(name))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::called::RODETE;
     use crate::kinds::KINDS;
 
     #[test]
     fn the_command_line_is_well_formed() {
-        Arguments::command(KINDS).debug_assert();
+        Arguments::command(RODETE, KINDS).debug_assert();
     }
 
     #[test]
     fn every_command_has_an_example_and_a_man_page() {
-        let whole = Arguments::command(KINDS);
+        let whole = Arguments::command(RODETE, KINDS);
         let names: Vec<&str> = whole.get_subcommands().map(clap::Command::get_name).collect();
         assert_eq!(names, COMMANDS);
         for command in whole.get_subcommands() {

@@ -1,13 +1,11 @@
 //! The door through which findings are printed: each in three parts, what, where, what to do.
 
-use std::cmp::Reverse;
-
 use anstyle::{AnsiColor, Style};
 use textwrap::{Options, fill};
 
 use super::terminal::Terminal;
 use crate::escape::printable;
-use crate::finding::{CellPlace, Finding, Grade, Place};
+use crate::finding::{CellPlace, Finding, Grade, Place, gravest_first};
 use crate::limits::LISTED_FINDINGS;
 use crate::text::{Language, Text, t};
 
@@ -87,9 +85,10 @@ pub(super) fn beside<'f>(
 /// Prints how to learn more of the first code that needs attention, as the last line; nothing where none was printed.
 pub(super) fn more(terminal: &mut Terminal) {
     let Some((code, language)) = terminal.told else { return };
+    let program = &terminal.program;
     let text = Text::new(
-        format!("rodete explain {code} dice qué significa, con un ejemplo"),
-        format!("rodete explain {code} says what it means, with an example"),
+        format!("{program} explain {code} dice qué significa, con un ejemplo"),
+        format!("{program} explain {code} says what it means, with an example"),
     );
     let text = wrapped(text.get(language), 2, terminal.width);
     terminal.err(&text);
@@ -99,7 +98,7 @@ pub(super) fn more(terminal: &mut Terminal) {
 fn remember<'f>(findings: impl IntoIterator<Item = &'f Finding>, language: Language, terminal: &mut Terminal) {
     if terminal.told.is_none() {
         let mut faults: Vec<_> = findings.into_iter().filter(|finding| finding.grade > Grade::Note).collect();
-        faults.sort_by_key(|finding| Reverse(finding.grade));
+        gravest_first(&mut faults);
         let printed = faults.into_iter().take(LISTED_FINDINGS);
         terminal.told = printed.map(|finding| (finding.rule().code, language)).next();
     }
@@ -114,7 +113,7 @@ fn list(
     width: Option<usize>,
 ) -> String {
     let mut wanted: Vec<_> = findings.iter().filter(|finding| grades(finding.grade)).collect();
-    wanted.sort_by_key(|finding| Reverse(finding.grade));
+    gravest_first(&mut wanted);
     let mut text: String =
         wanted.iter().take(LISTED_FINDINGS).map(|finding| one(finding, names, language, width)).collect();
     if wanted.len() > LISTED_FINDINGS {

@@ -5,6 +5,7 @@
 
 mod args;
 mod build;
+mod called;
 mod compare;
 mod completions;
 mod delivery;
@@ -78,7 +79,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -
         return crate::typeset::embedded::compile(&arguments[2..]);
     }
     fault::note_panics();
-    let mut terminal = Terminal::new();
+    let mut terminal = Terminal::new(called::called(arguments.first()));
     let mut exit = match fault::guarded(|| command(arguments, kinds, &mut terminal)) {
         Ok(exit) => exit,
         Err(refusal) => refused(&refusal, spoken(None, None), &mut terminal),

@@ -34,9 +34,10 @@ pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal)
                     (false, Some(_)) => ("build", " --into"),
                     (false, None) => ("build", ""),
                 };
+                let program = &terminal.program;
                 let text = Text::new(
-                    format!("{path} está listo para rellenar; después: rodete {command} {word}{end}\n"),
-                    format!("{path} is ready to edit; then: rodete {command} {word}{end}\n"),
+                    format!("{path} está listo para rellenar; después: {program} {command} {word}{end}\n"),
+                    format!("{path} is ready to edit; then: {program} {command} {word}{end}\n"),
                 );
                 terminal.out(text.get(language));
             }

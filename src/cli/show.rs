@@ -26,7 +26,8 @@ pub(super) fn verdict(verdict: &Verdict, writes: bool, language: Language, termi
     finding::notes(&verdict.findings, &workbook, language, terminal);
     terminal.out(&files(verdict));
     let closing = closing(verdict, writes, &workbook, language);
-    terminal.next(|| next(verdict, writes, &workbook, language));
+    let program = terminal.program.clone();
+    terminal.next(|| next(verdict, writes, [&program, &workbook], language));
     if matches!(verdict.exit, Exit::Done | Exit::ReportFailed) {
         terminal.out(&closing)
     } else {
@@ -103,8 +104,8 @@ fn in_cells(finding: &Finding) -> bool {
     finding.grade == Grade::Stop && matches!(finding.place, Place::Cells(_) | Place::Parameters(_))
 }
 
-/// What to do now.
-fn next(verdict: &Verdict, writes: bool, workbook: &str, language: Language) -> String {
+/// What to do now, with the name of the binary and that of the workbook.
+fn next(verdict: &Verdict, writes: bool, [program, workbook]: [&str; 2], language: Language) -> String {
     let written = |ending: &str| {
         let file = verdict.files.iter().find(|file| file.name.to_string_lossy().ends_with(ending));
         file.map(|file| printable_path(&file.path))
@@ -129,7 +130,7 @@ fn next(verdict: &Verdict, writes: bool, workbook: &str, language: Language) -> 
             let word =
                 if workbook.contains(char::is_whitespace) { format!("\"{workbook}\"") } else { workbook.to_owned() };
             let into = if verdict.put_in { " --into" } else { "" };
-            let [es, en] = [cautions.es, cautions.en].map(|first| format!("{first}rodete build {word}{into}"));
+            let [es, en] = [cautions.es, cautions.en].map(|first| format!("{first}{program} build {word}{into}"));
             Text::new(es, en)
         }
         (Exit::Refused, _) if !verdict.findings.iter().any(in_cells) => {

@@ -19,6 +19,8 @@ const NARROWEST: usize = 24;
 pub(super) struct Terminal {
     out: AutoStream<io::Stdout>,
     err: AutoStream<io::Stderr>,
+    /// The name of the running binary.
+    pub(super) program: String,
     /// Columns for text; `None` where standard output is no terminal: lines are not broken.
     pub(super) width: Option<usize>,
     /// The first code of what needs attention that was printed, and the language that it was reported in.
@@ -30,8 +32,8 @@ pub(super) struct Terminal {
 }
 
 impl Terminal {
-    /// The process's streams, with colour only where they are terminals and `NO_COLOR` is not set.
-    pub(super) fn new() -> Self {
+    /// The process's streams for a binary of this name, with colour only where they are terminals and `NO_COLOR` is not set.
+    pub(super) fn new(program: String) -> Self {
         let width = if io::stdout().is_terminal() {
             terminal_size_of(io::stdout()).map(|(columns, _)| usize::from(columns.0).clamp(NARROWEST, WIDEST))
         } else {
@@ -40,6 +42,7 @@ impl Terminal {
         Self {
             out: AutoStream::auto(io::stdout()),
             err: AutoStream::auto(io::stderr()),
+            program,
             width,
             told: None,
             next: None,

@@ -8,7 +8,7 @@ use super::rules::*;
 use super::stock::Stock;
 use super::verdict::Verdict;
 use crate::escape::{printable, printable_path};
-use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal, gravest_first};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::{guess_turning, mills};
 use crate::gcode::in_force::Spindle;
@@ -131,7 +131,7 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
         lathe::simulated(Fields::of(&FORM, values)?, source, Some(program), wants)
             .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
     verdict.findings.extend(outcome.findings.iter().cloned());
-    verdict.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    gravest_first(&mut verdict.findings);
     verdict.quantities.clone_from(&outcome.quantities);
     verdict.exit = outcome.exit();
     Ok(Followed { dialect, stock, outcome, alarms, whole })

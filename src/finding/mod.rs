@@ -8,6 +8,9 @@ pub mod rules;
 #[cfg(test)]
 pub mod sample;
 
+use std::borrow::Borrow;
+use std::cmp::Reverse;
+
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
@@ -252,6 +255,11 @@ impl Finding {
         self.words = None;
         self
     }
+}
+
+/// Puts findings in the order in which they are told: the gravest first, those of one grade as they were.
+pub fn gravest_first(findings: &mut [impl Borrow<Finding>]) {
+    findings.sort_by_key(|finding| Reverse(finding.borrow().grade));
 }
 
 impl Serialize for Finding {

@@ -68,6 +68,11 @@ impl Header {
         };
         self.parts.push(Part::Comment(clean(text)));
     }
+
+    /// Appends the comment of a program that turns by increments: it is true whether its rotary axes roll over or count on.
+    pub fn true_for_both(&mut self) {
+        self.line("VALE CON EJES GIRATORIOS ROLLOVER Y CON LINEALES", "VALID FOR ROLLOVER AND LINEAR ROTARY AXES");
+    }
 }
 
 /// The workbook that a header of rodete's names.

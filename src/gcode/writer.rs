@@ -81,7 +81,7 @@ impl Writer {
         self.post.control
     }
 
-    /// Appends a rapid move: G0 before these words.
+    /// Appends a rapid move: G0 before these words, of which none is a motion code.
     pub fn rapid(&mut self, words: impl IntoIterator<Item = Word>) {
         self.block(std::iter::once(Word::whole('G', 0)).chain(words).collect::<Vec<_>>());
     }
@@ -119,7 +119,8 @@ impl Writer {
         }
     }
 
-    /// A move at feed; F is left out where it is in force already.
+    /// A move at feed, with the motion code that the caller puts first among the words: G1 for a line, G2 or G3 for an arc; none is
+    /// added, for a kind may leave out a code that is in force. F is left out where it is in force already.
     pub fn feed(&mut self, words: impl IntoIterator<Item = Word>, F: FeedWord) {
         let mut words: Vec<Word> = words.into_iter().collect();
         if F.is_written(self.law, self.last) {

@@ -1,6 +1,5 @@
 //! The way of every kind that plans and writes programs, written once.
 
-use std::cmp::Reverse;
 use std::marker::PhantomData;
 use std::sync::LazyLock;
 
@@ -11,7 +10,7 @@ use super::{
     Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Wants, faults, staging,
 };
 use crate::figure::Figure;
-use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule, gravest_first};
 use crate::gcode::control::Control;
 use crate::gcode::fields::RAPID_LINEAR;
 use crate::gcode::header::Origin;
@@ -343,7 +342,7 @@ impl<M: Method> Kind for Of<M> {
         findings.extend(verification.findings);
         let mut findings: Vec<Finding> = findings.into_iter().map(|finding| fields.locate(finding)).collect();
         findings.extend(found);
-        findings.sort_by_key(|finding| Reverse(finding.grade));
+        gravest_first(&mut findings);
         let end = End::of(&findings, false);
         // Of what stops nothing is handed over, nor shown.
         let whole = end == End::Whole;

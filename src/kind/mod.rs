@@ -12,7 +12,6 @@ pub mod method;
 pub mod rules;
 mod staging;
 
-use std::cmp::Reverse;
 use std::fmt;
 use std::ops::Deref;
 use std::sync::LazyLock;
@@ -21,7 +20,7 @@ use serde::Serialize;
 
 use self::rules::PositionOutOfFormat;
 use crate::figure::{Arc, Figure, Paper};
-use crate::finding::{Exit, Finding, Grade, Key, Raise, Refusal, Rule};
+use crate::finding::{Exit, Finding, Grade, Key, Raise, Refusal, Rule, gravest_first};
 use crate::gcode::control::Control;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
@@ -367,7 +366,7 @@ impl Outcome {
     /// Takes in what was found of it afterwards, gravest first.
     pub fn told(&mut self, finding: Finding) {
         self.findings.push(finding);
-        self.findings.sort_by_key(|finding| Reverse(finding.grade));
+        gravest_first(&mut self.findings);
     }
 
     /// The part's name.

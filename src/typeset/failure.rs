@@ -129,6 +129,10 @@ impl ReportFailure {
             Self::OwnTemplateEndless { time } => {
                 TemplateEndless { document, seconds: time.as_secs_f64() }.at(Place::File)
             }
+            Self::Failed { ending: Ending::Status(_), diagnostics, .. } if of_kind(diagnostics) => {
+                let lines = first_lines(diagnostics);
+                KindTemplateRefused { document, lines, version: TYPST_VERSION }.at(Place::File)
+            }
             Self::Failed { built_in: true, ending, diagnostics, .. } => {
                 BuiltInFailed { document, how: ending.how(), lines: first_lines(diagnostics) }.at(Place::File)
             }
@@ -173,6 +177,12 @@ impl Ending {
             ),
         }
     }
+}
+
+/// True where an error is in a file that the workbook kind brings, or names one.
+fn of_kind(diagnostics: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(diagnostics);
+    text.lines().any(|line| line.contains("error: ") && (line.contains("kind/") || line.starts_with("kind\\")))
 }
 
 /// The first lines of diagnostics, safe for a terminal, each behind a line feed and indented.

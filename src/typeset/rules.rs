@@ -57,4 +57,13 @@ rules! {
         why "Las plantillas son las de rodete, y su compilador las conoce.", "The templates are rodete's, and its compiler knows them.";
         example Example::Made { key: "false-built-in", how: t(
             "build en una máquina sin memoria", "build on a machine without memory") };
+    "T0107" KindTemplateRefused Caution { document: Text, lines: String, version: &'static str }
+        es "{document} no se ha podido componer con los archivos del tipo de libro:{lines}"
+        en "{document} could not be typeset with the files of the workbook kind:{lines}"
+        remedy "corrija el archivo de kind/ que nombra el mensaje; si el tipo es de rodete, use typst {version} o el incorporado; las hojas y los programas están completos",
+            "correct the file of kind/ that the message names; if the kind is rodete's, use typst {version} or the built-in one; the sheets and programs are complete";
+        why "En kind/ están los archivos que el tipo de libro aporta al informe: labels.typ, setup.typ, method-es.typ y method-en.typ.",
+            "kind/ holds the files that the workbook kind brings to the report: labels.typ, setup.typ, method-es.typ and method-en.typ.";
+        example Example::Made { key: "false-kind", how: t(
+            "build de un tipo de libro propio a cuyo labels.typ le falta una palabra", "build of a workbook kind of your own whose labels.typ lacks a word") };
 }

@@ -5,11 +5,10 @@
 //! schema cell is read first: a workbook of another version is refused for that alone, unless the form says what an earlier one
 //! called its parameters.
 
-use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use crate::escape::excerpt;
-use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal};
+use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal, gravest_first};
 use crate::gcode::fields::SCHEMA;
 use crate::kind::NamedFile;
 use crate::limits::{LISTED_FORMULAS, LISTED_SYMBOLS};
@@ -303,7 +302,7 @@ fn sound(sheet: &SheetCells, entry: &SheetEntry) -> Result<(), Refusal> {
 
 /// One refusal for everything that was found, gravest first.
 pub(super) fn refusal(exit: Exit, mut findings: Vec<Finding>) -> Refusal {
-    findings.sort_by_key(|finding| Reverse(finding.grade));
+    gravest_first(&mut findings);
     Refusal { exit, findings }
 }
 

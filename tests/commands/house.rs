@@ -5,7 +5,7 @@
 
 #![allow(clippy::expect_used)]
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -174,6 +174,52 @@ fn no_code_asks_which_control_it_is() {
     for (path, code) in sources("").into_iter().filter(|(path, _)| !path.starts_with("gcode/control")) {
         let found = code.iter().find(|line| asks(line));
         assert_eq!(found, None, "{}", path.display());
+    }
+}
+
+/// What a value of a control does stands beside its enum, in a `match` without a wildcard. A comparison with one value elsewhere
+/// would give a new value the answer of the others, and nobody would be asked. Enums that share their name with one of another
+/// room are not looked for.
+#[test]
+fn no_code_compares_with_a_value_of_a_control() {
+    let word = |one: char| one.is_alphanumeric() || one == '_';
+    let named = |(_, code): &(PathBuf, Vec<String>)| -> Vec<String> {
+        let names = code.iter().filter_map(|line| line.strip_prefix("pub ").unwrap_or(line).strip_prefix("enum "));
+        names.map(|rest| rest.chars().take_while(|one| word(*one)).collect()).collect()
+    };
+    let (of_controls, others): (Vec<_>, Vec<_>) =
+        sources("").into_iter().partition(|(path, _)| path.starts_with("gcode/control"));
+    let elsewhere: BTreeSet<String> = others.iter().flat_map(named).collect();
+    let enums: BTreeSet<String> = of_controls.iter().flat_map(named).filter(|name| !elsewhere.contains(name)).collect();
+    assert!(enums.len() > 30 && enums.contains("RotaryMode") && enums.contains("CallBy"), "{enums:?}");
+    // Either side of the comparison, with or without a path before the enum.
+    let compares = |line: &str| {
+        line.split("&&").flat_map(|part| part.split("||")).any(|part| {
+            let sides = part.split_once("==").or_else(|| part.split_once("!="));
+            sides.is_some_and(|(left, right)| {
+                let value = |side: &str| {
+                    side.split(|one: char| !word(one) && one != ':').any(|path| {
+                        let mut names = path.rsplit("::").skip(1);
+                        path.contains("::") && names.next().is_some_and(|name| enums.contains(name))
+                    })
+                };
+                // A method of a value, as its name, is no value.
+                let (left, right) = (left.trim_end(), right.trim_start());
+                let first = right.split(|one: char| !word(one) && !":.(&*".contains(one)).next().unwrap_or_default();
+                let last = left.rsplit(|one: char| !word(one) && !":.)&*".contains(one)).next().unwrap_or_default();
+                [first, last].into_iter().any(|side| !side.contains('.') && value(side))
+            })
+        })
+    };
+    assert!(compares("if self.memory.control.calls.by != CallBy::Label {"));
+    assert!(
+        compares("self.ready && self.counting == RotaryMode::Rollover {") && compares("control::CallBy::Label == by")
+    );
+    assert!(!compares("let by = CallBy::Label;") && !compares("rule == RotaryMode::Rollover.name()"));
+    assert!(!compares("Self { by: CallBy::Label, deep: depth == 4 }") && !compares("grade == Grade::Stop"));
+    for (path, code) in &others {
+        let found = above_tests(code).find(|line| compares(line));
+        assert_eq!(found, None, "{}: give the enum a method that says what is done", path.display());
     }
 }
 

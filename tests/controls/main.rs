@@ -8,6 +8,7 @@ mod linuxcnc;
 mod lists;
 mod page;
 mod pipe_rollover;
+mod points;
 mod programs;
 mod rotary_axes;
 mod round_trip;

@@ -1,4 +1,5 @@
-//! The programs of every control, in the folder that has its name. `good/NAME` is read without a refusal. `bad/NAME` says in a
+//! The programs of every control, in the folder that has its name. `good/NAME` is read without a refusal; where a comment
+//! of it says `ends: X1 Y2 Z-3`, in the axes' own words and mm or degrees, its last motion ends there. `bad/NAME` says in a
 //! comment on its first line, or behind `%`, what rodete says of it, `expected: LINE:COLUMN PART OF THE MESSAGE`, without a
 //! column where the block as a whole is refused. All have the control's `tools.tbl` and `machine.var` where there are any, in millimetres, or the
 //! parameters in `good/NAME.var`. Nothing else that stands there is asked here: LinuxCNC's are held against LinuxCNC in
@@ -9,8 +10,11 @@ use std::path::{Path, PathBuf};
 
 use rodete::gcode::control::{ALL, Control};
 use rodete::gcode::interpreter::{Interpreter, Refused, Setting, tool_table};
+use rodete::gcode::motion::Motion;
+use rodete::machine::axis::Axis;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
+use rodete::number::grid::Milli;
 
 fn folder(control: &Control) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/controls").join(control.name)
@@ -37,12 +41,12 @@ fn setting(control: &'static Control, program: &Path) -> Setting {
     setting
 }
 
-/// How many motions a program has, and its refusals.
-fn read(control: &'static Control, program: &Path) -> (usize, Vec<Refused>) {
-    let (mut motions, mut faults) = (0, Vec::new());
+/// The motions of a program, and its refusals.
+fn read(control: &'static Control, program: &Path) -> (Vec<Motion>, Vec<Refused>) {
+    let (mut motions, mut faults) = (Vec::new(), Vec::new());
     for item in Interpreter::over(&fs::read(program).unwrap(), setting(control, program)) {
         match item {
-            Ok(_) => motions += 1,
+            Ok(motion) => motions.push(motion),
             Err(fault) => faults.push(*fault),
         }
     }
@@ -64,16 +68,59 @@ fn expected(program: &Path) -> (String, String) {
     (place.to_owned(), message.trim_end().to_owned())
 }
 
+/// Where the last motion of a good program is to end, by the axes' letters; nothing where no comment says it.
+fn ends(program: &Path) -> Vec<(Axis, f64)> {
+    let text = fs::read(program).unwrap();
+    let text = String::from_utf8_lossy(&text).into_owned();
+    let said = text.lines().find_map(|line| line.split_once("ends: ")).map(|(_, said)| said).unwrap_or_default();
+    let words = said.trim_end().trim_end_matches(')').split_whitespace();
+    let word = |word: &str| -> Option<(Axis, f64)> {
+        let axis = Axis::ALL.into_iter().find(|axis| word.starts_with(axis.letter()))?;
+        Some((axis, word[1..].parse().ok()?))
+    };
+    words
+        .map(|one| word(one).unwrap_or_else(|| panic!("{}: {one} names no axis and place", program.display())))
+        .collect()
+}
+
+/// What is wrong with the end of a program's motions, by the words of its control: X may be a diameter.
+fn elsewhere(control: &Control, motions: &[Motion], ends: &[(Axis, f64)]) -> Vec<String> {
+    let Some(last) = motions.last() else { return vec!["no motion".to_owned()] };
+    let milli = |value: f64| Milli::round(value).expect("a place that a program may carry");
+    ends.iter()
+        .filter_map(|&(axis, said)| {
+            let at = milli(last.to.get(axis));
+            let at = if axis == Axis::X { control.axes.x.word(at) } else { at };
+            (at != milli(said)).then(|| format!("{}{} and not {said}", axis.letter(), at.value()))
+        })
+        .collect()
+}
+
 #[test]
-fn good_programs_of_every_control_are_read() {
+fn good_programs_of_every_control_are_read_and_end_where_they_say() {
     for control in ALL {
+        let (mut moving, mut ending) = (false, false);
         for program in programs(control, "good") {
-            let (_, faults) = read(control, &program);
+            let (motions, faults) = read(control, &program);
             assert!(faults.is_empty(), "{}: {faults:?}", program.display());
+            let ends = ends(&program);
+            if !ends.is_empty() {
+                assert_eq!(elsewhere(control, &motions, &ends), [""; 0], "{} ends elsewhere", program.display());
+            }
+            moving |= !motions.is_empty();
+            ending |= !ends.is_empty();
         }
-        let moving = |program: &PathBuf| read(control, program).0 > 0;
-        assert!(programs(control, "good").iter().any(moving), "{}: none of its programs moves", control.name);
+        assert!(moving, "{}: none of its programs moves", control.name);
+        assert!(
+            ending,
+            "{}: none of its good programs says in a comment where it ends, as ends: X10 Z-5",
+            control.name
+        );
     }
+    // A place that is not reached is told.
+    let control = Control::named("fagor-8055-t").expect("a lathe");
+    let (motions, _) = read(control, &folder(control).join("good/diameter.nc"));
+    assert_eq!(elsewhere(control, &motions, &[(Axis::X, 10.0), (Axis::Z, -10.0)]), ["X20 and not 10"]);
 }
 
 #[test]

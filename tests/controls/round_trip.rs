@@ -4,10 +4,11 @@ use proptest::prelude::*;
 use rodete::gcode::code::{Cycle, G};
 use rodete::gcode::control::{ALL, Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC, Post, RotaryMode, Writing};
 use rodete::gcode::feed_word::FeedWord;
+use rodete::gcode::header::{Header, Named, Origin, Work};
 use rodete::gcode::in_force::{Compensation, InForce, Speed, Spindle};
 use rodete::gcode::interpreter::{Interpreter, Setting, ToolOffset};
 use rodete::gcode::motion::{Feed, FeedMode, Motion, MotionKind, Plane};
-use rodete::gcode::program::Program;
+use rodete::gcode::program::{Part, Program};
 use rodete::gcode::word::{Distance, NumberFormat, Word};
 use rodete::gcode::writer::Writer;
 use rodete::geometry::torus::Torus;
@@ -15,6 +16,7 @@ use rodete::kinds::impeller::blank::BlankTurning;
 use rodete::machine::axis::Axis;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::number::grid::Milli;
+use rodete::text::Language;
 
 /// One step of a plan; places in thousandths of mm and of degrees.
 #[derive(Clone, Debug)]
@@ -79,13 +81,30 @@ fn spoils(control: &Control, (code, words): (G, &str)) -> Option<String> {
 
 struct Text {
     text: String,
+    /// The line of what was left in force, behind the header.
+    left: usize,
     made: Vec<Made>,
     tool: Option<(u32, u32)>,
 }
 
-fn write(post: Post, plan: &[Step], distance: Distance) -> Text {
+/// The head of the program: all that one of a workbook has.
+const ORIGIN: Origin<'static> = Origin {
+    workbook: "Álabe (nº 1); %O7 G0 Z-500.xlsx",
+    sha256: "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef",
+    version: "0.1",
+    language: Language::En,
+};
+
+/// Writes a plan under a whole header, and a block that leaves something in force between both.
+fn write(post: Post, plan: &[Step], distance: Distance, before: Option<&String>) -> Text {
     let control = post.control;
-    let mut writer = Writer::new(post, Vec::new());
+    let title = rodete::text::Text::same("plan");
+    let work = Work { part: "Rueda (1); 50%", material: "7075 \u{2014} T6", number: 12 };
+    let mut writer = Writer::new(post, Header::new(control, "plan", &title, work, &ORIGIN).parts);
+    writer.part(Part::Comment("BEHIND THE HEADER".to_owned()));
+    if let Some(block) = before {
+        writer.part(Part::Line(block.clone()));
+    }
     let (mut made, mut tool) = (Vec::new(), None);
     writer.safety();
     let mut at = [0; 4];
@@ -146,8 +165,10 @@ fn write(post: Post, plan: &[Step], distance: Distance) -> Text {
     }
     writer.end_feed();
     writer.block([Word::whole('M', 30)]);
-    let program = Program { block_step: Some(1), ..writer.program("plan", rodete::text::Text::same("plan")) };
-    Text { text: program.text(), made, tool }
+    let program = Program { block_step: Some(1), ..writer.program("plan", title) };
+    let text = program.text();
+    let header = text.lines().position(|line| line.contains("BEHIND THE HEADER")).expect("the comment");
+    Text { text, left: header + 2, made, tool }
 }
 
 fn near(one: f64, other: f64) -> bool {
@@ -160,11 +181,14 @@ fn near(one: f64, other: f64) -> bool {
 /// Where the control reads something else than was written.
 fn reads_back(post: Post, plan: &[Step], distance: Distance, spoilt: (G, &str)) -> Result<(), String> {
     let control = post.control;
-    let Text { text, made, tool } = write(post, plan, distance);
-    let before = spoils(control, spoilt).map(|block| block + control.text.end_of_line).unwrap_or_default();
-    let text = before.clone() + &text;
-    let left = if before.is_empty() { "nothing" } else { before.trim_end() };
-    let wrong = |what: String| Err(format!("{} after {left}: {what}\n{text}", control.name));
+    let before = spoils(control, spoilt);
+    let Text { text, left, made, tool } = write(post, plan, distance, before.as_ref());
+    let spoils = before.as_deref().unwrap_or("nothing");
+    let wrong = |what: String| Err(format!("{} after {spoils}: {what}\n{text}", control.name));
+    let named = Named::of(text.as_bytes());
+    if !named.is_some_and(|named| named.is(ORIGIN.workbook) && named.sha256 == ORIGIN.sha256) {
+        return wrong("its workbook is not found in its header".to_owned());
+    }
     // Absolute words of a counting plan are true where the axes count.
     let rotary = if distance == Distance::Incremental { control.rotary.delivered } else { RotaryMode::Linear };
     let tools = (1..=99).map(|T| (T, ToolOffset { diameter: 4.0, ..ToolOffset::default() }));
@@ -176,7 +200,10 @@ fn reads_back(post: Post, plan: &[Step], distance: Distance, spoilt: (G, &str)) 
             Ok(motion) => motion,
             Err(found) => return wrong(format!("{found:?}")),
         };
-        if !before.is_empty() && motion.line == 1 {
+        if motion.line < left {
+            return wrong(format!("the header moves: {motion:?}"));
+        }
+        if before.is_some() && motion.line == left {
             continue;
         }
         let InForce { unit, system, compensation, .. } = *interpreter.in_force();

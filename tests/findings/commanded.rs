@@ -473,6 +473,11 @@ fn set(key: &str) -> Option<Vec<Finding>> {
             script("exit 1");
             report(&Typst::embedded(path("typst")), "a", &bare)
         }
+        "false-kind" => report(
+            &script("echo 'style.typ:20:2: error: assertion failed: kind/labels.typ: title is missing' >&2; exit 1"),
+            "a",
+            &bare,
+        ),
         "false-logo" => {
             let logo = Logo::new("logo.png".to_owned(), b"\x89PNG\r\n\x1a\n".to_vec(), Place::File).ok();
             let stationery = Stationery { logo, ..Stationery::default() };

@@ -168,6 +168,16 @@ impl CallBy {
             Self::Number => true,
         }
     }
+
+    /// True where the control looks for M98 and M99 in the text of the line, so that their spelling counts; else the codes do,
+    /// however they are spelled.
+    #[must_use]
+    pub const fn spelled_in_text(self) -> bool {
+        match self {
+            Self::Label => true,
+            Self::Nothing | Self::Number => false,
+        }
+    }
 }
 
 /// How subprograms are called.

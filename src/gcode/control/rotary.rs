@@ -10,6 +10,24 @@ pub enum RotaryMode {
 }
 
 impl RotaryMode {
+    /// Every one.
+    pub const ALL: [Self; 2] = [Self::Linear, Self::Rollover];
+
+    /// That of a name; `None` where none has it.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|mode| mode.name() == name)
+    }
+
+    /// True where an absolute word is an angle inside a turn, so that a position beyond it cannot be said.
+    #[must_use]
+    pub const fn rolls_over(self) -> bool {
+        match self {
+            Self::Linear => false,
+            Self::Rollover => true,
+        }
+    }
+
     /// The name on the command line and in JSON.
     #[must_use]
     pub const fn name(self) -> &'static str {

@@ -496,7 +496,7 @@ impl Reader<'_, '_> {
     /// Refuses M98 and M99 where the control, which looks for them in the text of the line, does not see them or sees more: they
     /// stand first, in three characters, and no parameter is set beside them.
     pub(super) fn calls_spelled(&self, line: &[u8], start: usize) -> Result<()> {
-        if self.memory.control.calls.by != CallBy::Label {
+        if !self.memory.control.calls.by.spelled_in_text() {
             return Ok(());
         }
         let Some((code @ (M::Call | M::Return), _)) = self.block.m(4) else { return Ok(()) };

@@ -5,12 +5,11 @@
 //! decimal point are lengths, times and feeds; M, T, L, P, Q and others take none.
 
 use crate::gcode::code::{G, Group, SinglePassCycle, TurningCycle};
+use crate::gcode::control::{Measured, Pointing, Unpointed};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Decimal;
 use crate::gcode::interpreter::refused::{Refused, Result};
-use crate::gcode::interpreter::setting::DecimalPoint;
-use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
     DimensionsWithoutPoint, DwellsWithoutPoint, PointMissing, PointMissingInFeed, PointNotTaken,
@@ -18,28 +17,21 @@ use crate::gcode::rules::words::{
 use crate::machine::length_unit::LengthUnit;
 use crate::text::t;
 
-/// Addresses whose number may be scaled where it has no decimal point.
-const SCALED: Letters = Letters::of("FIKRUWXZ");
-/// Addresses that take no decimal point.
-const WHOLE: Letters = Letters::of("LMPQT");
-
 impl Reader<'_, '_> {
-    /// Marks a number without a decimal point, and refuses a decimal point where none may be.
-    #[inline(never)]
+    /// Marks a number that is to be divided, and refuses a decimal point where none may be.
+    #[inline]
     pub(super) fn see_point(&mut self, index: u8, number: &Decimal, column: usize) -> Result<()> {
-        if number.point && WHOLE.has(index) {
-            let name = char::from(b'A' + index);
-            let value = number.value;
-            let word = if value.fract() == 0.0 { format!("{name}{value}.") } else { format!("{name}{value}") };
-            return Err(Refused::of(&PointNotTaken { letter: name, word }, &[column]));
+        match self.memory.control.lexis.point.of(index, number.point) {
+            Pointing::AsWritten => Ok(()),
+            Pointing::NotTaken => Err(point_not_taken(index, number.value, column)),
+            Pointing::Divided => {
+                self.block.pointless |= u32::from(number.value != 0.0) << index;
+                Ok(())
+            }
         }
-        if !number.point && number.value != 0.0 && SCALED.has(index) {
-            self.block.pointless |= 1 << index;
-        }
-        Ok(())
     }
 
-    /// Gives the numbers of the block that have no decimal point their value.
+    /// Gives the numbers of the block that are to be divided their value.
     #[inline(never)]
     pub(super) fn settle_points(&mut self) -> Result<()> {
         if self.block.g(Group::NonModal) == Some(G::Turning(TurningCycle::Repeat)) && !self.block.has(letter::P) {
@@ -67,30 +59,29 @@ impl Reader<'_, '_> {
     /// By what a number without a decimal point is divided.
     fn unpointed(&mut self, word: &str, column: usize, feed: bool) -> Result<f64> {
         let dwell = self.block.g(Group::NonModal) == Some(G::Dwell);
-        let by = match self.memory.setting.decimal_point {
-            None => {
-                let (es, en) = match self.inch() {
+        let inch = self.inch();
+        let measured = match feed {
+            true => Measured::Feed,
+            false if dwell => Measured::Time,
+            false => Measured::Length { inch },
+        };
+        let by = match self.memory.control.lexis.point.divisor(measured, self.memory.setting.decimal_point) {
+            Ok(by) => by,
+            Err(Unpointed::BySettingUnknown) => {
+                let (es, en) = match inch {
                     _ if dwell => ("s o ms", "s or ms"),
                     true => ("pulgadas o diezmilésimas", "inches or ten-thousandths"),
                     false => ("mm o µm", "mm or µm"),
                 };
                 return Err(Refused::of(&PointMissing { word: word.to_owned(), reading: t(es, en) }, &[column]));
             }
-            Some(DecimalPoint::Calculator) => 1.0,
-            Some(DecimalPoint::Micrometre) if feed => {
+            Err(Unpointed::FeedUnknown) => {
                 return Err(Refused::of(&PointMissingInFeed { word: word.to_owned() }, &[column]));
-            }
-            Some(DecimalPoint::Micrometre) => {
-                if self.inch() && !dwell {
-                    10_000.0
-                } else {
-                    1_000.0
-                }
             }
         };
         let spot = self.block.spot;
-        let calculator = self.memory.setting.decimal_point == Some(DecimalPoint::Calculator);
-        let (es, en) = match (calculator, self.inch()) {
+        let calculator = by == 1.0;
+        let (es, en) = match (calculator, inch) {
             _ if dwell && calculator => ("leídos como s", "read as s"),
             _ if dwell => ("leídos como ms", "read as ms"),
             (true, false) => ("leídas como mm", "read as mm"),
@@ -130,4 +121,11 @@ impl Reader<'_, '_> {
             || mode == FeedMode::PerRevolution
             || self.block.g(Group::NonModal) == Some(G::Turning(TurningCycle::Thread))
     }
+}
+
+#[cold]
+fn point_not_taken(index: u8, value: f64, column: usize) -> Box<Refused> {
+    let name = char::from(b'A' + index);
+    let word = if value.fract() == 0.0 { format!("{name}{value}.") } else { format!("{name}{value}") };
+    Refused::of(&PointNotTaken { letter: name, word }, &[column])
 }

@@ -1,7 +1,7 @@
 //! From a line to a block.
 
 use crate::gcode::code::{G, Group, M, TurningCycle};
-use crate::gcode::control::{ALL, Disorder};
+use crate::gcode::control::{ALL, Disorder, Pointing};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent, letter_for_zero};
@@ -165,9 +165,7 @@ impl Reader<'_, '_> {
         let column = cursor.column();
         cursor.pass();
         let number = self.value(cursor)?;
-        if self.memory.control.lexis.point.by_setting() {
-            self.see_point(b'm' - b'a', &number, column)?;
-        }
+        self.see_point(b'm' - b'a', &number, column)?;
         let value = number.value;
         let found =
             machine_number(value).and_then(|number| Some((number, (self.memory.control.machine_code)(number)?)));
@@ -224,13 +222,14 @@ impl Reader<'_, '_> {
             return Err(macros(number_column));
         }
         let Decimal { value, point, .. } = self.value(cursor)?;
+        let pointing = self.memory.control.lexis.point.of(b'r' - b'a', point);
         let edge = EdgeWord {
             name: if round { ",R" } else { ",C" },
             round,
             value,
             square: None,
             column,
-            pointless: !point && value != 0.0,
+            pointless: pointing == Pointing::Divided && value != 0.0,
         };
         if let Some(first) = self.block.edge.replace(edge) {
             return Err(Refused::of(&EdgeTwice {}, &[first.column, column]).as_alarm_of(self.alarms()));
@@ -279,9 +278,7 @@ impl Reader<'_, '_> {
         if number.decimals > 4 && DIMENSIONS.has(index) {
             self.see_decimals(letter, number.decimals, column);
         }
-        if self.memory.control.lexis.point.by_setting() {
-            self.see_point(index, &number, column)?;
-        }
+        self.see_point(index, &number, column)?;
         if self.fagor_cycle() {
             self.memory.control.lexis.words.take_of_cycle(&mut self.block.seen, name(letter), column);
         } else {

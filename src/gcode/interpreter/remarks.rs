@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::finding::{Finding, Grade, Place, Raise, Size};
+use crate::finding::{Finding, Grade, Place, Raise, Size, gravest_first};
 use crate::gcode::interpreter::library::{Library, Spot};
 use crate::gcode::interpreter::refused::place;
 use crate::gcode::rules::geometry::HalfTurn;
@@ -142,7 +142,7 @@ impl Remarks {
             .collect();
         findings.extend(self.turns.as_ref().map(|turns| turns.half_turn().at(turns.place(library))));
         findings.extend(self.dwells.as_ref().map(|dwells| dwells.long_dwell().at(dwells.place(library))));
-        findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+        gravest_first(&mut findings);
         findings
     }
 }

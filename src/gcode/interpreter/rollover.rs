@@ -8,7 +8,7 @@
 
 use crate::finding::Raise;
 use crate::gcode::code::{G, Group};
-use crate::gcode::control::{Rollover, RotaryMode};
+use crate::gcode::control::Rollover;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::refused::{Refused, Result};
@@ -36,7 +36,7 @@ impl Reader<'_, '_> {
         }
         let taken = self.on_rollover();
         self.memory.any_rotary &= taken.is_ok();
-        if self.memory.setting.rotary == RotaryMode::Rollover { taken } else { Ok(()) }
+        if self.memory.setting.rotary.rolls_over() { taken } else { Ok(()) }
     }
 
     fn on_rollover(&self) -> Result<()> {
@@ -75,7 +75,7 @@ impl Reader<'_, '_> {
     pub(super) fn turned_to(&mut self, axis: Axis, word: f64, at: f64) -> f64 {
         let (rolled, reached) = rolled(word, at);
         self.memory.any_rotary &= rolled == word;
-        if self.memory.setting.rotary == RotaryMode::Linear {
+        if !self.memory.setting.rotary.rolls_over() {
             return word;
         }
         let index = AXES.get(axis as usize).copied().unwrap_or_default();

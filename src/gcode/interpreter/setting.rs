@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::gcode::control::{Control, RotaryMode};
+use crate::gcode::control::{Control, DecimalPoint, RotaryMode};
 use crate::gcode::letters::Letters;
 use crate::gcode::turning::nose::Nose;
 use crate::machine::axis::Pose;
@@ -43,15 +43,6 @@ impl Files for NoFiles {
     fn find(&mut self, _name: &str) -> Result<Option<Vec<u8>>, Text> {
         Ok(None)
     }
-}
-
-/// What a control of Fanuc's system A makes of a dimension without a decimal point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DecimalPoint {
-    /// As a pocket calculator does: X100 is 100 mm.
-    Calculator,
-    /// A number of least input increments: X100 is 0.1 mm (0.01 inch under G20).
-    Micrometre,
 }
 
 /// What R of the drilling cycles of Fanuc's system A is.

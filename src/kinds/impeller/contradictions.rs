@@ -1,7 +1,6 @@
 //! What is valid alone but not together: the checks of one parameter of the impeller against another.
 
 use crate::finding::{Bare, Finding, Raise, Size, Typed};
-use crate::gcode::control::RotaryMode;
 use crate::gcode::machine_codes::{CodesPlace, refused_codes, refused_retract, refused_spindle};
 use crate::gcode::word::Distance;
 use crate::geometry::torus::Torus;
@@ -182,7 +181,7 @@ impl Design {
             let told = AnnexCarriesNoFeed { control: self.post.control.name };
             findings.push(told.at(at([form::STYLE.key(), form::DIALECT.key()])));
         }
-        if self.style == Style::Full && self.distance == Distance::Absolute && self.counting == RotaryMode::Rollover {
+        if self.style == Style::Full && self.distance == Distance::Absolute && self.counting.rolls_over() {
             let place = at([form::DISTANCE.key(), form::ROTARY.key(), form::DIALECT.key()]);
             findings.push(AbsoluteOnRollover {}.at(place));
         }

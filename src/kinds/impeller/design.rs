@@ -139,7 +139,7 @@ impl Design {
     /// whether the rotary axes are rollover or not.
     #[must_use]
     pub fn turns_by_increments(&self) -> bool {
-        let may_roll = self.post.control.rotary.delivered == RotaryMode::Rollover;
+        let may_roll = self.post.control.rotary.delivered.rolls_over();
         self.style == Style::Full && self.distance == Distance::Incremental && may_roll
     }
 

@@ -88,7 +88,7 @@ pub fn header(
     );
     if by_increments {
         comments.line("ANTES DE EMPEZAR - B Y C A 0 EN PANTALLA", "BEFORE THE START - B AND C SHOW 0");
-        comments.line("VALE CON EJES GIRATORIOS ROLLOVER Y CON LINEALES", "VALID FOR ROLLOVER AND LINEAR ROTARY AXES");
+        comments.true_for_both();
     } else {
         comments
             .line("C ES EJE GIRATORIO CONTINUO - CUENTA MAS DE 360", "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360");

@@ -37,7 +37,7 @@ fn lengths(design: &Design) -> [Quantity; 5] {
     let (torus, mm) = (design.torus, Unit::Millimetre);
     let circle = Villarceau::new(torus);
     [
-        quantity(
+        worded(
             "L",
             "Longitud de pivote, del eje B al centro del toro",
             "Pivot length, from the B axis to the torus centre",
@@ -46,9 +46,9 @@ fn lengths(design: &Design) -> [Quantity; 5] {
             ["R_B + H", "R_B + H"],
         )
         .by("derived_L", "spindle_height_R_B+height_H"),
-        quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["TFG, ec. (6)", "thesis, eq. (6)"])
+        worded("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["TFG, ec. (6)", "thesis, eq. (6)"])
             .by("derived_k", "SQRT((torus_R-meridian_r)*(torus_R+meridian_r))"),
-        quantity(
+        worded(
             "alpha",
             "Ángulo α del círculo de Villarceau",
             "Angle α of the Villarceau circle",
@@ -57,7 +57,7 @@ fn lengths(design: &Design) -> [Quantity; 5] {
             ["sen α = r/R", "sin α = r/R"],
         )
         .by("derived_alpha", "DEGREES(ASIN(meridian_r/torus_R))"),
-        quantity(
+        worded(
             "length",
             "Longitud de la fibra media",
             "Length of the mean line",
@@ -66,7 +66,7 @@ fn lengths(design: &Design) -> [Quantity; 5] {
             ["|dX/dv| = R: R·π/2", "|dX/dv| = R: R·π/2"],
         )
         .by("derived_length", "torus_R*PI()/2"),
-        quantity(
+        worded(
             "w",
             "Semiancho de álabe y herramienta",
             "Half width of blade and tool",
@@ -84,7 +84,7 @@ fn published_limits(design: &Design) -> [Quantity; 4] {
     let mm = Unit::Millimetre;
     let gap = hub_circumference(torus, a_p) / f64::from(design.N) - e;
     [
-        quantity(
+        worded(
             "d",
             "Separación mínima entre álabes, según lo publicado",
             "Minimum gap between blades, as published",
@@ -93,7 +93,7 @@ fn published_limits(design: &Design) -> [Quantity; 4] {
             ["4/3·d_t, TFG, sección 4.2.2", "4/3·d_t, thesis, section 4.2.2"],
         )
         .by("derived_d", "tool_diameter_d_t*4/3"),
-        quantity(
+        worded(
             "gap",
             "Separación entre álabes en el cubo, medida por el paralelo",
             "Gap between blades at the hub, along the parallel",
@@ -102,7 +102,7 @@ fn published_limits(design: &Design) -> [Quantity; 4] {
             ["2π(R − r − a_p)/N − e", "2π(R − r − a_p)/N − e"],
         )
         .by("derived_gap", "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-thickness_e"),
-        quantity(
+        worded(
             "N_max",
             "Número máximo de álabes, según lo publicado",
             "Maximum number of blades, as published",
@@ -111,7 +111,7 @@ fn published_limits(design: &Design) -> [Quantity; 4] {
             ["TFG, ec. (34)", "thesis, eq. (34)"],
         )
         .by("derived_N_max", "INT(2*PI()*(torus_R-meridian_r-depth_a_p)/(thickness_e+derived_d))"),
-        quantity(
+        worded(
             "e_max",
             "Espesor máximo del álabe, según lo publicado",
             "Maximum blade thickness, as published",
@@ -125,7 +125,7 @@ fn published_limits(design: &Design) -> [Quantity; 4] {
 
 /// The gap in space, where the published one follows a parallel.
 fn true_gap(limits: &Limits) -> Quantity {
-    quantity(
+    worded(
         "gap_true",
         "Separación real: mayor herramienta que pasa entre los álabes",
         "True gap: largest tool that passes between the blades",
@@ -140,7 +140,7 @@ fn true_gap(limits: &Limits) -> Quantity {
 
 /// How far the blade's end leans.
 fn lean_of_end(model: &Model) -> Quantity {
-    let beta = quantity(
+    let beta = worded(
         "beta",
         "Inclinación β del extremo del álabe",
         "Inclination β of the blade's end",
@@ -154,7 +154,7 @@ fn lean_of_end(model: &Model) -> Quantity {
 }
 
 fn pitch(design: &Design) -> Quantity {
-    quantity(
+    worded(
         "pitch",
         "Giro entre álabes",
         "Turn between blades",
@@ -166,7 +166,7 @@ fn pitch(design: &Design) -> Quantity {
 }
 
 fn end_of_turning(design: &Design) -> Quantity {
-    quantity(
+    worded(
         "X_e",
         "X final del torneado, en diámetro",
         "End X of the turning, on the diameter",
@@ -181,7 +181,7 @@ fn end_of_turning(design: &Design) -> Quantity {
 /// caution about the gap says so.
 fn true_limits(limits: &Limits) -> impl Iterator<Item = Quantity> {
     let blades = limits.N_max.map(|N| {
-        quantity(
+        worded(
             "N_max_true",
             "Número máximo de álabes si la separación real cumple la regla publicada",
             "Maximum number of blades whose true gap keeps the published rule",
@@ -191,7 +191,7 @@ fn true_limits(limits: &Limits) -> impl Iterator<Item = Quantity> {
         )
     });
     let thickness = limits.e_max.map(|e| {
-        quantity(
+        worded(
             "e_max_true",
             "Espesor máximo del álabe si la separación real cumple la regla publicada",
             "Maximum blade thickness whose true gap keeps the published rule",
@@ -208,7 +208,7 @@ fn retract_height(programs: &[Proved]) -> Option<Quantity> {
     let first = |program: &Program| matches!(Operation::of(program), Some(Operation::Blade | Operation::Rough));
     let program = programs.iter().find(|program| program.format == NumberFormat::Fixed && first(program))?;
     Some(
-        quantity(
+        worded(
             "Z_r",
             "Altura de retirada",
             "Retract height",
@@ -220,7 +220,7 @@ fn retract_height(programs: &[Proved]) -> Option<Quantity> {
     )
 }
 
-pub(in crate::kinds::impeller) fn quantity(
+pub(in crate::kinds::impeller) fn worded(
     symbol: &'static str,
     es: &'static str,
     en: &'static str,
@@ -239,7 +239,7 @@ fn crossings(splitter: &Splitter) -> Vec<Quantity> {
     let room = ["donde la herramienta libra al vecino", "where the tool clears the neighbour"];
     match splitter.fade {
         Fade::Published => vec![
-            quantity(
+            worded(
                 "crossing",
                 "Índice del cruce con el álabe vecino",
                 "Index of the crossing with the neighbour",
@@ -247,7 +247,7 @@ fn crossings(splitter: &Splitter) -> Vec<Quantity> {
                 Unit::One,
                 section,
             ),
-            quantity(
+            worded(
                 "m",
                 "Punto desde el que el intermedio tiene todo su espesor",
                 "Point from which the splitter has its full thickness",
@@ -258,7 +258,7 @@ fn crossings(splitter: &Splitter) -> Vec<Quantity> {
             .named("derived_m"),
         ],
         Fade::EachSide => vec![
-            quantity(
+            worded(
                 "crossing_1",
                 "Índice del cruce con el álabe vecino, a la ida",
                 "Index of the crossing with the neighbour, out",
@@ -266,7 +266,7 @@ fn crossings(splitter: &Splitter) -> Vec<Quantity> {
                 Unit::One,
                 section,
             ),
-            quantity(
+            worded(
                 "m_1",
                 "Punto desde el que la ida lleva toda su separación",
                 "Point from which the way out has its full offset",
@@ -275,7 +275,7 @@ fn crossings(splitter: &Splitter) -> Vec<Quantity> {
                 room,
             )
             .named("derived_m_1"),
-            quantity(
+            worded(
                 "crossing_2",
                 "Índice del cruce con el álabe vecino, a la vuelta",
                 "Index of the crossing with the neighbour, back",
@@ -283,7 +283,7 @@ fn crossings(splitter: &Splitter) -> Vec<Quantity> {
                 Unit::One,
                 section,
             ),
-            quantity(
+            worded(
                 "m_2",
                 "Punto desde el que la vuelta lleva toda su separación",
                 "Point from which the way back has its full offset",

@@ -62,7 +62,7 @@ fn account(programs: &[Proved]) -> Account {
 }
 
 /// A derived value that has no cell of its own yet.
-const fn quantity(symbol: &'static str, meaning: Text, value: f64, unit: Unit, source: Text) -> Quantity {
+const fn derived(symbol: &'static str, meaning: Text, value: f64, unit: Unit, source: Text) -> Quantity {
     Quantity { symbol, meaning, value, unit, source, cell: None }
 }
 
@@ -70,5 +70,5 @@ const fn quantity(symbol: &'static str, meaning: Text, value: f64, unit: Unit, s
 fn time(account: &Account) -> Option<Quantity> {
     let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");
     let known = !account.untimed && account.seconds > 0.0;
-    known.then(|| quantity("t_c", meaning, account.seconds, Unit::Second, t("programa leído", "program read back")))
+    known.then(|| derived("t_c", meaning, account.seconds, Unit::Second, t("programa leído", "program read back")))
 }

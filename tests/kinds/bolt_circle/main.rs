@@ -10,6 +10,7 @@
 mod design;
 #[path = "../../common/every_kind.rs"]
 mod every_kind;
+mod figures;
 mod form;
 mod program;
 mod proof;
@@ -19,11 +20,13 @@ mod tried;
 
 use std::process::ExitCode;
 
+use rodete::figure::Figure;
 use rodete::finding::{Finding, Rule};
 use rodete::gcode::control::Control;
 use rodete::gcode::header::Origin;
 use rodete::gcode::in_force::Spindle;
 use rodete::gcode::program::Program;
+use rodete::gcode::rules::modes::{CutsBeforeSpindle, NoFeed, SpindleStopped};
 use rodete::kind::method::{Method, Of, Unproved};
 use rodete::kind::{Chapters, Proved, Wants, out_of_format};
 use rodete::parameter::field::Fields;
@@ -56,6 +59,8 @@ impl Method for Kind {
     };
     const CASES: &'static [Case] = &CASES;
     const RULES: &'static [&'static [&'static Rule]] = &[rules::RULES];
+    // `Feeds` asks for the feed, `SpindleTurns` for the spindle: their checks say what the interpreter would remark.
+    const ANSWERED: &'static [&'static Rule] = &[NoFeed::RULE, CutsBeforeSpindle::RULE, SpindleStopped::RULE];
     const PROVED: Text = t("Leída del programa, agujero a agujero", "Read back from the program, hole by hole");
 
     fn design(fields: &Fields) -> Result<BoltCircle, Vec<Finding>> {
@@ -131,11 +136,15 @@ impl Method for Kind {
             cell: None,
         }]
     }
+
+    fn figures(circle: &BoltCircle, (): &(), (): &()) -> Vec<Figure> {
+        figures::figures(circle)
+    }
 }
 
 fn main() -> ExitCode {
     let first = std::env::args().nth(1).unwrap_or_default();
-    if ["new", "check", "build", "view", "verify", "explain", "typst", "--version"].contains(&first.as_str()) {
+    if ["new", "check", "build", "view", "verify", "explain", "typst", "help", "--version"].contains(&first.as_str()) {
         return rodete::cli::run(std::env::args_os(), &[&Of::<Kind>::new()]);
     }
     tried::tried();

@@ -49,6 +49,11 @@ pub fn tried() {
         let contents = fs::read(folder.join("report.typ/contents.json")).unwrap();
         let contents: Value = serde_json::from_slice(&contents).unwrap();
         assert_eq!(contents["tables"][0]["key"], "holes");
+        for key in ["setup", "circle"] {
+            let drawn =
+                fs::read_to_string(folder.join("report.typ").join(contents["figures"][key]["file"].as_str().unwrap()));
+            assert!(drawn.unwrap().starts_with("<svg"), "{key}");
+        }
         let verified = &contents["tables"][1];
         assert_eq!(verified["key"], "verification");
         assert!(verified["head"].to_string().contains("Every hole at its angle"), "{verified}");
@@ -61,6 +66,12 @@ pub fn tried() {
         done(folder, &["build", "flange.xlsx", "-o", "set"]);
         assert!(fs::read(folder.join("set/flange-report.pdf")).unwrap().starts_with(b"%PDF-"));
     }
+    // Hints and help name this binary, and its kind.
+    let name = std::env::current_exe().unwrap().file_stem().unwrap().to_str().unwrap().to_owned();
+    assert!(done(folder, &["check", "flange.xlsx"]).contains(&format!("next: {name} build flange.xlsx")));
+    let help = done(folder, &["help", "new"]);
+    assert!(help.contains(&format!("{name} new bolt-circle my-bolt-circle.xlsx")), "{help}");
+    assert!(!help.contains("rodete new"), "{help}");
     // A workbook of another kind is none, and nor are its rows.
     let other = Path::new(env!("CARGO_MANIFEST_DIR")).join("workbooks/impeller.xlsx");
     assert_eq!(run(folder, &["check", other.to_str().unwrap()]).status.code(), Some(3));

@@ -7,7 +7,7 @@ use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::part::{Face, HUB, RIM};
-use crate::kinds::impeller::quantities::quantity;
+use crate::kinds::impeller::quantities::worded;
 use crate::table::{Column, Index, Law, Print, Quantity, Table, Unit};
 use crate::text::{Text, t};
 
@@ -178,7 +178,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
     // Where thick blades go on straight into each other, the gap says nothing of the tools that pass.
     let d_t_max = told.gap - 2.0 * asked.cut.s;
     if d_t_max > 0.0 {
-        list.push(quantity(
+        list.push(worded(
             "d_t_max",
             "Mayor fresa de desbaste según la separación de las caras hasta el fondo",
             "Largest roughing tool by the gap of the faces down to the floor",
@@ -188,7 +188,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
         ));
     }
     list.extend([
-        quantity(
+        worded(
             "t_rough",
             "Profundidad de la punta en las pasadas de desbaste, bajo la cara torneada",
             "Depth of the tip on roughing lanes, below the turned surface",
@@ -196,7 +196,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             mm,
             [rough; 2],
         ),
-        quantity(
+        worded(
             "t_floor",
             "Profundidad de la punta en las pasadas del fondo, bajo la cara torneada",
             "Depth of the tip on floor lanes, below the turned surface",
@@ -204,7 +204,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             mm,
             [floor; 2],
         ),
-        quantity(
+        worded(
             "lanes_rough",
             "Pasadas de desbaste por nivel",
             "Roughing lanes per level",
@@ -212,7 +212,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             count,
             ["paso lateral kappa·d_t", "sideways step kappa·d_t"],
         ),
-        quantity(
+        worded(
             "lanes_floor",
             "Pasadas del fondo por canal",
             "Floor lanes per channel",
@@ -220,7 +220,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             count,
             ["cresta c_s", "ridge c_s"],
         ),
-        quantity(
+        worded(
             "blocks_rough",
             "Bloques de desbaste, todos los canales",
             "Roughing blocks, all channels",
@@ -228,7 +228,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             count,
             ["tolerancia tol", "tolerance tol"],
         ),
-        quantity(
+        worded(
             "blocks_finish",
             "Bloques de acabado, todos los canales",
             "Finishing blocks, all channels",
@@ -236,7 +236,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             count,
             ["tolerancia tol", "tolerance tol"],
         ),
-        quantity(
+        worded(
             "root_height",
             "Material que queda en el rincón de cara y fondo, altura",
             "Material left in the corner of face and floor, height",
@@ -244,7 +244,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             mm,
             ["líneas de las caras, más de c_s + tol", "lines of the faces, more than c_s + tol"],
         ),
-        quantity(
+        worded(
             "root_width",
             "Material que queda en el rincón de cara y fondo, ancho",
             "Material left in the corner of face and floor, width",
@@ -252,7 +252,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             mm,
             ["fondo junto a las caras, más de c_s + tol", "floor beside the faces, more than c_s + tol"],
         ),
-        quantity(
+        worded(
             "rest_above",
             "Material que queda en las caras por encima del rincón, como mucho",
             "Material left on the faces above the corner, at most",
@@ -260,7 +260,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             mm,
             ["líneas de las caras; ajuste más tol", "lines of the faces; fit plus tol"],
         ),
-        quantity(
+        worded(
             "floor_rest",
             "Material que queda en el fondo lejos de las caras (a más de 0.4 mm y el radio de esquina), aproximado",
             "Material left on the floor away from the faces (0.4 mm plus the corner radius), about",
@@ -289,7 +289,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
             format!("ajuste del eje a la cara, más tol; al {share:.0} % del camino del cubo al borde"),
             format!("fit of the axis to the face, plus tol; at {share:.0} % of the way from hub to rim"),
         );
-        list.push(Quantity { source, ..quantity(symbol, es, en, error.rest + asked.cut.tolerance, mm, ["", ""]) });
+        list.push(Quantity { source, ..worded(symbol, es, en, error.rest + asked.cut.tolerance, mm, ["", ""]) });
     }
     // Where a rounded end leaves the faces unfinished up to their tops, there is nothing above the corner.
     if told.unfinished.is_some() {
@@ -297,7 +297,7 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
     }
     if let Some(v_s) = told.splitter_from {
         let degrees = (v_s - HUB).to_degrees();
-        list.push(quantity(
+        list.push(worded(
             "v_s",
             "Comienzo de los álabes intermedios, v desde el cubo",
             "Beginning of the splitters, v from the hub",

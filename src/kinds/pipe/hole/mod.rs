@@ -48,7 +48,7 @@ use crate::kinds::pipe::hole::rules::{
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
 use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
-use crate::kinds::pipe::{self, account, quantity, scene, sizes, time};
+use crate::kinds::pipe::{self, account, derived, scene, sizes, time};
 use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::number::root::halved;
@@ -315,9 +315,9 @@ fn quantities(design: &Design, stations: &[Station], account: &Account) -> Vec<Q
     let least = |of: fn(&Station) -> f64| stations.iter().map(of).fold(f64::MAX, f64::min);
     let torch = design.torch();
     let mut list = vec![
-        quantity("R_o", t("Radio exterior del tubo", "Outside radius of the header"), design.R_o(), mm, t("", ""))
+        derived("R_o", t("Radio exterior del tubo", "Outside radius of the header"), design.R_o(), mm, t("", ""))
             .by("derived_R_o", format!("{}/2", diameter(&HEADER, design.header.D))),
-        quantity("R_i", t("Radio interior del tubo", "Bore of the header"), design.R_i(), mm, t("", "")).by(
+        derived("R_i", t("Radio interior del tubo", "Bore of the header"), design.R_i(), mm, t("", "")).by(
             "derived_R_i",
             format!(
                 "{}/2-{}",
@@ -325,7 +325,7 @@ fn quantities(design: &Design, stations: &[Station], account: &Account) -> Vec<Q
                 thickness(&HEADER, [design.header.D, design.header.t])
             ),
         ),
-        quantity(
+        derived(
             "r",
             t("Radio del injerto con su holgura", "Radius of the branch with its gap"),
             design.pair().r,
@@ -333,7 +333,7 @@ fn quantities(design: &Design, stations: &[Station], account: &Account) -> Vec<Q
             t("D_branch/2 + b", "D_branch/2 + b"),
         )
         .by("derived_hole_r", format!("{}/2+root_gap_b", diameter(&BRANCH, design.branch.D))),
-        quantity(
+        derived(
             "h_s",
             t("De la punta al hombro de la antorcha", "From the torch's tip to its shoulder"),
             torch.shoulder(),
@@ -341,7 +341,7 @@ fn quantities(design: &Design, stations: &[Station], account: &Account) -> Vec<Q
             t("(R_g − r_g)/tan Ψ", "(R_g − r_g)/tan Ψ"),
         )
         .by("derived_h_s", "(torch_body_radius-nozzle_r_g)/TAN(RADIANS(taper_Psi))"),
-        quantity(
+        derived(
             "sigma_0",
             t("Ángulo por debajo del cual manda la punta", "Angle below which the tip sets the height"),
             torch.switch_angle().to_degrees(),
@@ -349,14 +349,14 @@ fn quantities(design: &Design, stations: &[Station], account: &Account) -> Vec<Q
             t("asen(g0/√(d0² + r_g²)) + atan(r_g/d0)", "asin(g0/√(d0² + r_g²)) + atan(r_g/d0)"),
         )
         .by("derived_sigma_0", "DEGREES(ASIN(least_gap_g0/SQRT(height_d0^2+nozzle_r_g^2))+ATAN(nozzle_r_g/height_d0))"),
-        quantity(
+        derived(
             "sigma_min",
             t("σ mínimo de la tabla", "Minimum σ of the table"),
             least(|one| one.sigma).to_degrees(),
             Unit::Degree,
             t("", ""),
         ),
-        quantity(
+        derived(
             "D_most",
             t("Altura D máxima de la tabla", "Maximum height D of the table"),
             most(|one| one.D),

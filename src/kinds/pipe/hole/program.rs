@@ -8,7 +8,6 @@ use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::gcode::writer::Writer;
 use crate::kinds::pipe::hole::cut::{Cut, Follows, Leg, Place};
 use crate::kinds::pipe::hole::design::Design;
-use crate::kinds::pipe::insert::program::TRUE_FOR_BOTH;
 use crate::kinds::pipe::{counted, kerf_in_header};
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
@@ -166,7 +165,7 @@ fn comments(design: &Design, header: &mut Header) {
     header.line("B INCLINA Y C GIRA LA ANTORCHA SOBRE SU PUNTA", "B TILTS AND C SWINGS THE TORCH ABOUT ITS TIP");
     match distance(design) {
         Distance::Incremental => {
-            header.line(TRUE_FOR_BOTH[0], TRUE_FOR_BOTH[1]);
+            header.true_for_both();
             header.line(
                 "A B C DEBEN MARCAR 0 ANTES - AHI VUELVEN AL ACABAR",
                 "A B C MUST SHOW 0 BEFORE - THERE THEY END",

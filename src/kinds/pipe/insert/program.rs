@@ -78,10 +78,6 @@ pub const fn letters(mode: Mode) -> [char; 2] {
     }
 }
 
-/// The header's line of a program that turns by increments, in Spanish and English.
-pub const TRUE_FOR_BOTH: [&str; 2] =
-    ["VALE CON EJES GIRATORIOS ROLLOVER Y CON LINEALES", "VALID FOR ROLLOVER AND LINEAR ROTARY AXES"];
-
 /// How the complete program counts: a flat sheet's by positions, that of a turning pipe as its control's rotary axes do.
 #[must_use]
 pub fn distance(design: &Design) -> Distance {
@@ -242,7 +238,7 @@ fn comments(design: &Design, header: &mut Header) {
             );
             match distance(design) {
                 Distance::Incremental => {
-                    header.line(TRUE_FOR_BOTH[0], TRUE_FOR_BOTH[1]);
+                    header.true_for_both();
                     header.line(
                         "A DEBE MARCAR 0 ANTES - ACABA MAS ALLA DE UNA VUELTA",
                         "A MUST SHOW 0 BEFORE - IT ENDS BEYOND A TURN",

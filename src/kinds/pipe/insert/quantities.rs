@@ -4,7 +4,7 @@ use crate::kinds::pipe::insert::bounds::Rest;
 use crate::kinds::pipe::insert::design::Design;
 use crate::kinds::pipe::insert::{enveloped, place, rounded_up};
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
-use crate::kinds::pipe::{quantity, time};
+use crate::kinds::pipe::{derived, time};
 use crate::proof::account::Account;
 use crate::table::{Quantity, Unit};
 use crate::text::t;
@@ -24,13 +24,13 @@ pub(super) fn quantities(design: &Design, rest: &Rest, account: &Account) -> Vec
 fn radii(design: &Design) -> [Quantity; 3] {
     let mm = Unit::Millimetre;
     [
-        quantity("r", t("Radio de la curva del injerto", "Radius of the branch's curve"), design.r, mm, t("", ""))
+        derived("r", t("Radio de la curva del injerto", "Radius of the branch's curve"), design.r, mm, t("", ""))
             .by("derived_branch_r", radius(design, "expert_branch_r", "contact")),
-        quantity("R", t("Radio del tubo base", "Radius of the header"), design.R, mm, t("", "")).by(
+        derived("R", t("Radio del tubo base", "Radius of the header"), design.R, mm, t("", "")).by(
             "derived_header_R",
             format!("IF(ISNUMBER(expert_header_R),expert_header_R,{}/2)", diameter(&HEADER, design.header.D)),
         ),
-        quantity("r_dev", t("Radio del desarrollo", "Radius of the development"), design.r_dev, mm, t("", ""))
+        derived("r_dev", t("Radio del desarrollo", "Radius of the development"), design.r_dev, mm, t("", ""))
             .by("derived_r_dev", radius(design, "expert_sheet_r_dev", "sheet")),
     ]
 }
@@ -48,7 +48,7 @@ fn development(design: &Design) -> [Quantity; 3] {
     let (outline, mm) = (design.template(), Unit::Millimetre);
     let [least, most] = outline.extent();
     [
-        quantity(
+        derived(
             "W",
             t("Longitud del desarrollo", "Length of the development"),
             outline.round(),
@@ -56,14 +56,14 @@ fn development(design: &Design) -> [Quantity; 3] {
             t("2π·r_dev", "2π·r_dev"),
         )
         .by("derived_W", "2*PI()*derived_r_dev"),
-        quantity(
+        derived(
             "y_min",
             t("y mínima de la plantilla", "Minimum y of the template"),
             least,
             mm,
             t("artículo, ec. (9)", "paper, eq. (9)"),
         ),
-        quantity(
+        derived(
             "y_max",
             t("y máxima de la plantilla", "Maximum y of the template"),
             most,
@@ -75,7 +75,7 @@ fn development(design: &Design) -> [Quantity; 3] {
 
 /// The eccentricity up to which the curve closes.
 fn most_eccentric(design: &Design) -> Quantity {
-    quantity(
+    derived(
         "e_max",
         t("Excentricidad máxima con la que la curva se cierra", "Maximum eccentricity with which the curve closes"),
         design.R - design.r,
@@ -91,15 +91,9 @@ fn wall(design: &Design) -> [Quantity; 2] {
     let (D, wall_t) = (diameter(&BRANCH, design.branch.D), thickness(&BRANCH, [design.branch.D, design.branch.t]));
     let mm = Unit::Millimetre;
     [
-        quantity(
-            "r_i",
-            t("Radio interior de la pared", "Inside radius of the wall"),
-            bore,
-            mm,
-            t("D/2 − t", "D/2 − t"),
-        )
-        .by("derived_wall_r_i", format!("MIN({D}/2-{wall_t},derived_header_R-ABS(eccentricity_e))")),
-        quantity("r_o", t("Radio exterior de la pared", "Outside radius of the wall"), outside, mm, t("D/2", "D/2"))
+        derived("r_i", t("Radio interior de la pared", "Inside radius of the wall"), bore, mm, t("D/2 − t", "D/2 − t"))
+            .by("derived_wall_r_i", format!("MIN({D}/2-{wall_t},derived_header_R-ABS(eccentricity_e))")),
+        derived("r_o", t("Radio exterior de la pared", "Outside radius of the wall"), outside, mm, t("D/2", "D/2"))
             .by("derived_wall_r_o", format!("{D}/2")),
     ]
 }
@@ -108,21 +102,21 @@ fn wall(design: &Design) -> [Quantity; 2] {
 fn seat(design: &Design, rest: &Rest) -> [Quantity; 5] {
     let mm = Unit::Millimetre;
     [
-        quantity(
+        derived(
             "d_w",
             t("Pared dentro del tubo base, como máximo", "Wall inside the header, at most"),
             rounded_up(rest.inside.most),
             mm,
             place(&rest.inside),
         ),
-        quantity(
+        derived(
             "a_w",
             t("A esmerilar a lo largo del injerto, como máximo", "To grind along the branch, at most"),
             rounded_up(rest.grind.most),
             mm,
             place(&rest.grind),
         ),
-        quantity(
+        derived(
             "g_i",
             t(
                 "Separación del borde interior, como máximo, sin el ancho de corte",
@@ -132,7 +126,7 @@ fn seat(design: &Design, rest: &Rest) -> [Quantity; 5] {
             mm,
             place(&rest.gaps[0]),
         ),
-        quantity(
+        derived(
             "g_o",
             t(
                 "Separación del borde exterior, como máximo, sin el ancho de corte",
@@ -142,7 +136,7 @@ fn seat(design: &Design, rest: &Rest) -> [Quantity; 5] {
             mm,
             place(&rest.gaps[1]),
         ),
-        quantity(
+        derived(
             "k_i",
             t(
                 "Lo que el ancho de corte quita de más al borde interior, como máximo",
