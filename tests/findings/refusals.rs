@@ -402,5 +402,5 @@ fn a_greatest_thickness_below_nothing_is_not_named() {
     );
     // Value and limit are named in it: no number without a name is put behind it.
     assert_eq!((&*findings[0].value, &*findings[0].limit), ("53 mm", "50.265 mm"));
-    assert_eq!(findings[1].what.en, "blade thickness e is 45 mm; it must not exceed e_max = 42.265 mm for 1 blades");
+    assert_eq!(findings[1].what.en, "blade thickness e is 45 mm; it must not exceed e_max = 42.265 mm for 1 blade");
 }

@@ -505,7 +505,8 @@ fn an_axis_that_leaves_its_travel_at_both_ends_names_both() {
 #[test]
 fn an_offset_that_may_bring_a_length_is_named_by_its_own_cell() {
     let tools = [("T_f", Value::Whole(2)), ("D_f", Value::Whole(2)), ("d_f", Value::Real(5.0))];
-    let changes: Vec<_> = [("dialect", Value::Choice("fagor-8070"))].into_iter().chain(tools).collect();
+    let of_control = [("dialect", Value::Choice("fagor-8070")), ("retract", Value::Line("G0 Z400".to_owned()))];
+    let changes: Vec<_> = of_control.into_iter().chain(tools).collect();
     let made = outcome(&changes);
     let told = made.findings.iter().find(|one| one.code() == "P1049").expect("a caution");
     let place = format!("{:?}", told.place);

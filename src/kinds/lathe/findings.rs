@@ -191,15 +191,15 @@ pub(super) fn alarms(alarms: &[Raised], given: &Given) -> Vec<Finding> {
             if count > 1 {
                 finding.data.push(("more", (count - 1).datum()));
                 finding = finding.found(count as u64);
-                let Text { es, en } = &finding.what;
+                let (Text { es, en }, most) = (&finding.what, &finding.value);
                 finding.what = match count - 1 {
                     1 if travel(alarm) => Text::new(
-                        format!("{es}; sale también en otro movimiento"),
-                        format!("{en}; it leaves it in another motion, too"),
+                        format!("{es}; sale también en otro movimiento, {most} como mucho"),
+                        format!("{en}; it leaves it in another motion, too, by {most} at most"),
                     ),
                     more if travel(alarm) => Text::new(
-                        format!("{es}; sale también en otros {more} movimientos"),
-                        format!("{en}; it leaves it in {more} other motions, too"),
+                        format!("{es}; sale también en otros {more} movimientos, {most} como mucho"),
+                        format!("{en}; it leaves it in {more} other motions, too, by {most} at most"),
                     ),
                     1 => Text::new(format!("{es}, y otra vez en la línea"), format!("{en}, and once more on the line")),
                     more => Text::new(

@@ -193,9 +193,19 @@ fn a_tool_says_what_it_needs_and_cannot_be() {
             rows[row].values.remove(key);
         })
     };
-    stops("IC", &without(0, "tools/IC").bytes(), &["TOOLS!F6 tool 1 needs IC"], "fill in the cell");
+    stops(
+        "IC",
+        &without(0, "tools/IC").bytes(),
+        &["TOOLS!F6 tool 1 needs IC (inscribed circle; body of a centre drill)"],
+        "fill in the cell",
+    );
     stops("shape", &without(0, "tools/shape").bytes(), &["TOOLS!E6 tool 1 needs shape"], "ISO 1832");
-    stops("psi", &without(3, "tools/psi").bytes(), &["TOOLS!L9 tool 4 needs psi"], "fill in the cell");
+    stops(
+        "psi",
+        &without(3, "tools/psi").bytes(),
+        &["TOOLS!L9 tool 4 needs psi (thread or point angle)"],
+        "fill in the cell",
+    );
     let with = |key: &'static str, value| {
         sound().change(TOOLS_KEY, |rows| {
             rows[0].values.insert(key, Value::Real(value));
@@ -225,8 +235,18 @@ fn a_tool_says_what_it_needs_and_cannot_be() {
         });
         stops(key, &book.bytes(), &[said], "check the sizes of the tool");
     }
-    stops("p_min", &without(3, "tools/p_min").bytes(), &["TOOLS!M9 tool 4 needs p_min"], "fill in the cell");
-    stops("c", &without(5, "tools/c").bytes(), &["TOOLS!T11 tool 6 needs c"], "fill in the cell");
+    stops(
+        "p_min",
+        &without(3, "tools/p_min").bytes(),
+        &["TOOLS!M9 tool 4 needs p_min (minimum lead)"],
+        "fill in the cell",
+    );
+    stops(
+        "c",
+        &without(5, "tools/c").bytes(),
+        &["TOOLS!T11 tool 6 needs c (from the tip to the centre of the bar)"],
+        "fill in the cell",
+    );
     let comma = sound().change(TOOLS_KEY, |rows| {
         rows[0].values.insert("tools/R", Value::Line("0,8".to_owned()));
     });
