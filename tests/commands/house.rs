@@ -184,7 +184,11 @@ fn no_code_asks_which_control_it_is() {
 fn no_code_compares_with_a_value_of_a_control() {
     let word = |one: char| one.is_alphanumeric() || one == '_';
     let named = |(_, code): &(PathBuf, Vec<String>)| -> Vec<String> {
-        let names = code.iter().filter_map(|line| line.strip_prefix("pub ").unwrap_or(line).strip_prefix("enum "));
+        let names = code.iter().filter_map(|line| {
+            line.split_once("enum ")
+                .filter(|(before, _)| before.is_empty() || before.starts_with("pub"))
+                .map(|(_, rest)| rest)
+        });
         names.map(|rest| rest.chars().take_while(|one| word(*one)).collect()).collect()
     };
     let (of_controls, others): (Vec<_>, Vec<_>) =

@@ -128,6 +128,17 @@ pub enum Pointing {
     Divided,
 }
 
+impl Pointing {
+    /// True where the number is to be divided.
+    #[must_use]
+    pub const fn divides(self) -> bool {
+        match self {
+            Self::Divided => true,
+            Self::AsWritten | Self::NotTaken => false,
+        }
+    }
+}
+
 /// What a number measures that may be divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measured {

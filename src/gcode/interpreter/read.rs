@@ -1,7 +1,7 @@
 //! From a line to a block.
 
 use crate::gcode::code::{G, Group, M, TurningCycle};
-use crate::gcode::control::{ALL, Disorder, Pointing};
+use crate::gcode::control::{ALL, Disorder};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent, letter_for_zero};
@@ -229,7 +229,7 @@ impl Reader<'_, '_> {
             value,
             square: None,
             column,
-            pointless: pointing == Pointing::Divided && value != 0.0,
+            pointless: pointing.divides() && value != 0.0,
         };
         if let Some(first) = self.block.edge.replace(edge) {
             return Err(Refused::of(&EdgeTwice {}, &[first.column, column]).as_alarm_of(self.alarms()));
