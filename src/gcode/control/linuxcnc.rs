@@ -5,10 +5,10 @@ use crate::gcode::control::codes::{BY_MODE, COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
-    MissingFeed, NegativeRadius, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference, Retract, Rollover,
-    RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns,
-    UnitChange, Writing,
+    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
+    MachineMove, Mark, MissingFeed, NegativeRadius, OffsetRule, Opening, Order, Percent, Radii, RadiusRule, Reference,
+    Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall,
+    ToolChange, Turns, UnitChange, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -42,6 +42,7 @@ pub static LINUXCNC: Control = Control {
         delete: BlockDelete::Plain,
         percent: Percent::Pair,
         mark: Mark::Rejected,
+        lone_dwell: LoneDwell::Rejected,
         lone_return: LoneReturn::Rejected,
         empty: EmptyBlock::Passed,
         greatest_number: 999_999_999,

@@ -47,6 +47,7 @@ mod fagor;
 mod flow;
 mod inputs;
 mod lathe;
+mod length;
 mod library;
 mod line;
 mod milling;
@@ -453,6 +454,7 @@ impl Reader<'_, '_> {
             self.end_cutter();
         }
         self.end_spindle();
+        self.end_length();
         self.end_of_program();
         Ok(())
     }

@@ -10,10 +10,10 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
-    CodeNotSupported, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat,
-    LetterNotSupported, LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany,
-    MacroLanguage, Macros, Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, UnknownToAll,
-    WordTooGreat, WordTwice,
+    CodeNotSupported, CodeParted, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize, EdgeTwice,
+    FeedOrSpeedTooGreat, LetterNotSupported, LetterUnknown, MachineCodeNotFollowed, MachineCodeNotSupported,
+    MachineCodeOfBuilder, MachineCodesTooMany, MacroLanguage, Macros, Negative, NumberParted, TwoCodesOfGroup,
+    TwoMachineCodesOfGroup, Unknown, UnknownToAll, WordTooGreat, WordTwice,
 };
 use crate::limits::COUNT;
 use crate::machine::length_unit::LengthUnit;
@@ -153,6 +153,9 @@ impl Reader<'_, '_> {
                 let group = g.group().name();
                 Refused::of(&TwoCodesOfGroup { group }, &[first, column])
             }),
+            None if cursor.parted.is_some_and(|parted| parted > column) => {
+                Err(Refused::of(&CodeParted { text: cursor.text_from(column) }, &[column]))
+            }
             None => Err(self.unknown('G', value, column)),
         }
     }
@@ -172,6 +175,11 @@ impl Reader<'_, '_> {
                 Err(Refused::of(&MachineCodeNotSupported { code: number, reason: t(name.0, name.1) }, &[column]))
             }
             Some((number, m)) => {
+                if let M::NotFollowed(name) = m {
+                    let row = MachineCodeNotFollowed { code: number, what: t(name.0, name.1) };
+                    let spot = self.block.spot;
+                    self.memory.remarks.row(&row, spot, Some(column));
+                }
                 if m == M::User {
                     let spot = self.block.spot;
                     self.memory.remarks.row(&MachineCodeOfBuilder { code: number }, spot, Some(column));

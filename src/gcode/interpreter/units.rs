@@ -4,6 +4,7 @@ use crate::finding::Grade;
 use crate::gcode::code::G;
 use crate::gcode::control::UnitChange;
 use crate::gcode::interpreter::Memory;
+use crate::gcode::interpreter::doubt::UNIT;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::rules::modes::{UnitNotSaid, UnitsChange};
 use crate::machine::length_unit::LengthUnit;
@@ -33,6 +34,8 @@ impl Memory<'_> {
         let control = self.control;
         match (self.units.moved_in.replace(unit), self.units.told_at) {
             (Some(before), _) if before == unit => return,
+            // A rejected block may have told it.
+            (None, None) if self.doubts.holds(UNIT) => {}
             (None, None) => {
                 let code = |unit: G| control.codes.names(unit).into_iter().next().unwrap_or_default();
                 let name = match unit {
