@@ -314,5 +314,5 @@ rules! {
         remedy "programe G44 al retirarse en Z", "program G44 as Z retracts";
         why "El programa siguiente empezaría con la longitud de esta herramienta.",
             "The next program would begin with the length of this tool.";
-        example Example::program("fagor-8055", "G71 G90 G94 F100|T1 D1|M6|G43 G0 Z50|M30", "5");
+        example Example::program("fagor-8055", "G71 G90 G94 F100|T1 D0|M6|G43 G0 Z50|M30", "5");
 }
