@@ -227,7 +227,7 @@ rules! {
             "write R: the radius where the cut begins less the one where it ends; in G94, the Z where it begins less the one where it ends";
         why "Sin R el ciclo corta un cilindro, o una cara plana.", "Without R the cycle cuts a cylinder, or a plane face.";
         example Example::program("fanuc-lathe-a", "G21 G99|G0 X54. Z2.|G92 X50. Z-20. I-1. F2.|M30", "3:16");
-    "G0132" CodeParted Stop { text: String }
+    "G0136" CodeParted Stop { text: String }
         es "rodete lee «{text}» como un solo número, y no conoce tal código"
         en "rodete reads '{text}' as one number, and knows no such code"
         remedy "escriba cada número con su letra y sin espacios, como G4 K50", "write each number with its letter and without blanks, as G4 K50";
