@@ -381,6 +381,8 @@ pub enum M {
     Door,
     /// A code of the machine's builder or user: not run, and said so.
     User,
+    /// Of no motion, known to the control: not run, and said by its name.
+    NotFollowed(&'static Name),
     /// Known to the control and refused by name.
     Refused(&'static Name),
 }
@@ -400,7 +402,7 @@ impl M {
             | Self::RestoreState => 7,
             Self::Coolant(_) => 8,
             Self::Override => 9,
-            Self::User | Self::Door => 10,
+            Self::User | Self::NotFollowed(_) | Self::Door => 10,
             Self::Output | Self::Input | Self::AnalogOutput | Self::Refused(_) => 5,
         }
     }

@@ -204,6 +204,7 @@ impl M {
             Self::Return => t("regreso de un subprograma", "return from a subprogram"),
             Self::Door => t("puertas de la máquina", "the machine's doors"),
             Self::User => t("del fabricante o del usuario: no se ejecuta", "the builder's or the user's: not run"),
+            Self::NotFollowed((es, en)) => Text::new(format!("{es}: no se ejecuta"), format!("{en}: not run")),
             Self::Refused(name) => refused(*name),
         }
     }

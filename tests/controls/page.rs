@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use rodete::cli::controls;
-use rodete::gcode::control::{ALL, code_name};
+use rodete::gcode::control::{ALL, CODE_LIMIT, code_name};
 use rodete::text::Language;
 
 const HOW: &str = "where that is meant: RODETE_CONTROLS=write cargo test --test controls page::";
@@ -68,7 +68,7 @@ fn the_page_tells_every_code_of_every_table() {
                 })
                 .unwrap();
             let mut codes = 0;
-            for tenths in 0..1000 {
+            for tenths in 0..CODE_LIMIT {
                 let name = code_name(tenths);
                 let row = table.lines().find(|line| line.starts_with(&format!("| {name} |")));
                 let cell = row.map(|row| cells(row)[place].clone()).filter(|cell| !cell.is_empty());

@@ -7,7 +7,7 @@ use anstyle::Style;
 use super::markdown::{headed, plain, write_head};
 use crate::cli::finding::wrapped;
 use crate::gcode::code::{G, M};
-use crate::gcode::control::{ALL, Class, Control, code_name};
+use crate::gcode::control::{ALL, CODE_LIMIT, Class, Control, code_name};
 use crate::text::{Language, Text, t};
 
 /// The greatest M code that a control may know.
@@ -42,7 +42,7 @@ fn g_codes() -> Vec<Row> {
         let known = codes.iter().any(Option::is_some);
         known.then(|| Row { of: Text::same(code_name(tenths)), cells: codes.map(|code| code.map(G::told)) })
     };
-    (0..1000).filter_map(row).collect()
+    (0..CODE_LIMIT).filter_map(row).collect()
 }
 
 /// M codes; those that follow one another and mean the same to every control share a row.
@@ -82,7 +82,7 @@ pub fn controls(language: Language) -> String {
     let title = t("Los controles", "The controls");
     let about = t(
         "Lo que cada control lee, rechaza y escribe, tomado de sus datos. Una casilla vacía significa que el control no conoce el código: rodete rechaza el programa que lo lleve. Esta página es la salida de `rodete explain --controls --markdown --lang es`.",
-        "What each control reads, rejects and writes, from its data. An empty cell means that the control does not know the code: rodete rejects a program that contains it. This page is the output of `rodete explain --controls --markdown --lang en`.",
+        "What each control reads, rejects and writes, from its data. An empty cell means that rodete does not know the code on that control, and rejects a program that contains it. This page is the output of `rodete explain --controls --markdown --lang en`.",
     );
     let mut page = headed(&title, &about, language);
     for Chapter { title, of, rows } in chapters() {

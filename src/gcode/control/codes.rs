@@ -4,9 +4,12 @@ use crate::gcode::code::{G, M};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
 
-/// The meaning of G codes, by their number in tenths, below 1000: G54 is 540, G59.3 is 593.
+/// The number in tenths below which G codes lie.
+pub const CODE_LIMIT: usize = 2000;
+
+/// The meaning of G codes, by their number in tenths, below [`CODE_LIMIT`]: G54 is 540, G59.3 is 593.
 #[derive(Debug)]
-pub struct Codes([Option<G>; 1000]);
+pub struct Codes([Option<G>; CODE_LIMIT]);
 
 /// G codes of one meaning.
 pub type Row = (&'static [usize], G);
@@ -40,7 +43,7 @@ impl Codes {
     /// The table of several lists. A code that stands twice does not compile.
     #[must_use]
     pub const fn new(lists: &[&[Row]]) -> Self {
-        let mut table = [None; 1000];
+        let mut table = [None; CODE_LIMIT];
         let mut list = 0;
         while list < lists.len() {
             let mut row = 0;

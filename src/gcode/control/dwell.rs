@@ -12,6 +12,26 @@ pub struct DwellWord {
     pub unit: f64,
 }
 
+/// What G4 without a time is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoneDwell {
+    /// Nothing: it is rejected.
+    Rejected,
+    /// The control stops preparing blocks ahead, and does not dwell.
+    StopsPreparation,
+}
+
+impl LoneDwell {
+    /// True where a block of G4 alone runs.
+    #[must_use]
+    pub const fn runs(self) -> bool {
+        match self {
+            Self::Rejected => false,
+            Self::StopsPreparation => true,
+        }
+    }
+}
+
 impl DwellWord {
     /// The address, counted from A = 0.
     #[must_use]

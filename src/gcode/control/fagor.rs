@@ -5,10 +5,10 @@ use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
-    MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Post,
-    Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
-    ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
+    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent,
+    PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
+    Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -28,8 +28,18 @@ pub static FAGOR_8055: Control = Control {
             "Fagor Automation, CNC 8055 M, solución de errores (Ref. 1310), errores 0054 y 1085: en un arco de G17 K es el paso de una hélice, siempre positivo; 0002 a 0004, 0009, 0012 y 0048: orden G, ejes X Y Z U V W A B C, F S T D, M (manual de programación, p. 47 y 65)",
             "Fagor Automation, CNC 8055 M, error solution (Ref. 1310), errors 0054 and 1085: in an arc of G17 K is the pitch of a helix, always positive; 0002 to 0004, 0009, 0012 and 0048: order G, axes X Y Z U V W A B C, F S T D, M (programming manual, p. 47 and 65)",
         ),
+        t(
+            "Fagor Automation, CNC 8055 M, manual de programación, p. 144: G43 cuenta desde el siguiente movimiento del eje longitudinal, con L y K del corrector D, o del de la herramienta sin D; G44 la anula; p. 109: G4 sola para la preparación de bloques; 5.7.8 y 5.7.9: M41 a M44 y M45",
+            "Fagor Automation, CNC 8055 M, programming manual, p. 144: G43 counts from the next motion of the longitudinal axis, with L and K of offset D, or of the tool's own without D; G44 cancels it; p. 109: G4 alone stops the preparation of blocks; 5.7.8 and 5.7.9: M41 to M44 and M45",
+        ),
+        t(
+            "Fagor Automation, CNC 8055 M, solución de errores (Ref. 1310), errores 0013, 0016, 0017, 0025, 0029 a 0036, 0116, 0200, 0213 y 1029: G15, G16, G28 a G30, G52, G60 a G68, G77, G78, G159; manual de programación, p. 419: G47 a G49",
+            "Fagor Automation, CNC 8055 M, error solution (Ref. 1310), errors 0013, 0016, 0017, 0025, 0029 to 0036, 0116, 0200, 0213 and 1029: G15, G16, G28 to G30, G52, G60 to G68, G77, G78, G159; programming manual, p. 419: G47 to G49",
+        ),
         FRAME,
     ],
+    lexis: Lexis { lone_dwell: LoneDwell::StopsPreparation, ..LEXIS },
+    machine_code: machine_code_8055,
     ..FAGOR_8055_BASE
 };
 
@@ -187,6 +197,7 @@ const LEXIS: Lexis = Lexis {
     free: Letters::of("DFST"),
     negative: Letters::of(""),
     dwell: &[DwellWord { letter: 'K', unit: 0.01 }],
+    lone_dwell: LoneDwell::Rejected,
     language: Language::Words,
     comments: Comments::Semicolon,
     delete: BlockDelete::Three,
@@ -213,8 +224,6 @@ const MIRROR: Name = ("imagen espejo, escala y giro de coordenadas", "mirror ima
 const ZONE: Name = ("zonas de trabajo", "work zones");
 const THREAD: Name = ("roscado electrónico", "electronic threading");
 const COMPENSATION: Name = ("compensación de radio de herramienta", "tool radius compensation");
-const LENGTH: Name =
-    ("compensación de longitud con la tabla del control", "tool length compensation by the control's table");
 const TRANSFORMATION: Name = ("transformación de coordenadas y TCP", "coordinate transformation and TCP");
 const ADDITIVE: Name = ("traslado de origen aditivo", "additive zero offset");
 const CYCLE: Name = ("ciclos fijos", "canned cycles");
@@ -225,6 +234,18 @@ const POLAR: Name = ("origen polar", "polar origin");
 const LOOK_AHEAD: Name = ("anticipación de bloques, con A y E", "look-ahead, with A and E");
 const CUTTING_POINT: Name = ("avance constante del punto de corte", "constant feed of the cutting point");
 const INVERSE: Name = ("avance como inversa del tiempo", "feed as inverse of the time");
+const LONGITUDINAL: Name = ("elección del eje longitudinal", "choice of the longitudinal axis");
+const PLANE_OF_AXES: Name = ("plano de dos ejes", "plane of two axes");
+const SECOND_SPINDLE: Name = ("segundo husillo, o intercambio de ejes", "second spindle, or exchange of axes");
+const SPINDLE_ANGLE: Name = ("desfase de husillos sincronizados", "angle between synchronised spindles");
+const TOOL_AXIS: Name = ("movimiento según el eje de la herramienta", "motion along the tool's axis");
+const HARD_STOP: Name = ("movimiento contra tope", "motion against a hard stop");
+const MULTIPLE: Name = ("mecanizado múltiple", "multiple machining");
+const ISLANDS: Name = ("cajeras con islas", "pockets with islands");
+const COUPLING: Name = ("ejes o husillos acoplados", "coupled axes or spindles");
+const TABLE_OFFSETS: Name = ("traslados de origen de la tabla, con N", "work offsets of the table, by N");
+const GEAR: Name = ("gama de velocidad del husillo", "speed range of the spindle");
+const LIVE_TOOL: Name = ("herramienta motorizada, con S propia", "live tool, with an S of its own");
 const CANCEL_ZERO: Name = ("anulación del traslado de origen", "zero offset cancellation");
 
 /// What 8055 M, 8055 T and 8070 have in common.
@@ -267,11 +288,21 @@ static CODES_8055: Codes = Codes::new(&[
     BOTH_8055,
     MILLS,
     &[
+        (&[150], G::Refused(Group::Plane, &LONGITUDINAL)),
+        (&[160], G::Refused(Group::Plane, &PLANE_OF_AXES)),
+        (&[280, 290], G::Refused(Group::Other, &SECOND_SPINDLE)),
+        (&[300], G::Refused(Group::Other, &SPINDLE_ANGLE)),
         (&[320], G::Refused(Group::Feed, &INVERSE)),
-        (&[430], G::Refused(Group::ToolLength, &LENGTH)),
+        (&[430], G::ToolLength),
         (&[440], G::ToolLengthOff),
         (&[480, 490], G::Refused(Group::Other, &TRANSFORMATION)),
+        (&[470], G::Refused(Group::Other, &TOOL_AXIS)),
+        (&[520], G::Refused(Group::NonModal, &HARD_STOP)),
+        (&[600, 610, 620, 630, 640, 650], G::Refused(Group::Motion, &MULTIPLE)),
+        (&[660, 670, 680], G::Refused(Group::Motion, &ISLANDS)),
         (&[690, 790], G::Refused(Group::Motion, &CYCLE)),
+        (&[770, 780], G::Refused(Group::Other, &COUPLING)),
+        (&[1590], G::Refused(Group::WorkOffset, &TABLE_OFFSETS)),
         (&[960], G::Refused(Group::Speed, &CUTTING_POINT)),
         (&[970], G::PathControl),
     ],
@@ -320,6 +351,15 @@ static CODES_8070: Codes = Codes::new(&[
         (&[970], G::Rpm),
     ],
 ]);
+
+/// The 8055 M names some codes that the other two leave to the machine's builder.
+fn machine_code_8055(number: u32) -> Option<M> {
+    match number {
+        41..=44 => Some(M::NotFollowed(&GEAR)),
+        45 => Some(M::NotFollowed(&LIVE_TOOL)),
+        _ => machine_code(number),
+    }
+}
 
 fn machine_code(number: u32) -> Option<M> {
     common_machine_code(number).or_else(|| {

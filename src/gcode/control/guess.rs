@@ -6,10 +6,11 @@ use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 
 /// The control that the beginning of a program and its file's ending (without the dot) tell.
 ///
-/// The header of a program that rodete wrote names it. `.ngc` is LinuxCNC. A first line `%name,MX--,` is a Fagor 8055, or 8055 T
-/// where a block has G96 with S, or where one has G95 and none as far as the end has Y; `%number-name` is a Fagor 8070. An M code from M10 to M18
-/// or M20 to M29, which LinuxCNC does not have and a machine's builder gives a Fagor (clamps of rotary axes), is a Fagor
-/// 8055. A Fanuc lathe of system A is told by a T of place and offset, `T0101`, or `T101` in a text without M6; by `G50 S`; and by
+/// The header of a program that rodete wrote names it. `.pim` is a Fagor 8055, `.pit` an 8055 T, `.ngc` LinuxCNC. A first line of a name
+/// and attributes, `%name,MX--,`, is a Fagor 8055, or 8055 T where a block has G96 with S, or where one has G95 and none as far as the end
+/// has Y; `%number-name` is a Fagor 8070. An M code from M10 to M18 or M20 to M29, which LinuxCNC does not have and a machine's builder gives
+/// a Fagor (clamps of rotary axes), is a Fagor 8055. So is a line that is a statement in parentheses, as `(CALL 1)` or `(P100=5)`: another
+/// control would pass over it as a comment, and make another part. A Fanuc lathe of system A is told by a T of place and offset, `T0101`, or `T101` in a text without M6; by `G50 S`; and by
 /// G71, G72 or G73 with P, Q and U or W; by G28 or G30 with U or W; and by G92 with F, a thread. U and W alone tell nothing: they are
 /// axes of LinuxCNC. Everything else is LinuxCNC.
 ///
@@ -20,6 +21,12 @@ pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
     if let Some(dialect) = text.lines().find_map(headed) {
         return dialect;
     }
+    if ending.eq_ignore_ascii_case("pit") {
+        return &FAGOR_8055_T;
+    }
+    if ending.eq_ignore_ascii_case("pim") {
+        return &FAGOR_8055;
+    }
     if turned {
         return guess_turning(head);
     }
@@ -27,13 +34,13 @@ pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
         return &LINUXCNC;
     }
     let first = text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or_default();
-    if let Some(name) = first.strip_prefix('%') {
-        if name.contains(",MX") {
-            return if text.lines().any(surface_speed) || turns_without_y(&text) { &FAGOR_8055_T } else { &FAGOR_8055 };
-        }
-        if name.starts_with(|letter: char| letter.is_ascii_digit()) {
-            return &FAGOR_8070;
-        }
+    let fagor_8055 =
+        || if text.lines().any(surface_speed) || turns_without_y(&text) { &FAGOR_8055_T } else { &FAGOR_8055 };
+    if attributed(first) {
+        return fagor_8055();
+    }
+    if first.strip_prefix('%').is_some_and(|name| name.starts_with(|letter: char| letter.is_ascii_digit())) {
+        return &FAGOR_8070;
     }
     let short = || text.lines().any(short_place_and_offset) && !text.lines().any(|line| has(&code(line), "M", "6"));
     if text.lines().any(|line| place_and_offset(line) || speed_limit(line) || roughs(line) || home_or_thread(line))
@@ -41,20 +48,23 @@ pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
     {
         return &FANUC_LATHE_A;
     }
+    if text.lines().any(statement) {
+        return fagor_8055();
+    }
     if text.lines().any(builders_code) { &FAGOR_8055 } else { &LINUXCNC }
 }
 
-/// The same of a turning program. A first line `%name,MX--,`, or a tool with its offset as `T1 D1` or `T1.1`, is a Fagor
-/// 8055 T; everything else is a Fanuc of system A, whose T carries both numbers.
+/// The same of a turning program. A line of a name and attributes, `%name,MX--,`, a statement in parentheses, or a tool with its offset
+/// as `T1 D1` or `T1.1`, is a Fagor 8055 T; everything else is a Fanuc of system A, whose T carries both numbers.
 #[must_use]
 pub fn guess_turning(head: &[u8]) -> &'static Control {
     let text = String::from_utf8_lossy(head);
-    let named = text.lines().any(|line| line.trim_start().starts_with('%') && line.contains(",MX"));
-    if named || text.lines().any(tool_and_offset) { &FAGOR_8055_T } else { &FANUC_LATHE_A }
+    let told = |line: &str| attributed(line.trim()) || statement(line) || tool_and_offset(line);
+    if text.lines().any(told) { &FAGOR_8055_T } else { &FANUC_LATHE_A }
 }
 
 /// True where a program is a mill's for certain: the header of rodete names a mill's control; or the program is read as a mill's, and
-/// beside words of Y it changes its tool by M6 or takes up a tool's length by G43. A lathe that has Y or live tools calls them by T alone.
+/// ends in `.pim`, or beside words of Y it changes its tool by M6 or takes up a tool's length by G43. A lathe that has Y or live tools calls them by T alone.
 #[must_use]
 pub fn mills(head: &[u8], ending: &str) -> bool {
     if guess(head, ending, false).turns() {
@@ -62,7 +72,8 @@ pub fn mills(head: &[u8], ending: &str) -> bool {
     }
     let text = String::from_utf8_lossy(head);
     let codes = || text.lines().map(code);
-    text.lines().find_map(headed).is_some()
+    ending.eq_ignore_ascii_case("pim")
+        || text.lines().find_map(headed).is_some()
         || codes().any(|line| word(&line, 'Y')) && codes().any(|line| has(&line, "M", "6") || has(&line, "G", "43"))
 }
 
@@ -87,6 +98,41 @@ pub fn tools_headed(head: &[u8]) -> BTreeSet<u32> {
         words.next()?.strip_prefix('D').filter(|_| of_tools)?.parse().ok()
     };
     text.lines().filter_map(named).collect()
+}
+
+/// True for `%name,attributes,` of a Fagor 8055, the attributes of M, X, H, O and dashes: also where they do not let the program run, which
+/// is refused by its name.
+fn attributed(line: &str) -> bool {
+    let Some((_, attributes)) = line.strip_prefix('%').and_then(|line| line.split_once(',')) else { return false };
+    let attributes = attributes.trim_end().trim_end_matches(',').trim();
+    !attributes.is_empty() && attributes.bytes().all(|letter| b"MXHO-".contains(&letter.to_ascii_uppercase()))
+}
+
+/// True where a line is a statement of a Fagor 8055 in parentheses: a call, a subprogram, a repetition, a jump, or a parameter or an origin
+/// that gets a value.
+fn statement(line: &str) -> bool {
+    let line = line.trim_start().trim_start_matches('/').to_ascii_uppercase();
+    let line = line.trim_start_matches(|one: char| one == 'N' || one.is_ascii_digit() || one.is_whitespace());
+    let Some(inside) = line.strip_prefix('(').map(str::trim_start) else { return false };
+    let digit = |rest: &str| rest.trim_start().starts_with(|one: char| one.is_ascii_digit());
+    let numbered = |word: &str| inside.strip_prefix(word).is_some_and(digit);
+    let label = |word: &str| {
+        let rest = inside.strip_prefix(word).and_then(|rest| rest.trim_start().strip_prefix('N'));
+        rest.is_some_and(digit)
+    };
+    let alone = |word: &str| inside.strip_prefix(word).is_some_and(|rest| rest.trim_start().starts_with(')'));
+    let assigned = |letters: &str| {
+        let rest =
+            inside.strip_prefix(letters).map(|rest| rest.trim_start_matches(|one: char| "XYZUVWABC".contains(one)));
+        rest.is_some_and(|rest| {
+            digit(rest) && rest.trim_start_matches(|one: char| one.is_ascii_digit()).trim_start().starts_with('=')
+        })
+    };
+    ["CALL", "PCALL", "MCALL", "SUB"].into_iter().any(numbered)
+        || ["RPT", "GOTO"].into_iter().any(label)
+        || ["RET", "MDOFF"].into_iter().any(alone)
+        || ["P", "ORG"].into_iter().any(assigned)
+        || inside.starts_with("IF") && ["GOTO", "CALL", "RPT"].into_iter().any(|word| inside.contains(word))
 }
 
 /// True where a line has G96 and S: constant surface speed, which no milling program has.
@@ -192,6 +238,7 @@ mod tests {
             ("G43 H1 Z50\nG1 Y-2 F100\n", "nc", true),
             ("%0001-A,MX--,\r\nT1 D1\r\nM6\r\nG1 X20 Y0\r\n", "nc", true),
             (";RODETE 0.1.0 - DIALECT FAGOR-8055\nG1 X20\n", "nc", true),
+            ("T1 D1\nG1 X20\n", "pim", true),
             (";RODETE 0.1.0 - DIALECT FAGOR-8055-T\nM6\nG1 X20 Y1\n", "nc", false),
             ("T0101\nM6\nG0 X1 Y2\n", "nc", false),
             ("G50 S2000\nT1 M6\nG0 X1 Y2\n", "nc", false),
@@ -209,6 +256,23 @@ mod tests {
             ("G21\nG0 X1\nM2\n", "nc", "linuxcnc"),
             ("N10 G91 M3 M11 M13\n", "nc", "fagor-8055"),
             ("N10 G91 M3 M11 M13\n", "ngc", "linuxcnc"),
+            ("%PLATE,X,\r\nG71\r\n", "nc", "fagor-8055"),
+            ("%PLATE,XM,\r\nG71\r\n", "nc", "fagor-8055"),
+            ("%PLATE, MX,\r\nG71\r\n", "nc", "fagor-8055"),
+            ("%PLATE,M,\r\nG71\r\n", "nc", "fagor-8055"),
+            ("%1001.PIM,M,\r\nG71\r\n", "nc", "fagor-8055"),
+            ("%PLATE,MX\r\nG71\r\nN40 G96 S300 M4\r\n", "nc", "fagor-8055-t"),
+            ("%PLATE, A PART\nG71\n", "nc", "linuxcnc"),
+            ("G71\nG0 X1\n", "pim", "fagor-8055"),
+            ("G71\nG0 X1\n", "PIT", "fagor-8055-t"),
+            ("G0 X1\n(CALL 1)\nM30\n(SUB 1)\n(RET)\n", "nc", "fagor-8055"),
+            ("G0 X1\nN20 (RPT N1, N2) N5\nM30\n", "nc", "fagor-8055"),
+            ("(P100 = 5)\nG0 X1\nM30\n", "nc", "fagor-8055"),
+            ("(ORGX54=0)\nG0 X1\nM30\n", "nc", "fagor-8055"),
+            ("(IF (P1 EQ 1) GOTO N10)\nG0 X1\nM30\n", "nc", "fagor-8055"),
+            ("(RET)\nG96 S200\nG0 X1\nM30\n", "nc", "fagor-8055-t"),
+            ("(CALL 1)\nG0 X1\nM2\n", "ngc", "linuxcnc"),
+            ("(CALL THE FOREMAN)\n(P1 PLATE)\n(RETURN)\n(SUBPART 2)\n(IF IN DOUBT)\nG0 X1\nM2\n", "nc", "linuxcnc"),
             ("%0001-A,MX--,\r\nG71\r\n", "nc", "fagor-8055"),
             ("%0001-A\r\nG71\r\n", "nc", "fagor-8070"),
             ("%0001-A,MX--,\r\n;RODETE 0.1.0 - DIALECTO FAGOR-8055-T\r\nG71\r\n", "nc", "fagor-8055-t"),
@@ -242,6 +306,8 @@ mod tests {
         // With a lathe's workbook a program turns, unless its header names another control.
         assert_eq!(guess(b"G0 X1\n", "ngc", true).name, "fanuc-lathe-a");
         assert_eq!(guess(b"T1 D1\n", "nc", true).name, "fagor-8055-t");
+        assert_eq!(guess(b"(CALL 1)\n", "nc", true).name, "fagor-8055-t");
+        assert_eq!(guess(b"T1 D1\n", "pim", true).name, "fagor-8055");
         assert_eq!(guess(b"(RODETE 0.1.0 - DIALECT FAGOR-8070)\n", "nc", true).name, "fagor-8070");
     }
 

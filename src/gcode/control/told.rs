@@ -5,7 +5,7 @@
 use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneReturn, MachineMove, Mark,
+    FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark,
     MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii,
     RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
     ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
@@ -54,6 +54,7 @@ impl Features {
             free,
             negative,
             dwell,
+            lone_dwell,
             language,
             comments,
             delete,
@@ -82,6 +83,7 @@ impl Features {
             negative.told(),
         );
         self.row(t("tiempo de espera (G4)", "time of a dwell (G4)"), dwell_words(dwell));
+        self.row(t("G4 sin tiempo", "G4 without a time"), lone_dwell.told());
         self.row(t("además de palabras", "besides words"), language.told());
         self.row(t("comentarios que se leen", "comments as read"), comments.told());
         self.row(t("salto de bloque", "block delete"), delete.told());
@@ -239,6 +241,12 @@ impl Control {
             if machine_code(6) == Some(M::ToolChange) { change.told() } else { t("nada", "nothing") },
         );
         features.row(t("letra del corrector de longitud", "letter of a length offset"), length.told());
+        let taken = if length.waits_for_motion() {
+            t("con el siguiente movimiento de Z", "with the next motion of Z")
+        } else {
+            t("en su bloque", "in its block")
+        };
+        features.row(t("la longitud cuenta (G43)", "the length counts (G43)"), coded(codes, G::ToolLength, taken));
         features.row(t("orígenes", "offsets"), offsets.told());
         features.row(t("en vigor tras G80", "in force after G80"), coded(codes, G::Cancel, cancel.told()));
         features.row(
@@ -359,6 +367,10 @@ told! {
     UnitChange {
         Self::Anywhere => "en cualquier bloque", "in any block";
         Self::AtBeginning => "antes del primer movimiento; después, aviso", "before the first motion; a caution behind it";
+    }
+    LoneDwell {
+        Self::Rejected => "se rechaza", "rejected";
+        Self::StopsPreparation => "para la preparación de bloques; no espera", "stops the preparation of blocks; does not dwell";
     }
     LoneReturn {
         Self::EndsLine => "termina la línea", "ends the line";

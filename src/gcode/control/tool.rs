@@ -23,6 +23,15 @@ impl ToolCall {
             Self::Change | Self::Words => true,
         }
     }
+
+    /// True where codes of their own take offsets: T and D alone take up no length.
+    #[must_use]
+    pub const fn offsets_by_codes(self) -> bool {
+        match self {
+            Self::Change => true,
+            Self::Digits | Self::Words => false,
+        }
+    }
 }
 
 /// The blocks that call a tool with its offset.
@@ -80,6 +89,16 @@ pub enum LengthWord {
 }
 
 impl LengthWord {
+    /// True where G43, G44 and another offset under G43 wait for the next motion of Z: a control with D (Fagor CNC 8055 M, programming
+    /// manual, p. 144). With H the length counts at once.
+    #[must_use]
+    pub const fn waits_for_motion(self) -> bool {
+        match self {
+            Self::H => false,
+            Self::D => true,
+        }
+    }
+
     /// H or D, as a program writes it.
     #[must_use]
     pub const fn letter(self) -> char {

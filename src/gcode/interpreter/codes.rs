@@ -9,7 +9,9 @@ use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::doubt;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::{FeedMode, MotionKind};
-use crate::gcode::rules::modes::{DwellNegative, DwellTwice, DwellWithoutTime, NoSpeedLimit, SurfaceSpeedMissing};
+use crate::gcode::rules::modes::{
+    DwellNegative, DwellOfNoTime, DwellTwice, DwellWithoutTime, NoSpeedLimit, SurfaceSpeedMissing,
+};
 use crate::gcode::rules::words::{DwellNotWhole, OrientWord};
 use crate::gcode::turning::pace::Pace;
 use crate::limits::LONGEST_DWELL;
@@ -161,6 +163,11 @@ impl Reader<'_, '_> {
     }
 
     pub(super) fn dwell(&mut self) -> Result<()> {
+        if self.dwells_alone() {
+            let (spot, column) = (self.block.spot, self.block.g_column(Group::NonModal));
+            self.memory.remarks.row(&DwellOfNoTime {}, spot, Some(column));
+            return Ok(());
+        }
         let (letter, seconds) = self.dwell_time()?;
         if letter != super::block::letter::P || self.memory.control.lexis.dwell.len() > 1 {
             self.block.take(letter);
@@ -168,6 +175,13 @@ impl Reader<'_, '_> {
         self.see_dwell(letter, seconds);
         self.emit(MotionKind::Dwell(seconds), self.state.at, Some(seconds));
         Ok(())
+    }
+
+    /// True where G4 stands without a time, and without words that could be meant for one, and the control runs it so.
+    fn dwells_alone(&self) -> bool {
+        let lexis = &self.memory.control.lexis;
+        let words = self.block.present & !lexis.free.mask();
+        lexis.lone_dwell.runs() && words == 0 && self.block.g(Group::Motion).is_none()
     }
 
     /// Remarks a dwell beyond a minute whose letter counts seconds: it may be meant in milliseconds.

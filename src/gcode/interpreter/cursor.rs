@@ -44,6 +44,12 @@ impl<'l> Cursor<'l> {
         self.at
     }
 
+    /// The text from a column up to here, in capitals.
+    pub(super) fn text_from(&self, column: usize) -> String {
+        let text = self.line.get(column..self.at).unwrap_or_default();
+        String::from_utf8_lossy(text.trim_ascii()).to_uppercase()
+    }
+
     /// The next character that counts, in lower case, without passing it; 0 at the end of the block, and of a NUL 1, which
     /// no block may hold either.
     #[inline]

@@ -113,14 +113,21 @@ impl Reader<'_, '_> {
                 self.memory.remarks.row(&SpindleStopped {}, spot, None);
             }
         }
-        self.see_length(spot);
+        if self.in_doubt(doubt::TOOL | doubt::LENGTH) {
+            return;
+        }
+        if self.length_waits() {
+            self.see_waiting_length(spot);
+        } else {
+            self.see_length(spot);
+        }
     }
 
     /// Sees whether the length in force is the tool's own, as the tool table has it.
     fn see_length(&mut self, spot: Spot) {
         let tool = self.state.modal.tool;
         let Some(own) = self.memory.tools.get(&tool).map(|own| own.offset) else { return };
-        if self.state.frame.tool == own || self.in_doubt(doubt::TOOL) {
+        if self.state.frame.tool == own {
             return;
         }
         match self.state.modal.length_of {

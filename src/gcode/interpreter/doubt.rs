@@ -38,6 +38,8 @@ const PARAMETERS: State = 1 << 17;
 pub(super) const MODES: State = PLANE | UNIT | DISTANCE;
 /// The first block of a turning cycle of two.
 pub(super) const FIRST_BLOCK: State = 1 << 18;
+/// The length of a tool, taken up or not.
+pub(super) const LENGTH: State = 1 << 19;
 /// The axes X and Z of a lathe.
 pub(super) const LATHE: State = axis(Axis::X) | axis(Axis::Z);
 /// All axes.
@@ -94,7 +96,10 @@ fn of_code(number: f64, codes: &Codes) -> State {
         40..=42 => MOTION,
         71..=76 => MOTION | FIRST_BLOCK,
         0..=3 | 5 | 7..=9 | 32..=39 | 70 | 77..=89 => MOTION,
-        10 | 28 | 30 | 43 | 49 | 50 | 52..=59 | 92 => ALL,
+        43 | 44 | 49 => ALL | LENGTH,
+        15 | 16 => PLANE,
+        10 | 28..=30 | 47 | 48 | 50 | 52..=59 | 92 | 159 => ALL,
+        60..=68 => MOTION,
         _ => 0,
     }
 }
@@ -179,6 +184,7 @@ impl Reader<'_, '_> {
         if matches!(block.m(7), Some((M::Spindle(_) | M::SpindleOff, _))) {
             known |= SPINDLE;
         }
+        known |= if block.g(Group::ToolLength).is_some() { LENGTH } else { 0 };
         known |= if matches!(block.g(Group::NonModal), Some(G::Turning(_))) { FIRST_BLOCK } else { 0 };
         let state = self.memory.doubts.state & !known;
         let moved = matches!(block.g(Group::NonModal), None | Some(G::MachineCoordinates));
@@ -193,7 +199,7 @@ impl Reader<'_, '_> {
 
     /// True where a part of what is in force is in doubt: a remark that hangs on it would follow from the refused block.
     pub(super) fn in_doubt(&self, state: State) -> bool {
-        self.memory.doubts.state & state != 0
+        self.memory.doubts.holds(state)
     }
 
     /// What a parameter that is not defined hangs on.
@@ -206,6 +212,11 @@ impl Doubts {
     /// True where a block has been refused.
     pub(super) const fn any_refused(&self) -> bool {
         self.since.is_some()
+    }
+
+    /// True where a part of what is in force is in doubt.
+    pub(super) const fn holds(&self, state: State) -> bool {
+        self.state & state != 0
     }
 
     /// The sentence about the refusals that were left out.

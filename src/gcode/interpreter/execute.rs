@@ -15,8 +15,9 @@ use crate::gcode::letters::Letters;
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::rules::modes::{
     AxesClaimedTwice, AxesWithCancel, AxesWithoutMotion, CycleWithoutAxes, DwellBesideAxes, FeedMissing,
-    FeedPerTurnWithoutSpeed, InverseTimeWithoutF, InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutMotion,
-    NoFeed, SetPositionWithoutAxes, SpindleStill, SpindleStops, ThreadStartAngle, WordWithoutUse,
+    FeedPerTurnWithoutSpeed, InverseTimeWithoutF, InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutAxes,
+    MachineMoveWithoutMotion, NoFeed, SetPositionWithoutAxes, SpindleStill, SpindleStops, ThreadStartAngle,
+    WordWithoutUse,
 };
 use crate::gcode::rules::words::{CycleInOneBlock, DwellBesideArc, TaperByOtherLetter};
 use crate::machine::axis::{Axis, Pose};
@@ -105,6 +106,7 @@ impl Reader<'_, '_> {
             Some(G::Compensation(side)) => self.set_compensation(side)?,
             _ => {}
         }
+        self.length_across_plane()?;
         if let Some(code) = self.block.g(Group::ToolLength) {
             self.tool_length(code)?;
         }
@@ -138,8 +140,14 @@ impl Reader<'_, '_> {
             Some(G::Reference(second)) => self.reference_point(second)?,
             Some(G::SetReference(second)) => self.keep_reference(second),
             Some(G::LocalOffset) => self.local_offset(),
-            Some(G::SetPosition) => self.set_position(),
-            Some(G::SetPositionOrSpeed) => self.set_position_or_speed()?,
+            Some(code @ (G::SetPosition | G::SetPositionOrSpeed)) => {
+                self.no_length_due()?;
+                if code == G::SetPosition {
+                    self.set_position();
+                } else {
+                    self.set_position_or_speed()?;
+                }
+            }
             Some(G::Turning(cycle)) => self.turning(cycle)?,
             Some(G::MachineCoordinates) if self.state.modal.incremental => {
                 return Err(Refused::of(&MachineMoveIncremental {}, &[self.block.g_column(Group::NonModal)]));
@@ -231,9 +239,11 @@ impl Reader<'_, '_> {
         let by_rapid = self.memory.control.machine_move.by_itself()
             && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
         if at_once == Some(G::MachineCoordinates) && !by_rapid && !matches!(motion, Some(G::Rapid | G::Linear)) {
-            return Err(
-                Refused::of(&MachineMoveWithoutMotion {}, &[block.g_column(Group::NonModal)]).hanging_on(doubt::MOTION)
-            );
+            let at = [block.g_column(Group::NonModal)];
+            if axes == 0 && matches!(self.state.modal.motion, G::Rapid | G::Linear) {
+                return Err(Refused::of(&MachineMoveWithoutAxes {}, &at));
+            }
+            return Err(Refused::of(&MachineMoveWithoutMotion {}, &at).hanging_on(doubt::MOTION));
         }
         Ok(Plan { motion, used: self.letters_used(motion, &beside) })
     }
@@ -407,6 +417,9 @@ impl Reader<'_, '_> {
             self.lathe_motion(motion);
         }
         self.straight_behind_cutter(motion);
+        if matches!(motion, G::Rapid | G::Linear | G::Arc(_)) {
+            self.take_up_length(motion)?;
+        }
         match motion {
             _ if self.memory.control.machine_move.by_itself()
                 && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) =>

@@ -153,7 +153,7 @@ impl Reader<'_, '_> {
         let cycle = matches!(motion, Some(G::Cycle(_)));
         let machine = |group: &u8| match block.m(*group) {
             Some((M::End | M::Call | M::Return | M::Spindle(_) | M::SpindleOff | M::SpindleOrient, _))
-            | Some((M::Coolant(_) | M::User, _))
+            | Some((M::Coolant(_) | M::User | M::NotFollowed(_), _))
             | None => false,
             Some(_) => before,
         };

@@ -48,6 +48,7 @@ mod flow;
 mod from_start;
 mod inputs;
 mod lathe;
+mod length;
 mod library;
 mod line;
 mod milling;
@@ -466,6 +467,7 @@ impl Reader<'_, '_> {
             self.end_cutter();
         }
         self.end_spindle();
+        self.end_length();
         self.end_of_program();
         Ok(())
     }

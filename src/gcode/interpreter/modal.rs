@@ -3,6 +3,7 @@
 use crate::gcode::code::{Cycle, G, TurningCycle};
 use crate::gcode::control::Control;
 use crate::gcode::in_force::{Compensation, InForce, Speed, Spindle};
+use crate::gcode::interpreter::length::Offset;
 use crate::gcode::interpreter::turning::First;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::length_unit::LengthUnit;
@@ -47,9 +48,11 @@ pub(super) struct Modal {
     pub(super) tool: u32,
     /// The number of the tool's offset in force.
     pub(super) offset: u32,
-    /// A tool length offset is in force.
+    /// The offset whose length G43 takes up where it waits for a motion.
+    pub(super) tool_offset: Offset,
+    /// A tool length offset is in force, or waits for the next motion of Z.
     pub(super) lengthened: bool,
-    /// The tool whose length it is, where G43 took it from the tool table.
+    /// The tool whose length it is, where G43 took it from the tool table; where G43 waits, the offset taken up.
     pub(super) length_of: Option<u32>,
     pub(super) coolant: bool,
     pub(super) compensation: Compensation,
@@ -99,6 +102,7 @@ impl Modal {
             selected: None,
             tool: 0,
             offset: 0,
+            tool_offset: Offset::default(),
             lengthened: false,
             length_of: None,
             coolant: false,

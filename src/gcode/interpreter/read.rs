@@ -10,10 +10,10 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
-    BlockRepeated, CodeNotSupported, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize, EdgeTwice,
-    FeedOrSpeedTooGreat, LetterNotSupported, LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder,
-    MachineCodesTooMany, MacroLanguage, Macros, Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup,
-    Unknown, UnknownToAll, WordTooGreat, WordTwice, WordsOutOfOrder,
+    BlockRepeated, CodeNotSupported, CodeParted, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize,
+    EdgeTwice, FeedOrSpeedTooGreat, LetterNotSupported, LetterUnknown, MachineCodeNotFollowed, MachineCodeNotSupported,
+    MachineCodeOfBuilder, MachineCodesTooMany, MacroLanguage, Macros, Negative, NumberParted, TwoCodesOfGroup,
+    TwoMachineCodesOfGroup, Unknown, UnknownToAll, WordTooGreat, WordTwice, WordsOutOfOrder,
 };
 use crate::limits::COUNT;
 use crate::machine::length_unit::LengthUnit;
@@ -157,6 +157,9 @@ impl Reader<'_, '_> {
                     Refused::of(&TwoCodesOfGroup { group }, &[first, column])
                 })
             }
+            None if cursor.parted.is_some_and(|parted| parted > column) => {
+                Err(Refused::of(&CodeParted { text: cursor.text_from(column) }, &[column]))
+            }
             None => Err(self.unknown('G', value, column)),
         }
     }
@@ -175,6 +178,11 @@ impl Reader<'_, '_> {
             }
             Some((number, m)) => {
                 self.in_order('M', value, column)?;
+                if let M::NotFollowed(name) = m {
+                    let row = MachineCodeNotFollowed { code: number, what: t(name.0, name.1) };
+                    let spot = self.block.spot;
+                    self.memory.remarks.row(&row, spot, Some(column));
+                }
                 if m == M::User {
                     let spot = self.block.spot;
                     self.memory.remarks.row(&MachineCodeOfBuilder { code: number }, spot, Some(column));

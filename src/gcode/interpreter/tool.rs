@@ -25,10 +25,10 @@ impl Reader<'_, '_> {
             ToolCall::Words => return self.turn_by_words(),
             ToolCall::Digits => return self.turn_by_digits(),
         }
-        let Some(T) = self.block.get(letter::T) else { return Ok(()) };
-        let number = self.tool_number(letter::T, T)?;
-        self.state.modal.selected = Some(number);
-        Ok(())
+        if let Some(T) = self.block.get(letter::T) {
+            self.state.modal.selected = Some(self.tool_number(letter::T, T)?);
+        }
+        self.take_offset()
     }
 
     /// The number of a tool that the table holds, if it is known; 0 is none.
@@ -62,7 +62,11 @@ impl Reader<'_, '_> {
         let before = self.state.modal.tool;
         self.state.modal.tool = selected.unwrap_or(before);
         // A length of the program's own was for the tool that was in the spindle.
-        if self.state.modal.lengthened && before != 0 && before != self.state.modal.tool {
+        let waits = self.length_waits();
+        if waits {
+            self.bring_offset();
+        }
+        if !waits && self.state.modal.lengthened && before != 0 && before != self.state.modal.tool {
             self.state.modal.length_of.get_or_insert(before);
         }
         match self.memory.control.change {
@@ -89,6 +93,10 @@ impl Reader<'_, '_> {
 
     /// Length offset: of the table (G43), of the block (G43.1), one more on top (G43.2), or none (G49).
     pub(super) fn tool_length(&mut self, code: G) -> Result<()> {
+        if self.length_waits() {
+            self.await_length(code);
+            return Ok(());
+        }
         let column = self.block.g_column(Group::ToolLength);
         let H = self.block.get(letter::H);
         let axes = AXES.into_iter().any(|axis| self.block.has(axis));

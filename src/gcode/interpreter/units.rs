@@ -4,6 +4,7 @@ use crate::finding::Grade;
 use crate::gcode::code::{G, Group, TurningCycle};
 use crate::gcode::control::UnitChange;
 use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::doubt::UNIT;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Memory, Reader, doubt};
@@ -38,6 +39,8 @@ impl Memory<'_> {
         let control = self.control;
         match (self.units.moved_in.replace(unit), self.units.told_at) {
             (Some(before), _) if before == unit => return,
+            // A rejected block may have told it.
+            (None, None) if self.doubts.holds(UNIT) => {}
             (None, None) => {
                 let code = |unit: G| control.codes.names(unit).into_iter().next().unwrap_or_default();
                 let name = match unit {

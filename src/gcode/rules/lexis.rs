@@ -30,9 +30,10 @@ rules! {
             "The block ends at ';', and the control does not run what follows.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.; G1 Z-5. F100.|M30", "2:12");
     "G0004" HighLevel Stop {}
-        es "rodete no admite las sentencias en lenguaje de alto nivel de Fagor"
-        en "rodete does not follow statements of Fagor's high-level language"
-        remedy "borre la sentencia; los comentarios van detrás de «;»", "delete the statement; comments stand after ';'";
+        es "rodete no ejecuta sentencias en lenguaje de alto nivel de Fagor: no puede comprobar este programa"
+        en "rodete does not run statements of Fagor's high-level language: it cannot verify this program"
+        remedy "escriba lo que hace la sentencia en bloques sencillos, o compruebe el programa en el control; si es una simple nota, póngala detrás de «;»; si el programa es de otro control, indíquelo con --dialect",
+            "write what the statement does as plain blocks, or check the program at the control; if it is a mere remark, put it after ';'; if the program is for another control, name it with --dialect";
         why "Estas sentencias calculan y deciden dentro del control: sin ejecutarlas no se sabe qué hace el programa.",
             "These statements compute and decide inside the control: without running them nobody knows what the program does.";
         example Example::program("fagor-8055", "G0 X1|(P1 = 2)|M30", "2:1");

@@ -273,4 +273,74 @@ rules! {
         why "Sin S la fresa o la pieza gira a la velocidad de antes, o no gira.",
             "Without S the cutter or the part turns at the speed of before, or does not turn.";
         example Example::program("linuxcnc", "G21 G90 M3|G0 Z5|G1 Z-2 F100|M5|M2", "3");
+    "G0539" MachineMoveWithoutAxes Stop {}
+        es "G53 sin palabras de eje"
+        en "G53 without axis words"
+        remedy "escriba los ejes en el bloque de G53", "write the axes in the block of G53";
+        why "G53 vale solo para su bloque, y sin ejes no mueve nada.",
+            "G53 counts for its own block only, and without axes it moves nothing.";
+        example Example::program("linuxcnc", "G21 G90 F100|G1|G53|M2", "3:1");
+    "G0540" DwellOfNoTime Note {}
+        es "G4 sin tiempo: el control para la preparación de bloques, y no espera"
+        en "G4 without a time: the control stops preparing blocks, and does not dwell"
+        remedy "para una espera escriba el tiempo, como G4 K50", "for a dwell write the time, as G4 K50";
+        why "Sin tiempo el husillo no da ninguna vuelta más en el sitio.",
+            "Without a time the spindle makes no more turns on the spot.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|G4|M30", "2:1");
+    "G0541" LengthPlane Stop { plane: &'static str }
+        es "corrector de longitud en {plane}: rodete sigue G43 solo en G17"
+        en "tool length offset in {plane}: rodete follows G43 in G17 only"
+        remedy "programe G44 antes de cambiar de plano, o compruebe el programa en el control", "program G44 before another plane, or check the program at the control";
+        why "La longitud va según el eje perpendicular al plano.",
+            "The length goes along the axis across the plane.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|T1 D1|G43|G18|M30", "4:1");
+    "G0542" LengthByMotion Stop { what: Text }
+        es "{what} cuando la longitud de la herramienta está por tomar: rodete no sabe hasta dónde va"
+        en "{what} while the tool's length is still to be taken up: rodete does not know where it goes"
+        remedy "detrás de G43, G44, T o D escriba primero Z con G0 o G1 en G90", "behind G43, G44, T or D write Z with G0 or G1 in G90 first";
+        why "El control toma la longitud con el siguiente movimiento de Z, y de ella depende adónde llega.",
+            "The control takes the length up with the next motion of Z, and where that ends depends on it.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|T1 D1|G43|G91 G0 Z5|M30", "4:8");
+    "G0543" MachineMoveWithLength Stop {}
+        es "G53 con Z y un corrector de longitud en vigor: rodete no sabe si la longitud cuenta"
+        en "G53 with Z and a tool length offset in force: rodete does not know if the length counts"
+        remedy "programe G44 y un movimiento de Z antes, o compruebe el programa en el control", "program G44 and a motion of Z before it, or check the program at the control";
+        why "Si la longitud cuenta, la herramienta queda más alta o más baja en toda ella.",
+            "If the length counts, the tool stops higher or lower by all of it.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|T1 D1|G43|G0 Z50|G53 Z0|M30", "5:5");
+    "G0544" LengthChangesLater Caution {}
+        es "movimiento de avance antes de que Z tome el cambio de la longitud de la herramienta"
+        en "feed move before Z has taken up the change of the tool's length"
+        remedy "mueva Z en absoluto detrás de G43, G44, T o D, antes de cortar", "move Z in absolute coordinates behind G43, G44, T or D, before the cut";
+        why "El control toma la longitud con el siguiente movimiento de Z: hasta entonces vale la de antes.",
+            "The control takes the length up with the next motion of Z: until then that of before counts.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|S900 M3|T1 D1|G43|G1 X5|M30", "5");
+    "G0545" LengthLeftOver Caution {}
+        es "G43 sin T ni D antes: cuenta la longitud del corrector que quedó del programa anterior, y rodete no la conoce"
+        en "G43 without T or D before it: the length of the offset left over from another program counts, and rodete does not know it"
+        remedy "dé el corrector con D", "name the offset with D";
+        why "Con otro corrector Z queda más alta o más baja.",
+            "With another offset Z ends higher or lower.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|G43 G0 Z50|M30", "2:1");
+    "G0546" LengthOfSelected Caution { tool: u32 }
+        es "Z se mueve con G43 detrás de T{tool} sin D y sin M6: rodete cuenta su longitud solo desde M6"
+        en "Z moves under G43 behind T{tool} without D and without M6: rodete counts its length from M6 on only"
+        remedy "dé el corrector con D, o la T en el bloque de M6", "name the offset with D, or write T in the block of M6";
+        why "Ninguna página leída dice si la longitud cambia con T o con M6.",
+            "No page that was read says whether the length changes with T or with M6.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|T1 D1|M6|G43 G0 Z50|T2|Z20|M30", "6:1");
+    "G0547" LengthNotKnown Caution { offset: u32 }
+        es "el corrector {offset} de la tabla tiene una longitud: rodete no sabe si este control la toma, y cuenta sin ella"
+        en "offset {offset} of the table has a length: rodete does not know if this control takes it up, and counts without it"
+        remedy "compruebe en el control a qué altura va la herramienta", "check at the control at which height the tool moves";
+        why "Ninguna página leída dice qué pone en vigor la longitud en este control.",
+            "No page that was read says what brings the length into force on this control.";
+        example Example::Program { control: "fagor-8070", program: "G71 G90 G94 S900|T1 D1 M6|M3|G0 Z5|G1 Z-2 F100|M30", at: "5", given: &[("--tools", "T1 P1 Z50 D10")] };
+    "G0548" LengthOverEnd Note {}
+        es "el programa termina con G43: según el parámetro ILCOMP la longitud sigue en vigor tras M30"
+        en "the program ends under G43: by the parameter ILCOMP the length stays in force after M30"
+        remedy "programe G44 al retirarse en Z", "program G44 as Z retracts";
+        why "El programa siguiente empezaría con la longitud de esta herramienta.",
+            "The next program would begin with the length of this tool.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|T1 D0|M6|G43 G0 Z50|M30", "5");
 }

@@ -11,7 +11,7 @@ rules! {
     "G0101" Macros Stop {}
         es "rodete no admite macros (#, IF, WHILE, GOTO)"
         en "rodete does not follow macros (#, IF, WHILE, GOTO)"
-        remedy "si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, delete or replace it: rodete cannot verify a program that contains it";
+        remedy "si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, escriba lo que hace en bloques sencillos, o compruebe el programa en el control: si solo lo borra, el programa hace otra cosa", "if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, write what it does as plain blocks, or check the program at the control: if you only delete it, the program does something else";
         why "Una macro calcula y decide en el control: sin ejecutarla no se sabe qué hace el programa.",
             "A macro computes and decides inside the control: without running it nobody knows what the program does.";
         example Example::program("fanuc-lathe-a", "G21 G98|#1=5|M30", "2:1");
@@ -46,7 +46,7 @@ rules! {
     "G0106" CodeNotSupported Stop { code: f64, reason: Text }
         es "G{code} no está implementado: {reason}"
         en "G{code} is not supported: {reason}"
-        remedy "si el programa es de otro control, indíquelo con --dialect; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it with --dialect; if not, delete or replace it: rodete cannot verify a program that contains it";
+        remedy "si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, escriba lo que hace en bloques sencillos, o compruebe el programa en el control: si solo lo borra, el programa hace otra cosa", "if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, write what it does as plain blocks, or check the program at the control: if you only delete it, the program does something else";
         why "rodete no sabe qué hace el código, así que nada de lo que sigue sería seguro.",
             "rodete does not know what the code does, so nothing after it would be certain.";
         example Example::program("linuxcnc", "G21 G90 F100|G33 Z1 K1|M2", "2:1");
@@ -60,7 +60,7 @@ rules! {
     "G0108" MachineCodeNotSupported Stop { code: u32, reason: Text }
         es "rodete no admite M{code}: {reason}"
         en "rodete does not follow M{code}: {reason}"
-        remedy "si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, delete or replace it: rodete cannot verify a program that contains it";
+        remedy "si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, escriba lo que hace en bloques sencillos, o compruebe el programa en el control: si solo lo borra, el programa hace otra cosa", "if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, write what it does as plain blocks, or check the program at the control: if you only delete it, the program does something else";
         why "rodete no sabe qué hace el código, así que nada de lo que sigue sería seguro.",
             "rodete does not know what the code does, so nothing after it would be certain.";
         example Example::program("fanuc-lathe-a", "G21 G98|M198 P1|M30", "2:1");
@@ -86,9 +86,9 @@ rules! {
             "The control does not run more M codes in one block.";
         example Example::program("linuxcnc", "G21 G90 F100|S100 M3 M7 M48 M64 P1 M101|M2", "2:23");
     "G0112" Unknown Stop { letter: char, value: f64, dialect: &'static str }
-        es "{letter}{value} no existe en el dialecto {dialect}"
-        en "{letter}{value} does not exist in the dialect {dialect}"
-        remedy "corríjalo, o indique el dialecto del programa: con --dialect, o en la hoja DATOS de un libro", "correct it, or name the program's dialect: with --dialect, or on the sheet DATA of a workbook";
+        es "rodete no conoce {letter}{value} en el dialecto {dialect}"
+        en "{letter}{value} is not known to rodete in the dialect {dialect}"
+        remedy "compruebe el número, o indique el dialecto del programa: con --dialect, o en la hoja DATOS de un libro; si el control tiene el código, compruebe el programa en él", "check the number, or name the program's dialect: with --dialect, or on the sheet DATA of a workbook; if the control has the code, check the program there";
         why "El control se para en un código que no conoce, o lo interpreta de otra manera.",
             "The control stops at a code that it does not know, or reads it differently.";
         example Example::program("linuxcnc", "G21 G90 F100|G32 Z-5|M2", "2:1");
@@ -123,7 +123,7 @@ rules! {
     "G0117" LetterNotSupported Stop { letter: char, dialect: &'static str, comma: Text }
         es "rodete no admite la letra {letter} del dialecto {dialect}"
         en "rodete does not follow letter {letter} of the dialect {dialect}"
-        remedy "{comma}si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "{comma}if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, delete or replace it: rodete cannot verify a program that contains it";
+        remedy "{comma}si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, escriba lo que hace en bloques sencillos, o compruebe el programa en el control: si solo lo borra, el programa hace otra cosa", "{comma}if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, write what it does as plain blocks, or check the program at the control: if you only delete it, the program does something else";
         why "El control conoce esta letra y rodete no: rodete no puede comprobarla.",
             "The control knows this letter but rodete does not, and so cannot verify it.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 Y5.|M30", "2:4");
@@ -213,10 +213,10 @@ rules! {
             "The control reads the letters one by one, each with its number, and stops.";
         example Example::program("linuxcnc", "G21 G90 F100|WHILE [#1 LT 3] DO1|G91 X1|END1|M2", "2:1");
     "G0130" UnknownToAll Stop { letter: char, value: f64, dialect: &'static str }
-        es "{letter}{value} no existe en el dialecto {dialect}, y rodete no lo lee en ningún otro"
-        en "{letter}{value} does not exist in the dialect {dialect}, and rodete reads it in no other"
-        remedy "corríjalo, quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve",
-            "correct, delete or replace it: rodete cannot verify a program that contains it";
+        es "rodete no conoce {letter}{value} en el dialecto {dialect}, y no lo ejecuta en ningún otro"
+        en "{letter}{value} is not known to rodete in the dialect {dialect}, and rodete runs it in no other"
+        remedy "compruebe el número; si el control tiene el código, escriba lo que hace en bloques sencillos, o compruebe el programa en él",
+            "check the number; if the control has the code, write what it does as plain blocks, or check the program there";
         why "El control se para en un código que no conoce, y rodete no sabe qué hace en otro.",
             "The control stops at a code that it does not know, and rodete does not know what it does on another.";
         example Example::program("linuxcnc", "G21 G90 F100|G68 X0 Y0 R30|M2", "2:1");
@@ -235,6 +235,13 @@ rules! {
         why "El control comprueba el orden de las palabras y no ejecuta un bloque que tenga otro.",
             "The control checks the order of the words and does not run a block that has another.";
         example Example::program("fagor-8055", "G71 G90 G94|G1 A10 X5 F100|M30", "2:8");
+    "G0133" MachineCodeNotFollowed Note { code: u32, what: Text }
+        es "M{code}: {what}; rodete no lo ejecuta"
+        en "M{code}: {what}; rodete does not run it"
+        remedy "", "";
+        why "El código no mueve los ejes; rodete no cuenta con lo que hace.",
+            "The code moves no axis; rodete does not count on what it does.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|S500 M3 M41|M30", "2:9");
     "G0134" PolarByLetters Stop { letter: char, first: char, second: char }
         es "{letter}: programación polar o con ángulo, que rodete no sigue"
         en "{letter}: polar or angle programming, which rodete does not follow"
@@ -251,4 +258,10 @@ rules! {
         why "El control hace el bloque una vez y lo repite N veces más: quitar N deja trabajo sin hacer.",
             "The control makes the block once and repeats it N times more: deleting N leaves work undone.";
         example Example::program("fagor-8055", "G71 G91 G94 F100|G1 X10 N5|M30", "2:8");
+    "G0136" CodeParted Stop { text: String }
+        es "rodete lee «{text}» como un solo número, y no conoce tal código"
+        en "rodete reads '{text}' as one number, and knows no such code"
+        remedy "escriba cada número con su letra y sin espacios, como G4 K50", "write each number with its letter and without blanks, as G4 K50";
+        why "Los espacios no separan palabras: las separan las letras.", "Blanks do not part words: letters do.";
+        example Example::program("fagor-8070", "G71 G90 G94 F100|G4 0.5|M30", "2:1");
 }

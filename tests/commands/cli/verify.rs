@@ -235,10 +235,10 @@ fn what_is_wrong_is_refused_with_its_line_and_column() {
         ("G1 F-1 X1\nM2\n", 1, 5, "negative F"),
         ("F9\nG2 X1 I9\nM2\n", 2, 0, "not on the circle"),
         ("G0 X[1/0]\nM2\n", 1, 7, "division by zero"),
-        ("G5.9 X1\nM2\n", 1, 1, "G5.9 does not exist"),
+        ("G5.9 X1\nM2\n", 1, 1, "G5.9 is not known to rodete"),
         ("G41 D1\nM2\n", 1, 1, "the diameter of tool 1 is not known"),
         ("G5.2 X1\nM2\n", 1, 1, "spline and NURBS curves"),
-        ("M250\nM2\n", 1, 1, "M250 does not exist"),
+        ("M250\nM2\n", 1, 1, "M250 is not known to rodete"),
         ("G0 X1\n", 1, 0, "without M2 or M30"),
         ("", 1, 0, "no program"),
     ] {

@@ -21,7 +21,7 @@ fn a_remedy_names_what_a_workbook_has() {
     let remedy = &finding(&unmounted, "tool 3 is not in the tool table")["remedy"];
     assert!(remedy["es"].as_str().unwrap().ends_with("hoja HERRAMIENTAS, columna T"), "{remedy}");
     assert!(remedy["en"].as_str().unwrap().ends_with("sheet TOOLS, column T"), "{remedy}");
-    let remedy = &finding(&Book::new(&program("G43")), "does not exist in the dialect")["remedy"];
+    let remedy = &finding(&Book::new(&program("G43")), "is not known to rodete in the dialect")["remedy"];
     assert!(remedy["es"].as_str().unwrap().contains("la hoja DATOS"), "{remedy}");
     assert!(remedy["en"].as_str().unwrap().contains("the sheet DATA"), "{remedy}");
 }

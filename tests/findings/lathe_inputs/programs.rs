@@ -94,10 +94,10 @@ fn a_budget_ends_what_repeats_itself_for_too_long() {
 #[test]
 fn what_the_control_does_not_know_is_refused_and_never_skipped() {
     fanuc(&[
-        case("D33 G5.9", "G5.9", 3, "stop 6:1 G5.9 does not exist in the dialect fanuc-lathe-a"),
-        case("D33 G123", "G123", 3, "stop 6:1 G123 does not exist in the dialect fanuc-lathe-a"),
-        case("D33 M250", "M250", 3, "stop 6:1 M250 does not exist in the dialect fanuc-lathe-a"),
-        case("D38 G93", "G93 G1 X40.", 3, "stop 6:1 G93 does not exist in the dialect fanuc-lathe-a"),
+        case("D33 G5.9", "G5.9", 3, "stop 6:1 G5.9 is not known to rodete in the dialect fanuc-lathe-a"),
+        case("D33 G123", "G123", 3, "stop 6:1 G123 is not known to rodete in the dialect fanuc-lathe-a"),
+        case("D33 M250", "M250", 3, "stop 6:1 M250 is not known to rodete in the dialect fanuc-lathe-a"),
+        case("D38 G93", "G93 G1 X40.", 3, "stop 6:1 G93 is not known to rodete in the dialect fanuc-lathe-a"),
         case("D46 G17", "G17", 3, "stop 6:1 G17 is not supported: planes XY and YZ"),
         case("D46 G7.1", "G7.1 C20.", 3, "stop 6:1 G7.1 is not supported: polar and cylindrical interpolation"),
         case("D46 C", "G0 C90.", 3, "stop 6:4 rodete does not follow letter C of the dialect fanuc-lathe-a"),
@@ -482,8 +482,18 @@ fn a_fagor_program_is_refused_in_the_same_way() {
         &FAGOR,
         &["N99 M30"],
         &[
-            case("D46 statement", "(IF P1 EQ 2 GOTO N10)", 3, "stop 6:1 statements of Fagor's high-level language"),
-            case("D45 message", "(MSG \"HELLO\")", 3, "stop 6:1 statements of Fagor's high-level language"),
+            case(
+                "D46 statement",
+                "(IF P1 EQ 2 GOTO N10)",
+                3,
+                "stop 6:1 rodete does not run statements of Fagor's high-level language",
+            ),
+            case(
+                "D45 message",
+                "(MSG \"HELLO\")",
+                3,
+                "stop 6:1 rodete does not run statements of Fagor's high-level language",
+            ),
             case("D36 T9", "N10 T9 D9", 3, "stop 6:5 tool 9 is not in the tool table"),
             case("D36 D2", "N10 D2|N20 G1 X53 F0.1", 0, "caution 7 183 The offset in force is not the tool's own"),
             case("D37 arc", "N10 G42 G2 X50 Z0 R5 F0.1", 3, "stop 6 G41 or G42 begins on an arc"),

@@ -63,5 +63,8 @@ fn blank_lines_where_calls_and_returns_of_a_fanuc_lead_are_counted() {
 fn a_refusal_behind_a_jump_names_its_line() {
     let program = "o1 sub\n\nG0 X1\no1 endsub\n\n\no1 call\n\nG77\nM2\n";
     let found = read(program.as_bytes(), ours::setting(&Judge::default()));
-    assert_eq!(found, Err("9: G77 does not exist in the dialect linuxcnc, and rodete reads it in no other".to_owned()));
+    assert_eq!(
+        found,
+        Err("9: G77 is not known to rodete in the dialect linuxcnc, and rodete runs it in no other".to_owned())
+    );
 }

@@ -46,7 +46,7 @@ fn g90_and_g91_alone_are_told_on_a_lathe_of_system_a() {
     assert_eq!(increments.ends, [[10.0, 5.0], [5.0, 5.0]]);
     assert_eq!(
         read(&FANUC_LATHE_A, "G91 G0 X20.\nM30\n").refused[0].1,
-        "G91 does not exist in the dialect fanuc-lathe-a"
+        "G91 is not known to rodete in the dialect fanuc-lathe-a"
     );
     assert_eq!(read(&FANUC_LATHE_A, "G90 X20.\nM30\n").refused.len(), 1);
 }
@@ -231,5 +231,26 @@ fn feed_and_surface_speed_beside_a_code_that_changes_the_unit_are_in_doubt_on_a_
         (&LINUXCNC, "G21 G90 S900 M3\nG20 G1 X1 F10\nM2\n", &[], 1),
     ] {
         assert_eq!(codes(dialect, program), (told.iter().map(|one| (*one).to_owned()).collect(), motions), "{program}");
+    }
+}
+
+#[test]
+fn a_unit_in_a_rejected_block_is_not_said_to_be_missing() {
+    for (first, told) in [("G71 G90 G49", false), ("G90 G49", true), ("G90", true)] {
+        let program = format!("%PLATE,MX,\n{first}\nG0 X5 Z5\nM30\n");
+        let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(&FAGOR_8055));
+        interpreter.by_ref().for_each(drop);
+        assert_eq!(interpreter.remarks().iter().any(|one| one.code() == "G0534"), told, "{first}");
+    }
+}
+
+#[test]
+fn codes_of_a_fagor_mill_are_told_by_their_names() {
+    let program = "%PLATE,MX,\nG71 G90 G94\nS500 M3 M41\nM45\nG4\nM101\nM30\n";
+    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(&FAGOR_8055));
+    assert_eq!(interpreter.by_ref().count(), 0);
+    let told: Vec<_> = interpreter.remarks().iter().map(|one| one.what.en.to_string()).collect();
+    for part in ["M41: speed range", "M45: live tool", "stops preparing blocks", "M101 is a machine builder's code"] {
+        assert!(told.iter().any(|one| one.contains(part)), "{part}: {told:?}");
     }
 }

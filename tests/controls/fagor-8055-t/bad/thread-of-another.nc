@@ -1,4 +1,4 @@
-;expected: 5:5 G32 does not exist in the dialect fagor-8055-t
+;expected: 5:5 G32 is not known to rodete in the dialect fagor-8055-t
 %0001-A,MX--,
 N10 G71 G90
 N20 T1 D1

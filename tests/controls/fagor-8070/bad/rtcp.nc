@@ -1,4 +1,4 @@
-;expected: 3:1 statements of Fagor's high-level language are not supported
+;expected: 3:1 statements of Fagor's high-level language: it cannot verify this program
 %P
 #RTCP ON
 G71 G90 G94 F100

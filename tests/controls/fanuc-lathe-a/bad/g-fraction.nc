@@ -1,4 +1,4 @@
-(expected: 4:1 G5.9 does not exist)
+(expected: 4:1 G5.9 is not known to rodete)
 T0101 S500 M3 F.2
 G0 X50. Z5.
 G5.9

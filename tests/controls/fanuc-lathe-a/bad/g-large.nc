@@ -1,4 +1,4 @@
-(expected: 4:1 G123 does not exist)
+(expected: 4:1 G123 is not known to rodete)
 T0101 S500 M3 F.2
 G0 X50. Z5.
 G123
