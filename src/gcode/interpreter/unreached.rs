@@ -93,12 +93,15 @@ mod tests {
         told.map(|finding| finding.what.en.into_owned())
     }
 
+    /// A control, a program, and where the blocks that are never run begin and the program ends, as lines.
+    type Case = (&'static Control, String, Option<(usize, usize)>);
+
     #[test]
     fn blocks_behind_the_end_are_told_and_what_is_called_is_not() {
         let mill = "G21 G90 S900 M3|G1 X1 F100|";
         let fagor = "%A,MX,|G71 G90 G94 S900 M3|G1 X1 F100|";
         let lathe = "O0001|G21 G98|G0 X40. Z2.|";
-        let cases: [(&'static Control, String, Option<(usize, usize)>); 24] = [
+        let cases: [Case; 24] = [
             (&LINUXCNC, format!("{mill}M2"), None),
             (&LINUXCNC, format!("{mill}M2||(end)|; end||N90|"), None),
             (&LINUXCNC, format!("{mill}M2||(end)|G0 Z50|M2"), Some((6, 3))),

@@ -143,7 +143,7 @@ fn missing_and_unknown_words_and_impossible_cycles_are_refused_by_name() {
 
 /// What a block of a program of these cycles is told, with its grade.
 fn told(block: &str) -> Vec<(Grade, &'static str, String)> {
-    let program = format!("G71 G90 G95 F0.2 T5 D5 S500 M3\nG0 X40 Z2\n{block}\nM30\n");
+    let program = format!("G71 G90 G95 F0.2 S500 T5 D5 M3\nG0 X40 Z2\n{block}\nM30\n");
     let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(&FAGOR_8055_T));
     let faults: Vec<_> = interpreter.by_ref().filter_map(Result::err).collect();
     assert_eq!(faults, [], "{block}");

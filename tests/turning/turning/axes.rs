@@ -19,7 +19,7 @@ fn found(control: &'static Control, begin: &str, block: &str, axes: Option<Lette
     [stops, interpreter.remarks().iter().map(|finding| finding.rule().code).collect()]
 }
 
-const FAGOR: &str = "G71 G90 G95 F0.2 T1 D1 S500 M3";
+const FAGOR: &str = "G71 G90 G95 F0.2 S500 T1 D1 M3";
 const LATHE: Option<Letters> = Some(Letters::of("XZ"));
 
 #[test]
@@ -69,7 +69,7 @@ fn polar_words_and_repetitions_of_a_fagor_are_refused_by_what_they_are() {
 #[test]
 fn a_lathe_that_may_start_with_either_feed_is_told_where_no_code_has_said_it() {
     let told = |control, begin, block| found(control, begin, block, None)[1].contains(&"G0537");
-    let unsaid = "G71 G90 F0.2 T1 D1 S500 M3";
+    let unsaid = "G71 G90 F0.2 S500 T1 D1 M3";
     assert!(told(&FAGOR_8055_T, unsaid, "G1 X48"));
     assert!(told(&FAGOR_8055_T, unsaid, "G81 X20 Z0 Q20 R-20 C5 D1"));
     assert!(!told(&FAGOR_8055_T, FAGOR, "G1 X48"));

@@ -1,4 +1,4 @@
-(expected: 7:8 a tool change inside the contour of G71 is not supported)
+(expected: 7:8 rodete does not follow a tool change inside the contour of G71)
 T0101 S500 M3 F.2
 G0 X50. Z5.
 G71 U2. R1.
