@@ -334,7 +334,7 @@ fn behind_a_thread_the_feed_in_force_is_shown() {
     let browser = Browser::start(true);
     // A Fanuc programs the lead with F; a Fagor's cycle says it beside the F.
     let fanuc = "G97 S500 M3 T0101\nG0 X60. Z5.\nG1 Z2. F0.2\nG32 Z-20. F1.5\nG0 Z5.\nM30\n";
-    let fagor = "G95 G97 S500 M3 T1 D1\nG0 X30 Z6\nG1 Z5 F0.2\nG86 X24 Z2 Q24 R-35 I0.92 B0.25 E0.05 D1 L0.03 C1.5 J1 A30\nG0 Z9\nM30\n";
+    let fagor = "G95 G97 S500 T1 D1 M3\nG0 X30 Z6\nG1 Z5 F0.2\nG86 X24 Z2 Q24 R-35 I0.92 B0.25 E0.05 D1 L0.03 C1.5 J1 A30\nG0 Z9\nM30\n";
     for (dialect, text, behind) in [("fanuc-lathe-a", fanuc, "1.500"), ("fagor-8055-t", fagor, "0.200")] {
         fs::write(folder.path().join("thread.nc"), text).expect("a program");
         // Its alarms do not matter here.

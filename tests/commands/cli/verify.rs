@@ -283,7 +283,7 @@ fn refusals_are_listed_up_to_fifty_and_counted() {
 
 #[test]
 fn how_rotary_words_were_read_is_told() {
-    let folder = with_program("turn.nc", b"G90 G0 C270\r\nG1 F100 C265.502\r\nM30\r\n");
+    let folder = with_program("turn.nc", b"G90 G0 C270\r\nG1 C265.502 F100\r\nM30\r\n");
     let verify = |arguments: &[&str]| {
         let output = rodete(&folder).args(["verify", "turn.nc"]).args(arguments).output().expect("an output");
         [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned())

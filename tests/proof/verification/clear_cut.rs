@@ -359,8 +359,8 @@ fn one_fault_at_a_time_in_the_text_of_a_clear_cut_is_caught() {
         ("another tool", replaced("T2 D2", "T1 D2"), &["tool"]),
         ("the spindle the other way", replaced("M3", "M4"), &["tool"]),
         ("a tenth of the speed", replaced("S12000", "S1200"), &["tool"]),
-        // The control's own page: the reading rejects it already.
-        ("a length offset", replaced("G44", "G43"), &["reading"]),
+        // The control would take a length up with Z: the judge of the tool stops it.
+        ("a length offset", replaced("G44", "G43"), &["tool"]),
         ("C a turn too far", moved(&text, line, &[('C', 360.0)]), &["agreement", "turning"]),
         ("a cut at rapid", rapid, &["agreement"]),
         ("a millimetre too deep", moved(&text, line, &[('Z', -1.0)]), &["agreement", "floor"]),
