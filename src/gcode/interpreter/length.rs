@@ -213,7 +213,7 @@ mod tests {
             tool.offset.set(Axis::Z, length);
             tool
         };
-        let program = format!("G71 G90 G17 G94 S900 F100 M3\n{}\nM30\n", blocks.replace('|', "\n"));
+        let program = format!("G71 G90 G17 G94 F100 S900 M3\n{}\nM30\n", blocks.replace('|', "\n"));
         let mut setting = Setting::new(control);
         setting.tools = table.then(|| Tools::from([(1, tool(50.0)), (2, tool(80.0)), (3, tool(0.0))]));
         let mut interpreter = Interpreter::over(program.as_bytes(), setting);

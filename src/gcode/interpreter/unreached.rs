@@ -6,7 +6,7 @@ use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::structure::Structure;
 use crate::gcode::interpreter::tape::titled;
-use crate::gcode::rules::flow::BlocksUnreached;
+use crate::gcode::rules::flow::BlocksNeverRun;
 
 /// A line behind the end of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,7 +39,7 @@ impl Reader<'_, '_> {
             match self.behind_end(&line, numbered) {
                 Behind::Nothing => at = next,
                 Behind::Block => {
-                    let row = BlocksUnreached { line: next.line.lines, end };
+                    let row = BlocksNeverRun { line: next.line.lines, end };
                     let spot = Spot { line: next.line.lines, ..self.block.spot };
                     return self.memory.remarks.row(&row, spot, None);
                 }

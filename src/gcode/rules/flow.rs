@@ -388,7 +388,7 @@ rules! {
         why "El control los busca en el texto del bloque: escritos de otra forma, o detrás de otra palabra o de un comentario, no los ve.",
             "The control looks for them in the text of the block: written in another way, or behind another word or a comment, it does not see them.";
         example Example::program("linuxcnc", "G21 G90 F100|P2 M98|M2|O2|M99", "2:4");
-    "G0355" BlocksUnreached Caution { line: usize, end: usize }
+    "G0355" BlocksNeverRun Caution { line: usize, end: usize }
         es "los bloques desde la línea {line} no se ejecutan nunca: el programa termina en la línea {end}"
         en "blocks from line {line} on are never run: the program ends in line {end}"
         remedy "borre los bloques que sobran, o ponga M2 o M30 detrás de ellos", "delete the blocks that are left over, or put M2 or M30 behind them";
