@@ -15,6 +15,17 @@ pub enum WordOrder {
 
 /// The letters that have a place, in their order.
 const RANKED: [char; 15] = ['G', 'X', 'Y', 'Z', 'U', 'V', 'W', 'A', 'B', 'C', 'F', 'S', 'T', 'D', 'M'];
+/// No place.
+const ANYWHERE: u8 = u8::MAX;
+/// The place of each letter from A on, or [`ANYWHERE`]: it is asked of every word of a program.
+const PLACES: [u8; 26] = {
+    let (mut places, mut index, mut place) = ([ANYWHERE; 26], 0, 0);
+    while index < RANKED.len() {
+        places[RANKED[index] as usize - 'A' as usize] = place;
+        (index, place) = (index + 1, place + 1);
+    }
+    places
+};
 /// The place of the first axis.
 const FIRST_AXIS: usize = 1;
 /// The M codes that have an S of their own: an angle, and the speed of a live tool.
@@ -66,7 +77,8 @@ impl WordsSeen {
             return None;
         }
         self.with_speed |= letter == 'M' && WITH_SPEED.contains(&number);
-        RANKED.iter().position(|ranked| *ranked == letter)
+        let place = PLACES.get((letter as usize).wrapping_sub('A' as usize)).copied();
+        place.filter(|place| *place != ANYWHERE).map(usize::from)
     }
 
     fn take(&mut self, place: usize, letter: char, column: usize) -> Result<(), Disorder> {
