@@ -40,7 +40,7 @@ pub use disk::{Disk, Step};
 pub use draft::{Output, abandon, sha256};
 pub use folder::Folder;
 pub use name::{file_name, namesake, stem};
-pub use notice::{settle, settle_on};
+pub use notice::{settle, settle_on, sum_of};
 pub use replaced::{copy_of, replaceable};
 pub use set::{Existing, Set, WrittenFile};
 pub use summed::{Sum, Summed};

@@ -342,8 +342,11 @@ pub(super) fn settle_locked(folder: &Path, disk: &Disk) -> Result<Option<Finding
     Ok(Some(SetSettled { folder: shown(folder), done, files: notice.names() }.at(Place::File)))
 }
 
-/// The SHA-256 of an ordinary file; `None` where there is no file.
-pub(super) fn sum_of(path: &Path) -> io::Result<Option<String>> {
+/// The SHA-256 of an ordinary file, in lower-case hexadecimal; `None` where there is no file. Of what is no file the text is empty.
+///
+/// # Errors
+/// Where the system does not let it be read.
+pub fn sum_of(path: &Path) -> io::Result<Option<String>> {
     match fs::symlink_metadata(path) {
         Ok(found) if found.is_file() => {}
         Ok(_) => return Ok(Some(String::new())),

@@ -7,7 +7,7 @@ use crate::kind::measure::{Level, Measure};
 use crate::limits::SWEEP_DESIGNS;
 use crate::number::decimal;
 use crate::parameter::field::{Chosen, Entry, Fields};
-use crate::parameter::{FieldKind, Form, Parameter, Value, at};
+use crate::parameter::{Choice, FieldKind, Form, Parameter, Value, at};
 use crate::sweep::form::{
     CONSTRAINTS, DESIGNS, DISTRIBUTION, FROM, INPUT, LEVEL, METHOD, NAME, OBJECTIVES, SAMPLES, SEED, STEP, TO, VALUES,
 };
@@ -377,8 +377,9 @@ fn expected(parameter: &Parameter) -> Text {
             Text::new(format!("un número entero de {min} a {max}"), format!("a whole number from {min} to {max}"))
         }
         FieldKind::Choice(choices) => {
-            let keys = choices.iter().map(|one| one.key).collect::<Vec<_>>().join(", ");
-            Text::new(format!("una de estas palabras: {keys}"), format!("one of: {keys}"))
+            let list = |word: fn(&Choice) -> &str| choices.iter().map(word).collect::<Vec<_>>().join(", ");
+            let (es, en) = (list(|one| &one.label.es), list(|one| &one.label.en));
+            Text::new(format!("una de estas palabras: {es}"), format!("one of: {en}"))
         }
         _ => Text::same(""),
     }

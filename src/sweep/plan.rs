@@ -26,6 +26,9 @@ choices! {
     }
 }
 
+/// The key in a plan of the SHA-256 of the workbook that it began with.
+pub const WORKBOOK_SUM: &str = "workbook_sha256";
+
 /// How a range is sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spread {
@@ -329,9 +332,10 @@ impl Plan {
     }
 
     /// The plan in words for a program, without the folder and the chunks that it is worked in: what two runs must have in common
-    /// so that their rows may stand together.
+    /// so that their rows may stand together, but for the sum of the `workbook`: one that was only saved again has other bytes, and the
+    /// same `values`, whose sum stands beside it.
     #[must_use]
-    pub fn told(&self, workbook: &str, version: &str) -> serde_json::Value {
+    pub fn told(&self, workbook: &str, values: &str, version: &str) -> serde_json::Value {
         let number = |value: &Value| match value {
             Value::Real(value) => json!(value),
             Value::Whole(value) => json!(value),
@@ -356,7 +360,8 @@ impl Plan {
         let mut told = json!({
             "schema": "rodete-sweep 1",
             "rodete": version,
-            "workbook_sha256": workbook,
+            WORKBOOK_SUM: workbook,
+            "values_sha256": values,
             "kind": self.form.kind,
             "method": self.method.key(),
             "level": self.level.key(),

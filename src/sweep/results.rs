@@ -128,12 +128,13 @@ impl Results<'_> {
     pub fn counted(&self) -> Text {
         let Counts { done, refused, failed, feasible } = self.counts;
         let (all, front) = (self.plan.count, self.front);
+        let [es, en] = if all == 1 { ["diseño", "design"] } else { ["diseños", "designs"] };
         Text::new(
             format!(
-                "{all} diseños: {done} hechos, {refused} rechazados, {failed} fallidos; {feasible} válidos, {front} en el frente"
+                "{all} {es}: {done} hechos, {refused} rechazados, {failed} fallidos; {feasible} válidos, {front} en el frente"
             ),
             format!(
-                "{all} designs: {done} done, {refused} refused, {failed} failed; {feasible} feasible, {front} on the front"
+                "{all} {en}: {done} done, {refused} refused, {failed} failed; {feasible} feasible, {front} on the front"
             ),
         )
     }
@@ -203,6 +204,18 @@ impl Results<'_> {
             (String::new(), String::new())
         };
         let refuted = self.refuted().map_or(t("", ""), |Text { es, en }| Text::new(format!(" {es}"), format!(" {en}")));
+        if self.plan.objectives.is_empty() {
+            return Text::new(
+                format!(
+                    "Los primeros diseños válidos del plan: sin objectives ninguno es mejor que otro.{}",
+                    refuted.es
+                ),
+                format!(
+                    "The first feasible designs of the plan: without objectives none is better than another.{}",
+                    refuted.en
+                ),
+            );
+        }
         Text::new(
             format!(
                 "Primero todo el frente: los diseños que ningún otro mejora en todos los objetivos.{es}{}",

@@ -215,15 +215,15 @@ rules! {
         example book!("lathe", "SWEEP!C9" = "limits");
 
     "D0201" OtherPlan Stop { path: String }
-        es "{path} contiene filas de otro plan de este libro, o de otra versión"
-        en "{path} holds rows of another plan of this workbook, or of another version"
+        es "{path} contiene filas de otro plan de este libro, de otros valores en sus celdas, o de otra versión"
+        en "{path} holds rows of another plan of this workbook, of other values in its cells, or of another version"
         remedy "elija otra carpeta (opción -o), o empiece de nuevo con --fresh", "choose another folder (option -o), or begin anew with --fresh";
         why "Las filas de dos planes no forman un resultado.", "Rows of two plans do not make one result.";
         example Example::Made { key: "sweep-other-plan", how: t("sweep --limit 2 en una carpeta con las filas de los tres diseños", "sweep --limit 2 into a folder with the rows of all three designs") };
     "D0202" OtherChunks Stop { path: String, chunks: u64 }
         es "el plan de {path} está dividido en {chunks} trozos"
         en "the plan in {path} is divided into {chunks} chunks"
-        remedy "pida uno de esos trozos, o empiece de nuevo con --fresh", "ask for one of these chunks, or begin anew with --fresh";
+        remedy "pida uno de esos trozos, o elija otra carpeta (opción -o)", "ask for one of these chunks, or choose another folder (option -o)";
         why "Dos divisiones de un plan no encajan.", "Two divisions of one plan do not fit together.";
         example Example::Made { key: "sweep-other-chunks", how: t("sweep --chunk 0/3 en una carpeta con el trozo 0/2", "sweep --chunk 0/3 into a folder with chunk 0/2") };
     "D0203" ChunksMissing Stop { list: String, missing: u64, chunks: u64 }
@@ -274,4 +274,16 @@ rules! {
         remedy "elija otra carpeta (opción -o)", "choose another folder (option -o)";
         why "Las filas de dos libros no caben en una carpeta, y --fresh solo borra lo que dejó este.", "The rows of two workbooks do not fit into one folder, and --fresh removes what this one left alone.";
         example Example::Made { key: "sweep-other-workbook", how: t("sweep --fresh en una carpeta con las filas de otro libro", "sweep --fresh into a folder with the rows of another workbook") };
+    "D0211" ChangedSince Stop { path: String }
+        es "{path} no es de un barrido, o cambió desde que rodete lo escribió: el barrido lo sustituiría o borraría"
+        en "{path} is not of a sweep, or was changed after rodete wrote it: the sweep would replace or remove it"
+        remedy "muévalo a otra carpeta y repita el comando: rodete conserva lo ya calculado y sigue; o elija otra carpeta (opción -o)", "move it to another folder and run the command again: rodete keeps what is worked out and goes on; or choose another folder (option -o)";
+        why "Los mejores diseños están para editarlos, y un libro del usuario no se pierde por repetir un barrido.", "The best designs are there to be edited, and repeating a sweep must not cost you a workbook.";
+        example Example::Made { key: "sweep-changed-since", how: t("sweep en la carpeta de un barrido cuyo mejor diseño se editó", "sweep into the folder of a sweep whose best design was edited") };
+    "D0212" NamesInCase Note { one: String, other: String, renamed: String }
+        es "las columnas {one} y {other} difieren solo en las mayúsculas: para DuckDB {other} es {renamed}"
+        en "the columns {one} and {other} differ in their capitals only: to DuckDB {other} is {renamed}"
+        remedy "en DuckDB, vea los nombres con DESCRIBE y escriba {renamed}", "in DuckDB, see the names with DESCRIBE, and write {renamed}";
+        why "DuckDB no distingue mayúsculas en los nombres: con {other} daría sin aviso los valores de {one}.", "DuckDB does not tell capitals in names apart: for {other} it would give the values of {one}, without a word.";
+        example Example::Made { key: "sweep-names-in-case", how: t("un barrido en que varían N y n", "a sweep in which N and n vary") };
 }

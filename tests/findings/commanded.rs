@@ -296,6 +296,21 @@ fn variants(key: &str, folder: &Path) -> Option<&'static str> {
             fs::rename(folder.join("a.xlsx"), folder.join("b.xlsx")).unwrap();
             "sweep b.xlsx -o s --fresh"
         }
+        "sweep-changed-since" => {
+            run("sweep a.xlsx -o s --top 1");
+            let top = fs::read_dir(folder.join("s/top")).unwrap().map(|entry| entry.unwrap().path());
+            let design = top.min().unwrap();
+            fs::write(design, "edited").unwrap();
+            "sweep a.xlsx -o s --top 1"
+        }
+        "sweep-names-in-case" => {
+            put(common::workbook::with_variants(
+                &[("method", "factorial"), ("level", "limits"), ("objectives", "gap_true max")],
+                &[["N", "", "", "", "4; 5", ""], ["n", "", "", "", "20; 40", ""]],
+                &[],
+            ));
+            "sweep a.xlsx -o s --top 0"
+        }
         "sweep-other-chunks" => {
             run("sweep a.xlsx -o s --chunk 0/2");
             "sweep a.xlsx -o s --chunk 0/3"

@@ -136,15 +136,77 @@ fn to_begin_anew_removes_what_a_run_left_and_nothing_else() {
     fs::create_dir_all(at.join("top")).unwrap();
     let mine = ["b-sweep.xlsx", "top/mine.nc", "top/a-part.xlsx", "summary.csv"];
     mine.iter().for_each(|name| fs::write(at.join(name), "mine").unwrap());
-    done(at, "-o . --fresh --chunks 1");
+    done(at, "-o . --fresh --chunks 1 --top 1");
     let mine = ["b-sweep.xlsx", "top/mine.nc", "top/a-part.xlsx"];
-    fs::write(at.join("top/a-000001.xlsx"), "ours").unwrap();
+    // The name of a design, and of what is made of it, does not make it one.
+    let others = ["top/a-000000-mine.xlsx", "top/a-999999.xlsx", "top/a-000000-fixture.nc", "summary.csv"];
+    others.iter().for_each(|name| fs::write(at.join(name), "mine").unwrap());
     fs::write(at.join("chunks/notes.parquet"), "mine").unwrap();
     let before = chunks(at, ".").len();
-    done(at, "-o . --fresh --chunks 3");
-    assert!(mine.iter().all(|name| fs::read_to_string(at.join(name)).unwrap() == "mine"));
-    assert!(at.join("a.xlsx").exists() && !at.join("top/a-000001.xlsx").exists());
+    let tops = fs::read_dir(at.join("top")).unwrap().count();
+    done(at, "-o . --fresh --chunks 3 --top 0");
+    assert!(mine.iter().chain(&others).all(|name| fs::read_to_string(at.join(name)).unwrap() == "mine"));
+    assert!(at.join("a.xlsx").exists() && at.join("a-sweep.xlsx").exists());
+    assert_eq!((tops > 5, fs::read_dir(at.join("top")).unwrap().count()), (true, 5), "two and three of mine are left");
     assert_eq!((before, chunks(at, ".").len()), (2, 4), "one chunk and the other file, then three and the same file");
+}
+
+/// A result that somebody edited, or a file that has its name, is neither replaced nor removed, and the rows are kept.
+#[test]
+fn what_was_changed_since_is_neither_replaced_nor_removed() {
+    let folder = folder("limits");
+    let at = folder.path();
+    let refused = |words: &str, path: &str| {
+        let out = sweep(at, words);
+        let told = String::from_utf8(out.stderr).unwrap();
+        assert_eq!(out.status.code(), Some(5), "{told}");
+        assert!(told.contains(&format!("error D0211: {path} is not of a sweep, or was changed after")), "{told}");
+    };
+    // A workbook of the user's that has the name of the results; before any design is worked out.
+    fs::write(at.join("a-sweep.xlsx"), "mine").unwrap();
+    refused("-o . --top 1", "./a-sweep.xlsx");
+    assert!(!fs::read_dir(at.join("chunks")).unwrap().any(|one| one.unwrap().path().extension().is_some()));
+    fs::remove_file(at.join("a-sweep.xlsx")).unwrap();
+    done(at, "-o s --top 1");
+    // The same again replaces what it wrote.
+    done(at, "-o s --top 1");
+    let designs =
+        || fs::read_dir(at.join("s/top")).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    for name in designs().collect::<Vec<_>>() {
+        let (path, shown) = (at.join("s/top").join(&name), format!("s/top/{name}"));
+        let before = fs::read(&path).unwrap();
+        fs::write(&path, "edited").unwrap();
+        for words in ["-o s --top 1", "-o s --top 1 --fresh"] {
+            refused(words, &shown);
+            assert_eq!(fs::read_to_string(&path).unwrap(), "edited");
+            assert_eq!(chunks(at, "s").len(), 1, "the rows are kept");
+        }
+        fs::write(&path, before).unwrap();
+    }
+    assert!(designs().count() >= 2, "the design and its results");
+    // A killed run may have written a file that its record does not know as it stands: the same plan gives the same bytes.
+    fs::remove_file(at.join("s/top").join(designs().find(|name| name.ends_with("-results.xlsx")).unwrap())).unwrap();
+    done(at, "-o s --top 1");
+    done(at, "-o s --top 1 --fresh");
+}
+
+/// Excel asks to save a workbook that was only looked at: its bytes are others, the rows are the same.
+#[test]
+fn a_workbook_that_is_saved_again_with_the_same_values_goes_on() {
+    let folder = folder("limits");
+    let at = folder.path();
+    done(at, "-o s --chunk 0/2");
+    let first = chunks(at, "s");
+    let book = book("limits");
+    let again = Parts::of(&book).stored();
+    assert_ne!(book, again);
+    fs::write(at.join("a.xlsx"), again).unwrap();
+    done(at, "-o s");
+    assert_eq!(chunks(at, "s").len(), 2);
+    assert!(chunks(at, "s").starts_with(&first), "under the name that they began with");
+    // Another value, of an input that does not vary, is another plan.
+    fs::write(at.join("a.xlsx"), Parts::of(&book).number("a_p", "1.9").zip()).unwrap();
+    assert!(String::from_utf8(sweep(at, "-o s").stderr).unwrap().contains("error D0201: "));
 }
 
 #[test]
@@ -201,7 +263,7 @@ fn what_a_chunk_took_stands_beside_its_rows_and_goes_with_them() {
     assert_eq!(took["designs"].as_u64().unwrap(), plan["plan"]["count"].as_u64().unwrap().div_ceil(2));
     assert!(took["seconds"].as_f64().unwrap() > 0.0 && took["host"].is_string(), "{took}");
     assert!(!cfg!(target_os = "linux") || took["peak_memory_kib"].as_u64().unwrap() > 1000, "{took}");
-    done(at, "-o s --fresh --chunks 1");
+    done(at, "-o . --fresh --chunks 1 --top 1");
     assert!(!log.exists());
 }
 

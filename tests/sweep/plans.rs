@@ -186,7 +186,7 @@ fn the_first_designs_of_a_sample_are_those_of_the_whole_sample() {
     // It is another plan than one of eight.
     let eight = [("method", "latin"), ("samples", "8"), ("seed", "7")];
     let eight = plan(&with_variants(&eight, &[["R", "10", "20", "", "", ""], ["a_p", "1", "2", "", "", ""]], &[]));
-    assert_ne!(first.told("0", "1"), eight.told("0", "1"));
+    assert_ne!(first.told("0", "2", "1"), eight.told("0", "2", "1"));
 }
 
 #[test]

@@ -40,7 +40,7 @@ pub(in crate::cli) struct Sweep {
     #[arg(long, conflicts_with = "merge")]
     pub(in crate::cli) fresh: bool,
     /// Work out one chunk of N and nothing else; I from 0. Of more chunks than designs some are empty
-    #[arg(long, value_name = "I/N", conflicts_with_all = ["merge", "submit", "chunks"])]
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["merge", "submit", "chunks", "fresh"])]
     pub(in crate::cli) chunk: Option<String>,
     /// Make summary, workbook and best designs from all chunks, which must be there
     #[arg(long, conflicts_with = "submit")]

@@ -15,10 +15,12 @@ use serde_json::Value;
 
 use super::super::fault;
 use super::Study;
+use super::record::Record;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::store::{self, Existing, Folder, Set};
 use crate::sweep::file;
+use crate::sweep::plan::WORKBOOK_SUM;
 use crate::sweep::rules::{ChunkTorn, ChunksMissing, OtherChunks, OtherPlan, OtherWorkbook};
 use crate::sweep::table::Table;
 
@@ -46,6 +48,10 @@ pub(super) struct Rows<'a> {
     study: &'a Study<'a>,
     place: PathBuf,
     chunks: u64,
+    /// What the plan says, for files and for comparison.
+    told: String,
+    /// The plan's name: the first digits of its sum.
+    name: String,
     table: Table,
     folder: Folder,
 }
@@ -56,7 +62,7 @@ impl<'a> Rows<'a> {
     ///
     /// # Errors
     /// Exit 3 where the folder holds another plan, or another division, or, to begin anew, what another workbook left; exit 5 where
-    /// nothing can be written.
+    /// nothing can be written, or where what is to be removed was changed by somebody.
     pub(super) fn open(
         place: &Path,
         study: &'a Study<'a>,
@@ -67,7 +73,7 @@ impl<'a> Rows<'a> {
         let outer = Folder::open(place)?;
         let mut known: Option<Value> =
             fs::read(place.join(PLAN)).ok().map(|bytes| serde_json::from_slice(&bytes).unwrap_or(Value::Null));
-        let told: Value = serde_json::from_str(&study.told).unwrap_or(Value::Null);
+        let mut told: Value = serde_json::from_str(&study.told).unwrap_or(Value::Null);
         let path = || printable_path(place);
         let own = study.workbook.file_name().unwrap_or_default().to_string_lossy();
         if let Some(known) = &known {
@@ -81,8 +87,12 @@ impl<'a> Rows<'a> {
             }
         }
         if opening == Opening::Anew {
-            clear(&outer, place, &store::stem(study.workbook).to_string_lossy())?;
+            clear(&outer, place)?;
             known = None;
+        }
+        // A workbook that was saved again with the same values has the same rows: they go on under the sum that they began with.
+        if let Some(began) = known.as_ref().and_then(|known| known.get("plan")).filter(|began| same(began, &told)) {
+            told = began.clone();
         }
         let chunks = match known {
             Some(known) => {
@@ -109,7 +119,9 @@ impl<'a> Rows<'a> {
         };
         let folder = Folder::open(&place.join("chunks"))?;
         let table = Table::of(study.kind, &study.plan);
-        Ok(Self { study, place: place.to_owned(), chunks, table, folder })
+        let told = told.to_string();
+        let name: String = store::sha256(told.as_bytes()).chars().take(8).collect();
+        Ok(Self { study, place: place.to_owned(), chunks, told, name, table, folder })
     }
 
     /// In how many chunks the plan is divided.
@@ -122,17 +134,22 @@ impl<'a> Rows<'a> {
         &self.table
     }
 
+    /// What the plan says, as the rows have it.
+    pub(super) fn told(&self) -> &str {
+        &self.told
+    }
+
     /// The folder.
     pub(super) fn place(&self) -> &Path {
         &self.place
     }
 
     fn name(&self, number: u64) -> OsString {
-        format!("{}-{number:05}-of-{:05}.parquet", self.study.name, self.chunks).into()
+        format!("{}-{number:05}-of-{:05}.parquet", self.name, self.chunks).into()
     }
 
     fn part(&self, number: u64) -> OsString {
-        format!(".{}-{number:05}-of-{:05}{PART}", self.study.name, self.chunks).into()
+        format!(".{}-{number:05}-of-{:05}{PART}", self.name, self.chunks).into()
     }
 
     fn path(&self, name: &OsStr) -> PathBuf {
@@ -151,7 +168,7 @@ impl<'a> Rows<'a> {
     /// The rows of a file; none of one that is torn, damaged or of another plan. What the library for these files trips over in a
     /// damaged one is damage, too.
     fn rows_of(&self, bytes: Vec<u8>, wanted: &dyn Fn(&str) -> bool) -> Option<Table> {
-        fault::guarded(|| file::read(bytes, &self.table, &self.study.told, wanted)).ok()?.ok()
+        fault::guarded(|| file::read(bytes, &self.table, &self.told, wanted)).ok()?.ok()
     }
 
     /// The chunks that are not there, or of which not all of these columns can be read.
@@ -198,7 +215,7 @@ impl<'a> Rows<'a> {
     }
 
     fn bytes(&self, rows: Table) -> Result<Vec<u8>, Refusal> {
-        file::bytes(rows, &self.study.told).map_err(|error| fault::refusal(&error.to_string()))
+        file::bytes(rows, &self.told).map_err(|error| fault::refusal(&error.to_string()))
     }
 }
 
@@ -209,34 +226,33 @@ fn write(folder: &Folder, name: &OsStr, bytes: &[u8]) -> Result<(), Refusal> {
     set.commit().map(drop)
 }
 
-/// Removes what an earlier run of a workbook of this name left: the plan, its chunks, and what was made of them. A folder that
-/// holds no plan holds nothing of the kind, and a file that has no name of ours is somebody else's.
-fn clear(outer: &Folder, place: &Path, stem: &str) -> Result<(), Refusal> {
+/// Whether two plans have the same rows: they may come of two files that hold the same values.
+fn same(one: &Value, other: &Value) -> bool {
+    let values = |plan: &Value| {
+        let mut plan = plan.clone();
+        plan.as_object_mut().map(|plan| plan.remove(WORKBOOK_SUM));
+        plan
+    };
+    values(one) == values(other)
+}
+
+/// Removes what earlier runs left: the plan, its chunks, and what was made of them. A folder that holds no plan holds nothing of
+/// the kind, and a file that no sweep has written is somebody else's.
+fn clear(outer: &Folder, place: &Path) -> Result<(), Refusal> {
     if !place.join(PLAN).is_file() {
         return Ok(());
     }
-    let made = [format!("{stem}-sweep.xlsx"), format!("{stem}-sweep.pdf")];
-    let ours = |file: &str| {
-        ["summary.parquet", "summary.csv", "sweep.sbatch"].contains(&file) || made.iter().any(|one| one == file)
-    };
+    Record::open(place).clear(outer)?;
     let chunk = |file: &str| {
         let sum = file.trim_start_matches('.').split_once('-').map(|(sum, _)| sum);
         let of_plan = sum.is_some_and(|sum| sum.len() == 8 && sum.bytes().all(|one| one.is_ascii_hexdigit()));
         of_plan && file.contains("-of-") && [".parquet", PART, LOG].iter().any(|end| file.ends_with(end))
     };
-    let top = |file: &str| {
-        let number = file.strip_prefix(stem).and_then(|rest| rest.strip_prefix('-')).and_then(|rest| rest.get(..6));
-        number.is_some_and(|number| number.bytes().all(|one| one.is_ascii_digit()))
-    };
-    let remove = |within: &str, left: &dyn Fn(&str) -> bool| {
-        let path = place.join(within);
-        let Ok(entries) = fs::read_dir(&path) else { return Ok(()) };
+    let path = place.join("chunks");
+    if let Ok(entries) = fs::read_dir(&path) {
         let folder = Folder::open(&path)?;
         let names = entries.flatten().map(|entry| entry.file_name());
-        names.filter(|name| left(&name.to_string_lossy())).try_for_each(|name| folder.remove(&name))
-    };
-    remove("", &ours)?;
-    remove("chunks", &chunk)?;
-    remove("top", &top)?;
+        names.filter(|name| chunk(&name.to_string_lossy())).try_for_each(|name| folder.remove(&name))?;
+    }
     outer.remove(OsStr::new(PLAN))
 }

@@ -1,8 +1,9 @@
 //! All rows of a plan in one file, which of them are the best, and the best as workbooks.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::ffi::{OsStr, OsString};
+use std::ffi::OsStr;
 use std::io::Write;
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
@@ -14,6 +15,8 @@ use super::Study;
 use super::args::Sweep;
 use super::folder::Rows;
 use super::progress;
+use super::record::{self, Record};
+use super::slurm::SCRIPT;
 use super::top::{build_top, judged_whole, rejected};
 use super::work::Workshop;
 use crate::escape::{printable, printable_path};
@@ -32,7 +35,7 @@ use crate::sweep::plan::Plan;
 use crate::sweep::ranking::{Ranked, Ranking, Reason};
 use crate::sweep::results::{Built, Coded, Results};
 use crate::sweep::row::{of_design, says, told};
-use crate::sweep::rules::{FrontCut, NoneDone, RejectedWhole};
+use crate::sweep::rules::{FrontCut, NamesInCase, NoneDone, RejectedWhole};
 use crate::sweep::sensitivity::{Shares, around, most};
 use crate::sweep::table::{CODES, Cells, Column, FEASIBLE, FRONT, ID, MARGIN, REASON, STATE, Table, VALUE};
 use crate::text::{Text, t};
@@ -73,6 +76,27 @@ fn tried(count: u64, whole: u64) -> Text {
             format!("all {count} designs tried, of the {whole} of the plan"),
         ),
     }
+}
+
+const SUMMARY: &str = "summary.parquet";
+const LISTED: &str = "summary.csv";
+const BOOK: &str = "-sweep.xlsx";
+const REPORT: &str = "-sweep.pdf";
+
+/// Checks that nothing stands in the folder that would be replaced and is not what a sweep wrote.
+///
+/// # Errors
+/// Exit 5 with the first file that is.
+pub(super) fn free(arguments: &Sweep, study: &Study<'_>, place: &Path) -> Result<(), Refusal> {
+    let record = Record::open(place);
+    let stem = store::stem(study.workbook);
+    let of_stem = |end: &str| store::file_name(&stem, end).to_string_lossy().into_owned();
+    let mut names = vec![SUMMARY.to_owned(), of_stem(BOOK)];
+    names.extend(arguments.csv.then(|| LISTED.to_owned()));
+    names.extend(arguments.report.then(|| of_stem(REPORT)));
+    names.extend(arguments.submit.is_some().then(|| SCRIPT.to_owned()));
+    names.iter().try_for_each(|name| record.check(name))?;
+    if arguments.top == 0 { Ok(()) } else { record.check_known("top/") }
 }
 
 /// Makes summary, workbook, report and best designs from the chunks, which are all there.
@@ -124,16 +148,17 @@ pub(super) fn merge(
         effects: &effects,
         triples: indices.map(|one| one.triples()),
     };
-    let mut names = vec![store::file_name(&stem, "-sweep.xlsx")];
-    write_book(study, &results, &folder, &names[0])?;
+    let mut names = vec![store::file_name(&stem, BOOK)];
+    write_book(study, &results, (&folder, rows.place()), &names[0])?;
     let mut failed = None;
     if arguments.report {
-        let name = store::file_name(&stem, "-sweep.pdf");
-        match write_report(study, &results, interrupted, &folder, &name, terminal)? {
+        let name = store::file_name(&stem, REPORT);
+        match write_report(study, &results, interrupted, (&folder, rows.place()), &name, terminal)? {
             None => names.push(name),
             failure => failed = failure,
         }
     }
+    finding::general(&in_case(&all), *language, terminal);
     if ranked.cut {
         finding::general(&[FrontCut { most: FRONT_DESIGNS }.at(Place::File)], *language, terminal);
     }
@@ -155,6 +180,18 @@ pub(super) fn merge(
     let folder = printable_path(rows.place());
     terminal.out(&format!("{}\n{folder}: summary.parquet, {}\n", results.counted().get(*language), names.join(", ")));
     Ok(if failed.is_some() { Exit::ReportFailed } else { Exit::Done })
+}
+
+/// What a person should know of columns whose names differ in their capitals only: to DuckDB each is one with the first of them.
+fn in_case(rows: &Table) -> Vec<Finding> {
+    let named = |one: &str, other: &str| one != other && one.to_lowercase() == other.to_lowercase();
+    let columns = rows.columns.iter().enumerate();
+    let pairs = columns.filter_map(|(at, column)| {
+        let first = rows.columns[..at].iter().find(|first| named(&first.name, &column.name))?;
+        let (one, other) = (first.name.clone(), column.name.clone());
+        Some(NamesInCase { renamed: format!("{other}_1"), one, other }.at(Place::File))
+    });
+    pairs.collect()
 }
 
 fn read(rows: &Rows<'_>, number: u64, wanted: &dyn Fn(&str) -> bool) -> Result<Table, Refusal> {
@@ -190,8 +227,8 @@ fn summary(
             None
         }
     };
-    set.write(&OsString::from("summary.parquet"), |out| {
-        let mut file = RowFile::new(out, &empty, &study.told)?;
+    set.write(OsStr::new(SUMMARY), |out| {
+        let mut file = RowFile::new(out, &empty, rows.told())?;
         for (part, ids) in (0..rows.chunks()).map_while(&mut take) {
             let pick = |wanted: &dyn Fn(&u64) -> bool| part.picked(&ids.iter().map(wanted).collect::<Vec<_>>());
             all.append(listed.as_ref().map_or_else(|| part.clone(), |listed| pick(&|id| listed.contains(id))));
@@ -201,7 +238,7 @@ fn summary(
         file.end()
     })?;
     if arguments.csv {
-        set.write(&OsString::from("summary.csv"), |out| {
+        set.write(OsStr::new(LISTED), |out| {
             out.write_all(csv::head(&empty).as_bytes())?;
             for (part, _) in (0..rows.chunks()).map_while(&mut take) {
                 out.write_all(csv::rows(&part).as_bytes())?;
@@ -212,7 +249,7 @@ fn summary(
     if let Some(refusal) = broken {
         return Err(refusal);
     }
-    set.commit()?;
+    record::commit(set, folder, rows.place())?;
     // In the order of the top.
     let places: BTreeMap<u64, usize> = best.ids().zip(0..).collect();
     let order: Vec<usize> = top.iter().filter_map(|id| places.get(id).copied()).collect();
@@ -292,14 +329,19 @@ fn short(value: f64) -> String {
     }
 }
 
-fn write_book(study: &Study<'_>, results: &Results<'_>, folder: &Folder, name: &OsStr) -> Result<(), Refusal> {
+fn write_book(
+    study: &Study<'_>,
+    results: &Results<'_>,
+    (folder, place): (&Folder, &Path),
+    name: &OsStr,
+) -> Result<(), Refusal> {
     let book = SweepBook { results: *results, language: study.language };
     let mut set = Set::new(folder, &[study.workbook], Existing::Replace);
     set.write(name, |out| book.write(out)).map_err(|refusal| match refusal.exit {
         Exit::Fault => fault::refusal(&refusal.reason().en),
         _ => refusal,
     })?;
-    set.commit().map(drop)
+    record::commit(set, folder, place)
 }
 
 /// Typesets the report; gives the finding where that fails, which keeps nothing else from being delivered.
@@ -310,7 +352,7 @@ fn write_report(
     study: &Study<'_>,
     results: &Results<'_>,
     interrupted: &Arc<AtomicBool>,
-    folder: &Folder,
+    (folder, place): (&Folder, &Path),
     name: &OsStr,
     terminal: &mut Terminal,
 ) -> Result<Option<Finding>, Refusal> {
@@ -333,7 +375,7 @@ fn write_report(
             finding::general(&findings, study.language, terminal);
             let mut set = Set::new(folder, &[study.workbook], Existing::Replace);
             set.write(name, |out| out.write_all(&pdf))?;
-            set.commit().map(|_| None)
+            record::commit(set, folder, place).map(|()| None)
         }
         Err(failure) => Ok(Some(failure.finding_on(&t("el informe del barrido", "the report of the sweep")))),
     }

@@ -4,6 +4,7 @@ pub(super) mod args;
 mod folder;
 mod merge;
 mod progress;
+mod record;
 mod slurm;
 mod top;
 mod work;
@@ -54,8 +55,6 @@ pub(super) struct Study<'a> {
     plan: Plan,
     /// What the plan says, for files and for comparison.
     told: String,
-    /// The plan's name: the first digits of its sum.
-    name: String,
     /// What a person should know before.
     notes: Vec<Finding>,
     /// The language of results.
@@ -117,10 +116,10 @@ fn study<'a>(arguments: &'a Sweep, kinds: &[&'a dyn Kind]) -> Result<Study<'a>, 
     // What the workbook says is whole, though the values that vary come from the plan.
     Fields::of(filled.form, filled.values.clone()).map_err(wrong)?;
     let sha256 = store::sha256(&bytes);
-    let told = plan.told(&sha256, env!("CARGO_PKG_VERSION")).to_string();
-    let name: String = store::sha256(told.as_bytes()).chars().take(8).collect();
     let mut base = filled.values.clone();
     base.cells.clear();
+    let sum = store::sha256(format!("{:?}", (&base.values, &base.lists)).as_bytes());
+    let told = plan.told(&sha256, &sum, env!("CARGO_PKG_VERSION")).to_string();
     Ok(Study {
         workbook: path,
         kind: *kind,
@@ -129,7 +128,6 @@ fn study<'a>(arguments: &'a Sweep, kinds: &[&'a dyn Kind]) -> Result<Study<'a>, 
         base,
         plan,
         told,
-        name,
         notes: sheet.findings.into_iter().chain(notes).collect(),
         language: arguments.lang.or(language).unwrap_or_default(),
     })
@@ -210,6 +208,10 @@ fn all(
         (false, true) => Opening::Merge,
     };
     let rows = Rows::open(&folder, study, wanted, usual, opening)?;
+    if chunk.is_none() {
+        // Hours before they are written.
+        merge::free(arguments, study, rows.place())?;
+    }
     if let Some((number, _)) = chunk {
         let workshop = Workshop::open(study, arguments.jobs)?;
         let mut progress = progress::Progress::new(study, study.plan.chunk(number, rows.chunks()));

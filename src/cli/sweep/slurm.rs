@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 use super::super::{fault, terminal::Terminal};
 use super::args::Sweep;
 use super::folder::Rows;
-use super::{Study, absolute, count, ranges};
+use super::{Study, absolute, count, ranges, record};
 use crate::escape::printable;
 use crate::finding::answer::{self, answer};
 use crate::finding::{Exit, Place, Raise, Refusal};
@@ -23,14 +23,14 @@ use crate::text::Text;
 /// Seconds of work in a chunk.
 const CHUNK_SECONDS: f64 = 300.0;
 /// The script, in the folder of the rows.
-const SCRIPT: &str = "sweep.sbatch";
+pub(super) const SCRIPT: &str = "sweep.sbatch";
 
 /// The script of a task. The shell stays beside the program, which may be killed: then the task is queued again, twice at most. What it
 /// has saved is gone on with. One task of an array bears the array's own number as its `SLURM_JOB_ID`, and that number stands for all of
 /// them: a task is named by array and index.
 const TASK: &str = r#"#!/bin/bash
 # Written by `rodete sweep --submit slurm`: one chunk of a sweep, or the merge of all.
-# sbatch --array=0-39 sweep.sbatch works out chunks; sbatch sweep.sbatch merges.
+# sbatch --array=0-@LAST@ sweep.sbatch works out all chunks; sbatch sweep.sbatch merges.
 #SBATCH --job-name=rodete-sweep
 #SBATCH --ntasks=1
 #SBATCH --cpus-per-task=1
@@ -79,7 +79,7 @@ pub(super) fn submit(
     let folder = Folder::open(place)?;
     let mut set = Set::new(&folder, &[study.workbook], Existing::Replace);
     set.write(OsStr::new(SCRIPT), |out| out.write_all(script.as_bytes()))?;
-    set.commit()?;
+    record::commit(set, &folder, place)?;
     let (file, logs) = (absolute(&place.join(SCRIPT)), absolute(&place.join("slurm-%A_%a.log")));
     let missing = rows.missing(&|_| true);
     let mut text = String::new();
@@ -109,6 +109,7 @@ fn script(arguments: &Sweep, study: &Study<'_>, place: &Path, rows: &Rows<'_>, p
     let limit = arguments.limit.map_or_else(String::new, |limit| format!("--limit {limit} "));
     let lang = arguments.lang.map_or_else(String::new, |language| format!("--lang {} ", language.code()));
     TASK.replace("@CHUNKS@", &rows.chunks().to_string())
+        .replace("@LAST@", &rows.chunks().saturating_sub(1).to_string())
         .replace("@TOP@", &arguments.top.to_string())
         .replace("@CSV@", if arguments.csv { "--csv " } else { "" })
         .replace("@REPORT@", if arguments.report { "--report " } else { "" })

@@ -8,6 +8,7 @@ use super::super::build::{self, Asked, Settings};
 use super::super::plan::Item;
 use super::Study;
 use super::folder::Rows;
+use super::record::Record;
 use crate::escape::printable_path;
 use crate::finding::{Exit, Grade, Refusal};
 use crate::kind::Kind;
@@ -18,6 +19,9 @@ use crate::sweep::table::{CAUTION, CODES, Cells, Table};
 use crate::text::Text;
 use crate::workbook::results::Tables;
 use crate::workbook::template;
+
+/// The folder of the best designs, in that of the rows.
+const TOP: &str = "top/";
 
 /// Writes those of the best designs that are to be built as workbooks into a folder of their own, and builds them; gives what came of
 /// each of the best.
@@ -32,7 +36,11 @@ pub(super) fn build_top(
     }
     let place = rows.place().join("top");
     let folder = Folder::open(&place)?;
-    let build = |id: &u64| built.contains(id).then(|| build_one(study, kinds, (&place, &folder), *id)).transpose();
+    let outer = Folder::open(rows.place())?;
+    let build = |id: &u64| {
+        let one = || build_one(study, kinds, (rows.place(), &outer), (&place, &folder), *id);
+        built.contains(id).then(one).transpose()
+    };
     top.iter().map(build).collect()
 }
 
@@ -40,6 +48,7 @@ pub(super) fn build_top(
 fn build_one(
     study: &Study<'_>,
     kinds: &[&dyn Kind],
+    (outer_place, outer): (&Path, &Folder),
     (place, folder): (&Path, &Folder),
     id: u64,
 ) -> Result<Built, Refusal> {
@@ -53,6 +62,11 @@ fn build_one(
     );
     let mut set = Set::new(folder, &[study.workbook], Existing::Replace);
     set.write(&name, |out| template::write(study.kind, &held, &values.lists, &note, study.language, out))?;
+    let mut record = Record::open(outer_place);
+    record.check(&format!("{TOP}{}", name.to_string_lossy()))?;
+    // What it was built into is there to be edited, too.
+    record.check_known(&format!("{TOP}{}", stem.to_string_lossy()))?;
+    record.note(outer, TOP, set.written())?;
     set.commit()?;
     let workbook = place.join(&name);
     let item = Item { workbook: workbook.clone(), stem, folder: place.to_owned() };
@@ -68,6 +82,7 @@ fn build_one(
         tables: Tables::Live,
     };
     let made = build::made(&item, &Settings::of(&asked, None, kinds, Arc::default()), &|| false);
+    record.note(outer, TOP, &made.verdict.files)?;
     if !matches!(made.verdict.exit, Exit::Done | Exit::Refused) {
         return Err(Refusal { exit: made.verdict.exit, findings: made.verdict.findings });
     }
