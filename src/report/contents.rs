@@ -319,6 +319,7 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
         listing,
         ends: ends(program, words)?,
         file: file.map(|file| file.name.clone()).unwrap_or_default(),
+        stored: stored(program).map(|name| words.text(&name)).unwrap_or_default(),
         sha256: file.map(|file| file.sha256.clone()).unwrap_or_default(),
         blocks: number::grouped(summary.blocks),
         bytes: number::grouped(summary.bytes),
@@ -378,6 +379,16 @@ fn ends(program: &Program, words: &mut Words) -> io::Result<[Vec<String>; 2]> {
         Ok(())
     })?;
     Ok([first, last.into()].map(|lines: Vec<String>| lines.iter().map(|line| words.line(line)).collect()))
+}
+
+/// How the program's file is named at the control, by the number in the program's first line; `None` where any name will do.
+fn stored(program: &Program) -> Option<Text> {
+    let first = program.parts.iter().find_map(|part| match part {
+        Part::Line(line) => Some(line.as_str()),
+        Part::Comment(_) | Part::Block(_) | Part::Away(_) | Part::Path(_) => None,
+    });
+    let number: String = first?.strip_prefix('%')?.chars().take_while(char::is_ascii_digit).collect();
+    program.control.text.file.told(number.parse().ok())
 }
 
 /// The start position, in words, of a program that does not move there itself; empty for one that does.

@@ -145,6 +145,8 @@ pub(super) struct Listed {
     /// Its first and its last blocks, without comments.
     pub ends: [Vec<String>; 2],
     pub file: String,
+    /// How the file is named at the control; empty where any name will do.
+    pub stored: String,
     pub sha256: String,
     pub blocks: String,
     pub bytes: String,

@@ -4,6 +4,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod fagor;
 mod linuxcnc;
 mod lists;
 mod page;

@@ -1,6 +1,6 @@
 //! The programs of every control, in the folder that has its name. `good/NAME` is read without a refusal; where a comment
 //! of it says `ends: X1 Y2 Z-3`, in the axes' own words and mm or degrees, its last motion ends there. `bad/NAME` says in a
-//! comment on its first line, or behind `%`, what rodete says of it, `expected: LINE:COLUMN PART OF THE MESSAGE`, without a
+//! comment on its first line, or behind that of `%`, what rodete says of it, `expected: LINE:COLUMN PART OF THE MESSAGE`, without a
 //! column where the block as a whole is refused. All have the control's `tools.tbl` and `machine.var` where there are any, in millimetres, or the
 //! parameters in `good/NAME.var`. Nothing else that stands there is asked here: LinuxCNC's are held against LinuxCNC in
 //! `tests/reading/interpreter/corpus.rs`, `clean` is followed over its stock in `tests/turning/lathe.rs`.
@@ -56,7 +56,8 @@ fn read(control: &'static Control, program: &Path) -> (Vec<Motion>, Vec<Refused>
 /// Place and part of the message that the first line of a bad program says.
 fn expected(program: &Path) -> (String, String) {
     let text = fs::read(program).unwrap();
-    let first = String::from_utf8_lossy(&text).lines().find(|line| *line != "%").unwrap_or_default().to_owned();
+    let first =
+        String::from_utf8_lossy(&text).lines().find(|line| !line.starts_with('%')).unwrap_or_default().to_owned();
     let said = first
         .trim_start_matches(['\u{feff}', ';', '(', ' '])
         .strip_prefix("expected: ")

@@ -17,7 +17,7 @@ pub struct DwellWord {
 pub enum LoneDwell {
     /// Nothing: it is rejected.
     Rejected,
-    /// The control stops preparing blocks ahead, and does not dwell.
+    /// The control stops preparing blocks ahead, cancels the compensation of radius and length that is in force, and does not dwell.
     StopsPreparation,
 }
 

@@ -10,7 +10,8 @@ use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 /// and attributes, `%name,MX--,`, is a Fagor 8055, or 8055 T where a block has G96 with S, or where one has G95 and none as far as the end
 /// has Y; `%number-name` is a Fagor 8070. An M code from M10 to M18 or M20 to M29, which LinuxCNC does not have and a machine's builder gives
 /// a Fagor (clamps of rotary axes), is a Fagor 8055. So is a line that is a statement in parentheses, as `(CALL 1)` or `(P100=5)`: another
-/// control would pass over it as a comment, and make another part. A Fanuc lathe of system A is told by a T of place and offset, `T0101`, or `T101` in a text without M6; by `G50 S`; and by
+/// control would pass over it as a comment, and make another part; and so is `(MSG "…")` in a text with G70 or G71. A line that begins with
+/// `#` and a word, as `#RTCP ON`, is a statement of a Fagor 8070: a parameter of another control has a number or a name in `<>`. A Fanuc lathe of system A is told by a T of place and offset, `T0101`, or `T101` in a text without M6; by `G50 S`; and by
 /// G71, G72 or G73 with P, Q and U or W; by G28 or G30 with U or W; and by G92 with F, a thread. U and W alone tell nothing: they are
 /// axes of LinuxCNC. Everything else is LinuxCNC.
 ///
@@ -48,7 +49,10 @@ pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
     {
         return &FANUC_LATHE_A;
     }
-    if text.lines().any(statement) {
+    if text.lines().any(hash_statement) {
+        return &FAGOR_8070;
+    }
+    if text.lines().any(statement) || text.lines().any(message) && text.lines().any(fagor_unit) {
         return fagor_8055();
     }
     if text.lines().any(builders_code) { &FAGOR_8055 } else { &LINUXCNC }
@@ -133,6 +137,26 @@ fn statement(line: &str) -> bool {
         || ["RET", "MDOFF"].into_iter().any(alone)
         || ["P", "ORG"].into_iter().any(assigned)
         || inside.starts_with("IF") && ["GOTO", "CALL", "RPT"].into_iter().any(|word| inside.contains(word))
+}
+
+/// True where a line is a statement of a Fagor 8070: `#` with a word of two letters or more behind it.
+fn hash_statement(line: &str) -> bool {
+    let line = line.trim_start().strip_prefix('#').unwrap_or_default();
+    line.bytes().take_while(u8::is_ascii_alphabetic).count() > 1
+}
+
+/// True where a line shows a text as a Fagor 8055 does, `(MSG "text")`: LinuxCNC has a comma behind MSG.
+fn message(line: &str) -> bool {
+    let line = line.trim_start().to_ascii_uppercase();
+    let text = line.strip_prefix('(').and_then(|line| line.trim_start().strip_prefix("MSG"));
+    text.is_some_and(|text| text.trim_start().starts_with('"'))
+}
+
+/// True where a line says a Fagor's unit, G70 or G71, and has no word of a turning cycle.
+fn fagor_unit(line: &str) -> bool {
+    let code = code(line);
+    ["70", "71"].into_iter().any(|number| has(&code, "G", number))
+        && !['P', 'Q', 'U', 'W'].into_iter().any(|letter| word(&code, letter))
 }
 
 /// True where a line has G96 and S: constant surface speed, which no milling program has.

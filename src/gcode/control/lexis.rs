@@ -318,6 +318,16 @@ pub enum Decimals {
 }
 
 impl Decimals {
+    /// The greatest coordinate of a linear axis in inches; `None` where no page names one. Fagor CNC 8055 M, programming manual, p. 65:
+    /// the same length as 99999.9999 mm.
+    #[must_use]
+    pub const fn greatest_inches(self) -> Option<f64> {
+        match self {
+            Self::Free => None,
+            Self::FourOrFive => Some(3937.00787),
+        }
+    }
+
     /// Most decimals of a dimension, in inches or not, and of a centre or a radius; `None` where any number will do.
     #[must_use]
     pub const fn most(self, inch: bool, centre: bool) -> Option<usize> {

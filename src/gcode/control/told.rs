@@ -36,7 +36,7 @@ impl Features {
     }
 
     fn text(&mut self, text: &TextForm) {
-        let TextForm { opening, comment, end_of_line, greatest_number, memory } = text;
+        let TextForm { opening, comment, end_of_line, greatest_number, memory, file } = text;
         self.row(t("primera línea", "first line"), opening.told());
         self.row(t("comentarios que se escriben", "comments as written"), comment.told());
         self.row(t("fin de línea", "end of a line"), Text::same(end_of_line.replace('\r', "CR ").replace('\n', "LF")));
@@ -44,6 +44,10 @@ impl Features {
         self.row(
             t("memoria para un programa", "memory for one program"),
             Text::new(format!("{memory} bytes, más allá una precaución"), format!("{memory} bytes, a caution beyond")),
+        );
+        self.row(
+            t("nombre del archivo en el control", "file name at the control"),
+            file.told(None).unwrap_or_else(|| t("cualquiera", "any")),
         );
     }
 
@@ -370,7 +374,7 @@ told! {
     }
     LoneDwell {
         Self::Rejected => "se rechaza", "rejected";
-        Self::StopsPreparation => "para la preparación de bloques; no espera", "stops the preparation of blocks; does not dwell";
+        Self::StopsPreparation => "para la preparación de bloques y anula el corrector de longitud en vigor; no espera", "stops the preparation of blocks and cancels the length in force; does not dwell";
     }
     LoneReturn {
         Self::EndsLine => "termina la línea", "ends the line";
@@ -378,7 +382,7 @@ told! {
     }
     WordOrder {
         Self::Free => "cualquiera", "any";
-        Self::Ranked => "G, ejes X Y Z U V W A B C, F S T D, M: otro se rechaza; I, J, K y R, donde estén", "G, axes X Y Z U V W A B C, F S T D, M: another is rejected; I, J, K and R anywhere";
+        Self::Ranked => "G, ejes X Y Z U V W A B C, F S T D, M: otro se rechaza; I, J, K y R, donde estén, y I, J, K en ese orden", "G, axes X Y Z U V W A B C, F S T D, M: another is rejected; I, J, K and R anywhere, and I, J, K in this order";
     }
     EmptyBlock {
         Self::Passed => "se pasa por alto", "passed over";
@@ -386,7 +390,7 @@ told! {
     }
     Decimals {
         Self::Free => "los que haya", "as many as there are";
-        Self::FourOrFive => "4; en pulgadas, y en I, J, K y R, 5; más allá una precaución", "4; in inches, and of I, J, K and R, 5; a caution beyond";
+        Self::FourOrFive => "4; en pulgadas, y en I, J, K y R, 5; más allá una precaución; en pulgadas ±3937.00787 como mucho", "4; in inches, and of I, J, K and R, 5; a caution beyond; in inches ±3937.00787 at most";
     }
     DimensionPoint {
         Self::Free => "lo mismo que con él", "the same as with one";
@@ -481,6 +485,7 @@ told! {
     LengthWord {
         Self::H => "H, junto a G43", "H, with G43";
         Self::D => "D", "D";
+        Self::OfTool => "D, un corrector de la propia herramienta; sin D, su D1", "D, an offset of the tool's own; without D its D1";
     }
     OffsetRule {
         Self::Select => "G54 elige; G92 da a esta posición sus palabras", "G54 selects; G92 sets this position to its words";

@@ -84,8 +84,10 @@ pub enum ToolChange {
 pub enum LengthWord {
     /// H, beside G43.
     H,
-    /// D.
+    /// D: a row of the table of offsets.
     D,
+    /// D: an offset of the tool's own, D1 where none is written (Fagor CNC 8070, programming manual, Ref. 1709, p. 240).
+    OfTool,
 }
 
 impl LengthWord {
@@ -95,7 +97,7 @@ impl LengthWord {
     pub const fn waits_for_motion(self) -> bool {
         match self {
             Self::H => false,
-            Self::D => true,
+            Self::D | Self::OfTool => true,
         }
     }
 
@@ -104,7 +106,16 @@ impl LengthWord {
     pub const fn letter(self) -> char {
         match self {
             Self::H => 'H',
-            Self::D => 'D',
+            Self::D | Self::OfTool => 'D',
+        }
+    }
+
+    /// True where the offset is one of the tool's own, and not a row of a table that all tools share.
+    #[must_use]
+    pub const fn of_tool(self) -> bool {
+        match self {
+            Self::H | Self::D => false,
+            Self::OfTool => true,
         }
     }
 }

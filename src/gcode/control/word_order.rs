@@ -8,8 +8,9 @@ pub enum WordOrder {
     /// In any.
     Free,
     /// G codes, the axes X Y Z U V W A B C, F S T D, M codes. Other letters belong to a code or an arc and stand anywhere, and so
-    /// does S behind M19 or M45, whose own it is. Fagor 8055 M, programming manual, pages 47 and 65; error solution (Ref.
-    /// 1310), errors 0002 to 0004, 0009, 0012, 0048, and 0156 for `M19 S`.
+    /// does S behind M19 or M45, whose own it is; I, J and K stand in the order of their axes (in the planes of X, Y and Z, which
+    /// alone are followed). Fagor 8055 M, programming manual, pages 47, 65 and 88; error solution (Ref. 1310), errors 0002 to 0004,
+    /// 0009, 0012, 0048, and 0156 for `M19 S`. Of a centre word before G or behind M no page was at hand.
     Ranked,
 }
 
@@ -63,13 +64,15 @@ struct Last {
 #[derive(Clone, Copy, Debug)]
 pub struct WordsSeen {
     last: Option<Last>,
+    /// The last of I, J and K, with its column.
+    centre: Option<(char, usize)>,
     /// An M code with an S of its own has been read.
     with_speed: bool,
 }
 
 impl WordsSeen {
     /// No word has been read.
-    pub const NONE: Self = Self { last: None, with_speed: false };
+    pub const NONE: Self = Self { last: None, centre: None, with_speed: false };
 
     /// The place of the next word; `None` where it may stand anywhere.
     fn place(&mut self, letter: char, number: f64) -> Option<usize> {
@@ -79,6 +82,17 @@ impl WordsSeen {
         self.with_speed |= letter == 'M' && WITH_SPEED.contains(&number);
         let place = PLACES.get((letter as usize).wrapping_sub('A' as usize)).copied();
         place.filter(|place| *place != ANYWHERE).map(usize::from)
+    }
+
+    /// I, J or K: none of them behind a later one.
+    fn take_centre(&mut self, letter: char, column: usize) -> Result<(), Disorder> {
+        match self.centre {
+            Some((behind, first)) if behind > letter => Err(Disorder { behind, column: first, error: None }),
+            _ => {
+                self.centre = Some((letter, column));
+                Ok(())
+            }
+        }
     }
 
     fn take(&mut self, place: usize, letter: char, column: usize) -> Result<(), Disorder> {
@@ -127,6 +141,7 @@ impl WordOrder {
     pub fn take(self, seen: &mut WordsSeen, letter: char, number: f64, column: usize) -> Result<(), Disorder> {
         match self {
             Self::Free => Ok(()),
+            Self::Ranked if matches!(letter, 'I'..='K') => seen.take_centre(letter, column),
             Self::Ranked => seen.place(letter, number).map_or(Ok(()), |place| seen.take(place, letter, column)),
         }
     }

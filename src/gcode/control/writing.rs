@@ -2,6 +2,7 @@
 
 use super::{Control, HeightHold, ToolBlocks};
 use crate::gcode::word::Word;
+use crate::text::Text;
 
 /// How comments are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +46,39 @@ impl Opening {
             Self::None | Self::Name => false,
         }
     }
+
+    /// True where `%L` opens a subroutine before the program and LL calls it.
+    #[must_use]
+    pub const fn local_subroutines(self) -> bool {
+        match self {
+            Self::Name => true,
+            Self::None | Self::NameAndAttributes => false,
+        }
+    }
+}
+
+/// How the control wants the file of a program named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileName {
+    /// No page was at hand that names a form.
+    Any,
+    /// Six digits and an ending: it does not list another file.
+    SixDigits(&'static str),
+}
+
+impl FileName {
+    /// The name of a program's file at the control, by the program's number, or its form where the program has none of up to six digits;
+    /// `None` where any name will do.
+    #[must_use]
+    pub fn told(self, number: Option<u32>) -> Option<Text> {
+        match self {
+            Self::Any => None,
+            Self::SixDigits(ending) => Some(match number.filter(|&number| number < 1_000_000) {
+                Some(number) => Text::same(format!("{number:06}.{ending}")),
+                None => Text::new(format!("seis cifras y .{ending}"), format!("six digits and .{ending}")),
+            }),
+        }
+    }
 }
 
 /// What the text of a program looks like on the control, whoever wrote it.
@@ -60,6 +94,8 @@ pub struct TextForm {
     pub greatest_number: u32,
     /// Memory for one program in bytes, beyond which a Caution is given.
     pub memory: u64,
+    /// The name of its file at the control.
+    pub file: FileName,
 }
 
 impl TextForm {
@@ -108,5 +144,23 @@ impl Writing {
     #[must_use]
     pub fn safety_block(&self) -> Vec<Word> {
         self.safety.iter().map(|&(letter, number)| Word::whole(letter, number)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::control::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC};
+
+    #[test]
+    fn a_fagor_8055_lists_files_of_six_digits_and_its_ending() {
+        let told = [
+            (&FAGOR_8055, Some(1)),
+            (&FAGOR_8055_T, Some(123_456)),
+            (&FAGOR_8055, None),
+            (&FAGOR_8055, Some(1_000_000)),
+        ]
+        .map(|(control, number)| control.text.file.told(number).expect("a form").en.into_owned());
+        assert_eq!(told, ["000001.PIM", "123456.PIT", "six digits and .PIM", "six digits and .PIM"]);
+        assert!([&FAGOR_8070, &LINUXCNC].iter().all(|control| control.text.file.told(Some(1)).is_none()));
     }
 }

@@ -166,9 +166,14 @@ impl Reader<'_, '_> {
         if self.dwells_alone() {
             let (spot, column) = (self.block.spot, self.block.g_column(Group::NonModal));
             self.memory.remarks.row(&DwellOfNoTime {}, spot, Some(column));
+            self.end_length_by_dwell();
             return Ok(());
         }
         let (letter, seconds) = self.dwell_time()?;
+        if seconds == 0.0 && self.memory.control.lexis.lone_dwell.runs() {
+            // No page at hand parts it from a lone G4, and it is no dwell.
+            self.end_length_by_dwell();
+        }
         if letter != super::block::letter::P || self.memory.control.lexis.dwell.len() > 1 {
             self.block.take(letter);
         }

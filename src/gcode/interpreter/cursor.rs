@@ -6,6 +6,8 @@ use crate::gcode::rules::lexis::{
     BlockAfterEnd, Comma, CommentInWord, CommentNested, CommentNotOpened, CommentOpen, EdgeNotSupported, Exponent,
     HighLevel, LetterForZero, NameEmpty, NameOpen, NoNumber, Strange, TooGreat, TwoPoints,
 };
+use crate::gcode::rules::words::NameWithDigit;
+use crate::text::{Text, t};
 
 /// A place in a line.
 #[derive(Debug)]
@@ -74,16 +76,46 @@ impl<'l> Cursor<'l> {
 
     /// True where a macro's variable or word is next, of Fanuc's custom macros.
     pub(super) fn macro_word(&mut self) -> bool {
-        const WORDS: [&[u8]; 7] = [b"#", b"IF", b"GOTO", b"WHILE", b"THEN", b"DO", b"END"];
-        self.peek();
-        let rest = self.line.get(self.at..).unwrap_or_default();
-        WORDS.iter().any(|word| rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word)))
+        self.next_macro().is_some()
     }
 
-    /// True where a statement of a macro language is next, by its first word: no word of a block has two letters.
-    pub(super) fn macro_statement(&mut self) -> bool {
+    fn next_macro(&mut self) -> Option<&'static str> {
+        const WORDS: [&str; 7] = ["#", "IF", "GOTO", "WHILE", "THEN", "DO", "END"];
         self.peek();
-        self.line.get(self.at + 1).is_some_and(u8::is_ascii_alphabetic) && self.macro_word()
+        let rest = self.line.get(self.at..).unwrap_or_default();
+        let next = |word: &&str| rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word.as_bytes()));
+        WORDS.into_iter().find(next)
+    }
+
+    /// The first word of a statement of a macro language, where one is next: no word of a block has two letters.
+    pub(super) fn macro_statement(&mut self) -> Option<&'static str> {
+        self.peek();
+        self.line.get(self.at + 1).filter(|next| next.is_ascii_alphabetic())?;
+        self.next_macro()
+    }
+
+    /// What stands in place of a number on a control whose parameters are P with a number and whose variables are V with names behind
+    /// points; the cursor stands behind the letter of the word and a sign.
+    pub(super) fn parameter(&mut self) -> Option<Text> {
+        let next = self.peek();
+        let behind = |places: usize| self.line.get(self.at + places).copied().unwrap_or(0);
+        let letter = self.line.get(..self.at).unwrap_or_default().trim_ascii_end().last();
+        match next {
+            b'p' if behind(1).is_ascii_digit() => Some(t("parámetro (P…)", "parameter (P…)")),
+            b'v' if behind(1) == b'.' => Some(t("variable (V.…)", "variable (V.…)")),
+            b'.' if behind(1).is_ascii_alphabetic()
+                && letter.is_some_and(|letter| letter.eq_ignore_ascii_case(&b'v')) =>
+            {
+                Some(t("variable (V.…)", "variable (V.…)"))
+            }
+            _ => None,
+        }
+    }
+
+    /// True where the letter in hand stands twice, as LL of a call of a local subroutine.
+    pub(super) fn doubled(&self) -> bool {
+        let letter = self.line.get(self.at).copied().unwrap_or(0);
+        self.line.get(self.at + 1).is_some_and(|next| next.eq_ignore_ascii_case(&letter))
     }
 
     /// True where the character in hand stands right behind a digit or a decimal point.
@@ -441,6 +473,9 @@ fn strange(line: &[u8], column: usize, character: u8) -> Box<Refused> {
         }
         return Refused::of(&Comma {}, &[column]);
     }
+    if let Some(name) = name_with_digit(line, column).filter(|_| character == b'=') {
+        return Refused::of(&NameWithDigit { name }, &[column]);
+    }
     let rest = line.get(column..).unwrap_or_default();
     let text = rest.utf8_chunks().next().map_or("", |chunk| chunk.valid());
     let name = match text.chars().next() {
@@ -453,6 +488,15 @@ fn strange(line: &[u8], column: usize, character: u8) -> Box<Refused> {
         None => format!("byte 0x{:02X}", rest.first().copied().unwrap_or(character)),
     };
     Refused::of(&Strange { character: name }, &[column])
+}
+
+/// The letter and the digits before a column, in capitals: the name of an axis or a spindle where `=` follows it.
+fn name_with_digit(line: &[u8], column: usize) -> Option<String> {
+    let before = line.get(..column)?.trim_ascii_end();
+    let digits = before.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+    let letter = before.len().checked_sub(digits + 1)?;
+    let named = digits > 0 && before.get(letter).is_some_and(u8::is_ascii_alphabetic);
+    named.then(|| String::from_utf8_lossy(&before[letter..]).to_uppercase())
 }
 
 /// The letter O stands where a digit should.

@@ -16,8 +16,7 @@ use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::rules::modes::{
     AxesClaimedTwice, AxesWithCancel, AxesWithoutMotion, CycleWithoutAxes, DwellBesideAxes, FeedMissing,
     FeedPerTurnWithoutSpeed, InverseTimeWithoutF, InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutAxes,
-    MachineMoveWithoutMotion, NoFeed, SetPositionWithoutAxes, SpindleStill, SpindleStops, ThreadStartAngle,
-    WordWithoutUse,
+    MachineMoveWithoutMotion, NoFeed, SpindleStill, SpindleStops, ThreadStartAngle, WordWithoutUse,
 };
 use crate::gcode::rules::words::{CycleInOneBlock, DwellBesideArc, TaperByOtherLetter};
 use crate::machine::axis::{Axis, Pose};
@@ -234,7 +233,7 @@ impl Reader<'_, '_> {
         let beside = Beside { other, at_once, length, given, dwell, axes, shifts, takes_axes };
         let motion = self.planned_motion(&beside)?;
         if axes == 0 && matches!(at_once, Some(G::LocalOffset | G::SetPosition)) {
-            return Err(Refused::of(&SetPositionWithoutAxes {}, &[block.g_column(Group::NonModal)]));
+            return Err(self.position_without_axes());
         }
         let by_rapid = self.memory.control.machine_move.by_itself()
             && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
@@ -254,11 +253,9 @@ impl Reader<'_, '_> {
         let block = &self.block;
         Ok(match block.g(Group::Motion) {
             // G80 ends a cycle; the motion code that was in force before it is so again.
-            Some(G::Cancel) if self.memory.control.cancel.restores() && axes != 0 && !takes_axes => {
-                Some(self.state.modal.under_cycle())
-            }
             Some(G::Cancel) if axes != 0 && !takes_axes => {
-                return Err(self.axes_without_use(&AxesWithCancel {}));
+                let under = self.motion_behind_cancel();
+                return under.map_or_else(|| Err(self.axes_without_use(&AxesWithCancel {})), |under| Ok(Some(under)));
             }
             Some(G::Cancel) => Some(G::Cancel),
             // The axis words are the one-shot code's; the motion code is in force from here on.

@@ -16,6 +16,7 @@ use crate::gcode::rules::expressions::{
     FunctionUnknown, InputUsed, NameOfMachine, NameUnset, NegativePower, NotFinite, OperatorUnknown,
     ParameterOutOfRange, ParameterReadOnly, ParameterUnset, TooDeep, TwoSigns, ValueMissing,
 };
+use crate::gcode::rules::words::ParameterNotFollowed;
 use crate::limits::NESTED_BRACKETS;
 use crate::number::trig;
 
@@ -106,12 +107,14 @@ impl Reader<'_, '_> {
     /// The number after a letter: decimal, expression, parameter or function, with its sign.
     pub(super) fn value(&mut self, cursor: &mut Cursor<'_>) -> Result<Decimal> {
         cursor.no_comment()?;
+        self.no_parameter(cursor)?;
         match cursor.peek() {
             b'0'..=b'9' | b'.' => cursor.number(),
             sign @ (b'-' | b'+') => {
                 let column = cursor.column();
                 cursor.pass();
                 cursor.no_comment()?;
+                self.no_parameter(cursor)?;
                 let number = match cursor.peek() {
                     b'0'..=b'9' | b'.' => cursor.number()?,
                     b'-' | b'+' => {
@@ -125,6 +128,15 @@ impl Reader<'_, '_> {
             _ if self.memory.control.lexis.language.computes() => self.computed(cursor),
             _ => Err(no_value(cursor)),
         }
+    }
+
+    /// Refuses a parameter or a variable of a control's own language in place of a number.
+    fn no_parameter(&self, cursor: &mut Cursor<'_>) -> Result<()> {
+        if !self.memory.control.lexis.language.has_words_alone() {
+            return Ok(());
+        }
+        let what = cursor.parameter();
+        what.map_or(Ok(()), |what| Err(Refused::of(&ParameterNotFollowed { what }, &[cursor.column()])))
     }
 
     /// A value that is computed: expression, parameter, function.

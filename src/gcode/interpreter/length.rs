@@ -2,7 +2,9 @@
 //!
 //! # References
 //! Fagor CNC 8055 M, programming manual, p. 144: G43 on, G44 off; the value is L + K of offset D, or of the offset bound to the tool
-//! where there is no D; it is applied when the longitudinal axis next moves; the axis is the one across the plane. Of an increment
+//! where there is no D; it is applied when the longitudinal axis next moves; the axis is the one across the plane. P. 109: a lone G4
+//! cancels the length in force; whether the next motion takes it up again no page says, and G4 of a time of 0 is taken alike. CNC 8070, programming manual (Ref. 1709),
+//! p. 240: the length is the selected tool's, of its offset D, or of D1 where none is selected. Of an increment
 //! that meets a change of the length, of G53 under G43, and of the moment at which the offset of a T without D counts no page was
 //! at hand: they are refused or told.
 
@@ -13,13 +15,16 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::Plane;
 use crate::gcode::rules::modes::{
-    LengthByMotion, LengthChangesLater, LengthLeftOver, LengthNotInForce, LengthNotKnown, LengthOfSelected,
-    LengthOverEnd, LengthPlane, MachineMoveWithLength,
+    LengthByMotion, LengthChangesLater, LengthEnded, LengthLeftOver, LengthNotInForce, LengthNotKnown,
+    LengthOfOtherOffset, LengthOfSelected, LengthOverEnd, LengthPlane, MachineMoveWithLength,
 };
 use crate::gcode::turning::rules::OffsetNotInTable;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::ActiveOffsets;
 use crate::text::{Text, t};
+
+/// The offset of a tool that counts where no D names another.
+const FIRST_OF_TOOL: u32 = 1;
 
 /// The offset whose length G43 takes up.
 #[derive(Clone, Copy, Debug, Default)]
@@ -30,6 +35,18 @@ pub(super) struct Offset {
     said: bool,
     /// The number of a T without D that no M6 has brought yet.
     selected: Option<u32>,
+}
+
+/// What a lone G4 has left of the length that was in force.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Left {
+    /// All of it: there was no such G4, or Z has taken the length up again since.
+    #[default]
+    Whole,
+    /// It is cancelled, and G43 is not programmed anew.
+    Ended,
+    /// It is cancelled, and G43 waits for the next motion of Z.
+    Anew,
 }
 
 impl Reader<'_, '_> {
@@ -60,7 +77,8 @@ impl Reader<'_, '_> {
 
     /// M6 has brought the tool that T selected, and with it its offset where no D has named another.
     pub(super) fn bring_offset(&mut self) {
-        if let Some(number) = self.state.modal.tool_offset.selected.take() {
+        if let Some(tool) = self.state.modal.tool_offset.selected.take() {
+            let number = if self.memory.control.length.of_tool() { FIRST_OF_TOOL } else { tool };
             self.state.modal.tool_offset = Offset { number, said: true, selected: None };
         }
     }
@@ -69,12 +87,14 @@ impl Reader<'_, '_> {
     pub(super) fn await_length(&mut self, code: G) {
         let on = code == G::ToolLength;
         self.state.modal.lengthened = on;
+        let ended = self.state.modal.length_left != Left::Whole;
+        self.state.modal.length_left = if on && ended { Left::Anew } else { Left::Whole };
         if !on || self.state.modal.tool_offset.said {
             return;
         }
         if let Some(number) = self.state.modal.tool_offset.selected {
             (self.state.modal.tool_offset.number, self.state.modal.tool_offset.said) = (number, true);
-        } else {
+        } else if !self.in_doubt(doubt::TOOL) {
             let (spot, column) = (self.block.spot, self.block.g_column(Group::ToolLength));
             self.memory.remarks.row(&LengthLeftOver {}, spot, Some(column));
         }
@@ -98,7 +118,19 @@ impl Reader<'_, '_> {
     fn length_due(&self) -> Option<u32> {
         let modal = &self.state.modal;
         let wanted = if modal.lengthened { modal.tool_offset.number } else { 0 };
-        (wanted != modal.length_of.unwrap_or(0)).then_some(wanted)
+        (wanted != modal.length_of.unwrap_or(0) || modal.length_left != Left::Whole).then_some(wanted)
+    }
+
+    /// A lone G4 cancels the length that is in force or waits for Z, unless it is known to be 0.
+    pub(super) fn end_length_by_dwell(&mut self) {
+        let modal = &self.state.modal;
+        if !self.length_waits() || !modal.lengthened {
+            return;
+        }
+        let lengths = [modal.tool_offset.number, modal.length_of.unwrap_or(0)].map(|number| self.length_of(number));
+        if lengths != [Some(Pose::default()); 2] {
+            self.state.modal.length_left = Left::Ended;
+        }
     }
 
     /// The length of an offset; `None` where no table says it.
@@ -114,7 +146,7 @@ impl Reader<'_, '_> {
     /// Takes up the length before a motion with Z; other motions leave it waiting.
     ///
     /// # Errors
-    /// Of Z in machine coordinates under G43; and where a length is to be taken up, of an offset that the table does not hold and of
+    /// Of Z in machine coordinates under G43, and of Z behind a lone G4 that has cancelled the length; and where a length is to be taken up, of an offset that the table does not hold and of
     /// a Z whose end hangs on the length.
     pub(super) fn take_up_length(&mut self, motion: G) -> Result<()> {
         if !self.length_waits() || !self.block.has(letter::Z) {
@@ -124,6 +156,9 @@ impl Reader<'_, '_> {
         let on = self.state.modal.lengthened || self.state.modal.length_of.is_some();
         if on && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) {
             return Err(Refused::of(&MachineMoveWithLength {}, &[at]));
+        }
+        if self.state.modal.length_left == Left::Ended {
+            return Err(Refused::of(&LengthEnded {}, &[at]).hanging_on(doubt::axis(Axis::Z)));
         }
         if self.state.modal.lengthened
             && let Some(tool) = self.state.modal.tool_offset.selected
@@ -136,7 +171,8 @@ impl Reader<'_, '_> {
             return Err(Refused::of(&OffsetNotInTable { offset: number }, &[at]));
         }
         // Without a change of the height it is all one how the control moves.
-        let same = length == Some(self.state.frame.tool) && self.length_in_force_is_known();
+        let whole = self.state.modal.length_left == Left::Whole;
+        let same = whole && length == Some(self.state.frame.tool) && self.length_in_force_is_known();
         let what = match motion {
             G::Arc(_) => Some(t("arco con Z", "arc with Z")),
             _ if self.state.modal.incremental => Some(t("Z incremental", "incremental Z")),
@@ -148,6 +184,7 @@ impl Reader<'_, '_> {
         self.offset_of(number);
         self.reframe(ActiveOffsets { tool: length.unwrap_or_default(), ..self.state.frame });
         self.state.modal.length_of = Some(number).filter(|number| *number != 0);
+        self.state.modal.length_left = Left::Whole;
         Ok(())
     }
 
@@ -181,9 +218,13 @@ impl Reader<'_, '_> {
         let modal = &self.state.modal;
         if let Some(due) = self.length_due() {
             let lengths = (self.length_of(due), self.length_of(modal.length_of.unwrap_or(0)));
-            if !matches!(lengths, (Some(due), Some(now)) if due == now) {
+            if modal.length_left != Left::Whole || !matches!(lengths, (Some(due), Some(now)) if due == now) {
                 self.memory.remarks.row(&LengthChangesLater {}, spot, None);
             }
+            return;
+        }
+        if self.memory.control.length.of_tool() {
+            self.see_length_of_tool(spot);
             return;
         }
         let number = if modal.tool_offset.said { modal.tool_offset.number } else { modal.tool };
@@ -191,10 +232,23 @@ impl Reader<'_, '_> {
             return;
         }
         let tool = modal.tool;
-        if self.memory.control.codes.has(G::ToolLength) {
-            self.memory.remarks.row(&LengthNotInForce { tool }, spot, None);
-        } else {
-            self.memory.remarks.row(&LengthNotKnown { offset: number }, spot, None);
+        self.memory.remarks.row(&LengthNotInForce { tool }, spot, None);
+    }
+
+    /// The same on a control whose D is an offset of the tool's own, where no code takes a length up: the table holds one length for
+    /// each tool, which is that of D1.
+    fn see_length_of_tool(&mut self, spot: Spot) {
+        let modal = &self.state.modal;
+        // Before the first M6 the tool that T names is the one that the program means.
+        let tool = if modal.tool == 0 { modal.selected.unwrap_or(0) } else { modal.tool };
+        let offset = if modal.tool_offset.said { modal.tool_offset.number } else { FIRST_OF_TOOL };
+        if tool == 0 || offset == 0 || self.memory.setting.tools.is_none() {
+            return;
+        }
+        if offset != FIRST_OF_TOOL {
+            self.memory.remarks.row(&LengthOfOtherOffset { tool, offset }, spot, None);
+        } else if self.length_of(tool).is_some_and(|own| own != Pose::default()) {
+            self.memory.remarks.row(&LengthNotKnown { tool }, spot, None);
         }
     }
 }
@@ -254,6 +308,17 @@ mod tests {
     }
 
     #[test]
+    fn behind_a_lone_g4_a_length_is_taken_up_anew_or_ended() {
+        for (blocks, heights) in [
+            ("T1 D1|M6|G43 G0 Z10|G4|G43 Z5|G91 Z-3", &[60.0, 55.0, 52.0][..]),
+            ("T1 D1|M6|G43 G0 Z10|G4|G44 Z20", &[60.0, 20.0]),
+            ("T1 D1|M6|G43 G0 Z10|G4|G0 X5|G43|Z10", &[60.0, 60.0, 60.0]),
+        ] {
+            assert_eq!(read(&FAGOR_8055, blocks, true), (heights.to_vec(), vec!["G0540"]), "{blocks}");
+        }
+    }
+
+    #[test]
     fn what_hangs_on_a_length_that_is_not_known_is_refused_or_told() {
         for (blocks, table, codes) in [
             ("T1 D1|M6|G43 G0 Z10|G1 Z-2", false, &["G0825"][..]),
@@ -271,9 +336,40 @@ mod tests {
             ("G43 G0 Z10", true, &["G0545"]),
             ("T1 D1|M6|G43 G0 Z10|T2|Z5", true, &["G0546"]),
             ("T1|G43 G0 Z10", true, &["G0546"]),
+            // A lone G4 cancels the length; without one there is nothing to cancel.
+            ("T1 D1|M6|G43 G0 Z10|G4|G1 Z-2", true, &["G0550", "G0540"]),
+            ("T1 D1|M6|G43 G0 Z10|G4|G1 Z-2", false, &["G0550", "G0825", "G0540"]),
+            ("T1 D1|M6|G43|G4|G0 Z10", true, &["G0550", "G0540"]),
+            ("T1 D1|M6|G43 G0 Z10|G4|D2|G0 Z10", true, &["G0550", "G0540"]),
+            ("T1 D1|M6|G43 G0 Z10|G4|G92 Z0", true, &["G0542", "G0540"]),
+            ("T1 D1|M6|G43 G0 Z10|G4|G43|G91 Z5", true, &["G0542", "G0540"]),
+            ("T1 D1|M6|G43 G0 Z10|G4|G43|G4|Z5", true, &["G0550", "G0540"]),
+            ("T1 D1|M6|G43 G0 Z10|G4|G1 X5", true, &["G0540", "G0544"]),
+            ("T3 D3|M6|G43 G0 Z10|G4|G1 Z-2", true, &["G0540"]),
+            ("T1 D1|M6|G0 Z60|G4|G0 Z50", true, &["G0540"]),
+            ("T1 D1|M6|G43 G0 Z10|G4 K50|G0 Z50", true, &[]),
+            ("T1 D1|M6|G43 G0 Z10|G4 K0|G0 Z50", true, &["G0550"]),
+            // The tool is not in the table: what follows from that is not told beside.
+            ("T9|M6|G43 G0 X5", true, &["G0821"]),
         ] {
             assert_eq!(read(&FAGOR_8055, blocks, table).1, codes, "{blocks}");
         }
+    }
+
+    #[test]
+    fn the_offset_of_a_tool_on_an_8070_is_told_by_its_tool() {
+        let program = "%A\nG71 G90 G94 F100 S900 M3\nT2 D1 M6\nG0 Z5\nG1 Z-2\nM30\n";
+        let tool = |length: f64| {
+            let mut tool = ToolOffset::default();
+            tool.offset.set(Axis::Z, length);
+            tool
+        };
+        let setting =
+            Setting { tools: Some(Tools::from([(1, tool(0.0)), (2, tool(80.0))])), ..Setting::new(&FAGOR_8070) };
+        let mut interpreter = Interpreter::over(program.as_bytes(), setting);
+        interpreter.by_ref().for_each(drop);
+        let told = interpreter.remarks().iter().map(|one| one.what.en.to_string()).collect::<Vec<_>>().join("|");
+        assert!(told.starts_with("T2 has a length in the table"), "{told}");
     }
 
     #[test]
@@ -303,6 +399,13 @@ mod tests {
             // A rejected G43 may have brought it, also of the tool behind it.
             (&FAGOR_8055, "T1 D1|M6|G43 H1|G0 Z5|G1 Z-2|T2 D2|M6|G1 X5", true, &["G0118"]),
             (&FAGOR_8070, "T1 D1 M6|G0 Z5|G1 Z-2", true, &["G0547"]),
+            // D of an 8070 is the tool's own, and the table is asked by T.
+            (&FAGOR_8070, "T2 M6|G0 Z5|G1 Z-2", true, &["G0547"]),
+            (&FAGOR_8070, "T2 D1|G0 Z5|G1 Z-2", true, &["G0547"]),
+            (&FAGOR_8070, "T3 D1 M6|G0 Z5|G1 Z-2", true, &[]),
+            (&FAGOR_8070, "T3 D2 M6|G0 Z5|G1 Z-2", true, &["G0551"]),
+            (&FAGOR_8070, "T3 D2 M6|T3 M6|G0 Z5|G1 Z-2", true, &[]),
+            (&FAGOR_8070, "T2 D1 M6|G0 Z5|G1 Z-2", false, &[]),
             (&FAGOR_8070, "T1 D1 M6|G43|G0 Z5|G1 Z-2", true, &["G0112"]),
         ] {
             assert_eq!(read(control, blocks, table).1, codes, "{} {blocks}", control.name);

@@ -13,6 +13,7 @@ use crate::gcode::rules::lexis::{
     Aborts, ActiveComment, BeforePercent, EndsWithoutCode, HeaderInvalid, HeaderNotExecutable, HighLevel, LineTooLong,
     Percent, PercentAgain, ProgramNumber,
 };
+use crate::gcode::rules::words::LocalSubroutine;
 use crate::limits::LEADER_LINES;
 
 /// Most characters of a comment that a message repeats.
@@ -122,6 +123,7 @@ impl Reader<'_, '_> {
         let bare = self.memory.control.lexis.percent.bare();
         let opening =
             self.memory.stage == Stage::Opening && !self.memory.percent && (!bare || self.only_blank_lines_before()?);
+        let start = cursor.column();
         cursor.pass();
         let alone = if bare {
             line.trim_ascii() == b"%"
@@ -129,9 +131,18 @@ impl Reader<'_, '_> {
             cursor.peek() == 0 || self.memory.control.lexis.percent.leader() && titled(line)
         };
         if self.memory.control.lexis.percent.named() {
-            if opening {
+            let form = self.memory.control.text.opening;
+            if form.local_subroutines()
+                && cursor.accept(b'l')
+                && line.get(cursor.column()).is_none_or(u8::is_ascii_whitespace)
+            {
+                // What follows is run where it is called, and not as it stands.
+                return Err(Refused::of(&LocalSubroutine {}, &[start]).fatal());
+            }
+            // With attributes the header is the first line of the file, or none.
+            if opening && (!form.attributes() || self.block.spot.line == 1) {
                 self.memory.percent = true;
-                return if self.memory.control.text.opening.attributes() { header(line) } else { Ok(()) };
+                return if form.attributes() { header(line) } else { Ok(()) };
             }
         } else if alone {
             if opening {
@@ -148,7 +159,7 @@ impl Reader<'_, '_> {
                 return self.end();
             }
         }
-        let at = [cursor.column().saturating_sub(1)];
+        let at = [start];
         Err(if self.memory.control.lexis.percent.named() {
             Refused::of(&PercentAgain {}, &at)
         } else {

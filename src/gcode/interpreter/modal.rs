@@ -3,7 +3,7 @@
 use crate::gcode::code::{Cycle, G, TurningCycle};
 use crate::gcode::control::Control;
 use crate::gcode::in_force::{Compensation, InForce, Speed, Spindle};
-use crate::gcode::interpreter::length::Offset;
+use crate::gcode::interpreter::length::{Left, Offset};
 use crate::gcode::interpreter::turning::First;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::length_unit::LengthUnit;
@@ -52,6 +52,8 @@ pub(super) struct Modal {
     pub(super) tool_offset: Offset,
     /// A tool length offset is in force, or waits for the next motion of Z.
     pub(super) lengthened: bool,
+    /// What a lone G4 has left of the length in force.
+    pub(super) length_left: Left,
     /// The tool whose length it is, where G43 took it from the tool table; where G43 waits, the offset taken up.
     pub(super) length_of: Option<u32>,
     pub(super) coolant: bool,
@@ -104,6 +106,7 @@ impl Modal {
             offset: 0,
             tool_offset: Offset::default(),
             lengthened: false,
+            length_left: Left::Whole,
             length_of: None,
             coolant: false,
             compensation: Compensation::Off,

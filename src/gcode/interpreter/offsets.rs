@@ -17,10 +17,12 @@ use crate::gcode::rules::geometry::{
     OffsetsWithoutL, OffsetsWithoutP, PresetEnds, PresetLeft, RotationWithG92, SetPositionLeft, SetPositionLeftOfLathe,
     ToolTableLoaded, ToolTableWithTool,
 };
+use crate::gcode::rules::modes::{PositionOrSpeedMissing, SetPositionWithoutAxes};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::{
     ACTIVE, ActiveOffsets, G28_FIRST, G30_FIRST, G92_FIRST, G92_SWITCH, System, WorkOffset,
 };
+use crate::text::t;
 
 impl Reader<'_, '_> {
     /// A coordinate system as the parameters hold it.
@@ -236,6 +238,15 @@ impl Reader<'_, '_> {
         self.keep_g92(true, Some(g92));
     }
 
+    /// The refusal of G52 or G92 without axes, with the code that cancels it where the control has one.
+    pub(super) fn position_without_axes(&self) -> Box<Refused> {
+        let group = crate::gcode::code::Group::NonModal;
+        let code = if self.block.g(group) == Some(G::LocalOffset) { "G52" } else { "G92" };
+        let cancels = self.memory.control.codes.has(G::ClearPosition);
+        let cancel = if cancels { t(", o G92.1 para anularlo", ", or G92.1 to cancel it") } else { t("", "") };
+        Refused::of(&SetPositionWithoutAxes { code, cancel }, &[self.block.g_column(group)])
+    }
+
     /// What G92 has set ends: a work offset is selected, and the control has one of both in force.
     pub(super) fn end_preset(&mut self) {
         let (on, registers) = self.g92_registers();
@@ -263,7 +274,14 @@ impl Reader<'_, '_> {
                 }
                 Ok(())
             }
-            _ => Err(Refused::of(&AxesOrSpeed {}, &[self.block.g_column(crate::gcode::code::Group::NonModal)])),
+            (axes, _) => {
+                let column = self.block.g_column(crate::gcode::code::Group::NonModal);
+                if axes {
+                    return Err(Refused::of(&AxesOrSpeed {}, &[column]));
+                }
+                let code = self.memory.control.codes.names(G::SetPositionOrSpeed).join(", ");
+                Err(Refused::of(&PositionOrSpeedMissing { code }, &[column]))
+            }
         }
     }
 

@@ -11,9 +11,9 @@ use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
     BlockRepeated, CodeNotSupported, CodeParted, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize,
-    EdgeTwice, FeedOrSpeedTooGreat, LetterNotSupported, LetterUnknown, MachineCodeNotFollowed, MachineCodeNotSupported,
-    MachineCodeOfBuilder, MachineCodesTooMany, MacroLanguage, Macros, Negative, NumberParted, TwoCodesOfGroup,
-    TwoMachineCodesOfGroup, Unknown, UnknownToAll, WordTooGreat, WordTwice, WordsOutOfOrder,
+    EdgeTwice, FeedOrSpeedTooGreat, LetterNotSupported, LetterUnknown, LocalSubroutine, MachineCodeNotFollowed,
+    MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany, MacroLanguage, Macros, Negative, NumberParted,
+    TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, UnknownToAll, WordTooGreat, WordTwice, WordsOutOfOrder,
 };
 use crate::limits::COUNT;
 use crate::machine::length_unit::LengthUnit;
@@ -71,9 +71,11 @@ impl Reader<'_, '_> {
     /// Reads the words of a line behind its block number into the block in hand.
     pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         cursor.e_words = self.memory.control.lexis.letters.has(E);
-        if !self.memory.control.lexis.language.refuses_macros() && cursor.macro_statement() {
+        if !self.memory.control.lexis.language.refuses_macros()
+            && let Some(word) = cursor.macro_statement()
+        {
             let dialect = self.memory.setting.control.name;
-            return Err(Refused::of(&MacroLanguage { dialect }, &[cursor.column()]));
+            return Err(Refused::of(&MacroLanguage { word, dialect }, &[cursor.column()]));
         }
         loop {
             match cursor.peek() {
@@ -269,8 +271,8 @@ impl Reader<'_, '_> {
         let number = self.value(cursor)?;
         let value = number.value;
         if DIMENSIONS.has(index) || self.fagor_cycle() {
-            if value.abs() > f64::from(LIMIT) / 1000.0 {
-                return Err(Refused::of(&CoordinateTooGreat { letter: name(letter), value }, &[number_column]));
+            if let Some(most) = self.beyond(letter, value) {
+                return Err(Refused::of(&CoordinateTooGreat { letter: name(letter), value, most }, &[number_column]));
             }
         } else if value.abs() > COUNT {
             return Err(Refused::of(&WordTooGreat { letter: name(letter), value }, &[number_column]));
@@ -308,9 +310,24 @@ impl Reader<'_, '_> {
         })
     }
 
+    /// True where the dimensions of the block in hand are inches, as far as it has been read.
+    fn in_inch(&self) -> bool {
+        self.block.g(Group::Units).map_or(self.state.modal.unit == LengthUnit::Inch, |unit| unit == G::Inch)
+    }
+
+    /// The greatest value of a dimension, where a value is beyond it.
+    fn beyond(&self, letter: u8, value: f64) -> Option<Text> {
+        if value.abs() > f64::from(LIMIT) / 1000.0 {
+            return Some(t("99 999.999", "99,999.999"));
+        }
+        let length = b"uvwxyz".contains(&letter) && !self.fagor_cycle();
+        let most = self.memory.control.lexis.decimals.greatest_inches().filter(|_| length && self.in_inch())?;
+        (value.abs() > most).then(|| Text::new(format!("{most} pulgadas"), format!("{most} inches")))
+    }
+
     /// Remarks a dimension with more decimals than the control's manual gives it.
     fn see_decimals(&mut self, letter: u8, decimals: usize, column: usize) {
-        let inch = self.block.g(Group::Units).map_or(self.state.modal.unit == LengthUnit::Inch, |unit| unit == G::Inch);
+        let inch = self.in_inch();
         let most = self.memory.control.lexis.decimals.most(inch, b"ijkr".contains(&letter));
         if let Some(most) = most.filter(|&most| decimals > most) {
             let spot = self.block.spot;
@@ -328,6 +345,9 @@ impl Reader<'_, '_> {
         }
         if letter == b'q' && lexis.polar.by_letters() {
             return self.polar_by_letters(name, column);
+        }
+        if letter == b'l' && cursor.doubled() && self.memory.control.text.opening.local_subroutines() {
+            return Refused::of(&LocalSubroutine {}, &[column]);
         }
         if let Some(G::Turning(cycle)) = self.block.g(Group::NonModal)
             && matches!(name, 'A' | 'D')

@@ -75,7 +75,8 @@ rules! {
     "G0010" Strange Stop { character: String }
         es "carácter {character} no admitido"
         en "character {character} is not allowed"
-        remedy "quítelo o escríbalo dentro de un comentario", "take it out, or write it inside a comment";
+        remedy "escriba en su lugar, con caracteres ASCII, lo que quería decir, o póngalo dentro de un comentario; no lo quite sin más: dos cifras, o un signo y su número, dirían otra cosa",
+            "write in its place, in ASCII characters, what is meant, or put it inside a comment; do not just take it out: two digits, or a number without its sign, would say something else";
         why "Cada control puede leer a su manera un carácter que no es del código ISO.",
             "Each control may read a character outside the ISO code differently.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X１|M2", "2:5");
@@ -216,7 +217,8 @@ rules! {
     "G0030" PercentAgain Stop {}
         es "«%» no se admite aquí"
         en "'%' is not allowed here"
-        remedy "borre la línea: «%» va solo delante del nombre, en la primera", "delete the line: '%' stands before the name only, in the first line";
+        remedy "si es la cabecera, póngala en la primera línea; si cierra el programa, bórrela: el final es M30; si empieza otro programa, compruébelo en su propio archivo",
+            "if it is the header, write it in the first line; if it closes the program, delete it: the end is M30; if another program begins here, verify that in a file of its own";
         why "«%» abre la cabecera con el nombre del programa; el final es M30.",
             "'%' opens the header with the program's name; the end is M30.";
         example Example::program("fagor-8055", "%FLANGE,MX,|G71 G90 G94 F100|G1 X10|%", "4:1");

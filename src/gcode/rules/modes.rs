@@ -85,10 +85,10 @@ rules! {
         why "No se sabe si el movimiento es en rápido o en avance: qué hay en vigor al encender lo dice, en algunos controles, un parámetro de máquina.",
             "It is not clear whether the motion is rapid or at feed: what is in force at power-on is, on some controls, a machine parameter.";
         example Example::program("linuxcnc", "G21 G90 F100|G80|X1|M2", "3:1");
-    "G0512" SetPositionWithoutAxes Stop {}
-        es "G52 o G92 sin palabras de eje"
-        en "G52 or G92 without axis words"
-        remedy "indique los ejes, o G92.1 para anularlo", "name the axes, or G92.1 to cancel it";
+    "G0512" SetPositionWithoutAxes Stop { code: &'static str, cancel: Text }
+        es "{code} sin palabras de eje"
+        en "{code} without axis words"
+        remedy "indique los ejes{cancel}", "name the axes{cancel}";
         why "Sin ejes no se sabe qué hay que desplazar.",
             "Without axes it is not clear what to shift.";
         example Example::program("linuxcnc", "G21 G90 F100|G92|M2", "2:1");
@@ -281,11 +281,11 @@ rules! {
             "G53 counts for its own block only, and without axes it moves nothing.";
         example Example::program("linuxcnc", "G21 G90 F100|G1|G53|M2", "3:1");
     "G0540" DwellOfNoTime Note {}
-        es "G4 sin tiempo: el control para la preparación de bloques, y no espera"
-        en "G4 without a time: the control stops preparing blocks, and does not dwell"
+        es "G4 sin tiempo: el control para la preparación de bloques, anula el corrector de longitud en vigor, y no espera"
+        en "G4 without a time: the control stops preparing blocks, cancels the tool length offset in force, and does not dwell"
         remedy "para una espera escriba el tiempo, como G4 K50", "for a dwell write the time, as G4 K50";
-        why "Sin tiempo el husillo no da ninguna vuelta más en el sitio.",
-            "Without a time the spindle makes no more turns on the spot.";
+        why "Sin tiempo el husillo no da ninguna vuelta más en el sitio, y la herramienta pierde su longitud y su radio.",
+            "Without a time the spindle makes no more turns on the spot, and the tool loses its length and its radius.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|G4|M30", "2:1");
     "G0541" LengthPlane Stop { plane: &'static str }
         es "corrector de longitud en {plane}: rodete sigue G43 solo en G17"
@@ -329,18 +329,40 @@ rules! {
         why "Ninguna página leída dice si la longitud cambia con T o con M6.",
             "No page that was read says whether the length changes with T or with M6.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|T1 D1|M6|G43 G0 Z50|T2|Z20|M30", "6:1");
-    "G0547" LengthNotKnown Caution { offset: u32 }
-        es "el corrector {offset} de la tabla tiene una longitud: rodete no sabe si este control la toma, y cuenta sin ella"
-        en "offset {offset} of the table has a length: rodete does not know if this control takes it up, and counts without it"
+    "G0547" LengthNotKnown Caution { tool: u32 }
+        es "T{tool} tiene una longitud en la tabla: rodete no sabe si este control la toma, y cuenta sin ella"
+        en "T{tool} has a length in the table: rodete does not know if this control takes it up, and counts without it"
         remedy "compruebe en el control a qué altura va la herramienta", "check at the control at which height the tool moves";
         why "Ninguna página leída dice qué pone en vigor la longitud en este control.",
             "No page that was read says what brings the length into force on this control.";
         example Example::Program { control: "fagor-8070", program: "G71 G90 G94 S900|T1 D1 M6|M3|G0 Z5|G1 Z-2 F100|M30", at: "5", given: &[("--tools", "T1 P1 Z50 D10")] };
     "G0548" LengthOverEnd Note {}
-        es "el programa termina con G43: según el parámetro ILCOMP la longitud sigue en vigor tras M30"
-        en "the program ends under G43: by the parameter ILCOMP the length stays in force after M30"
+        es "el programa termina con G43: salvo con el parámetro ILCOMP = 0, la longitud sigue en vigor tras M30"
+        en "the program ends under G43: unless the parameter ILCOMP = 0, the length stays in force after M30"
         remedy "programe G44 al retirarse en Z", "program G44 as Z retracts";
         why "El programa siguiente empezaría con la longitud de esta herramienta.",
             "The next program would begin with the length of this tool.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|T1 D0|M6|G43 G0 Z50|M30", "5");
+    "G0550" LengthEnded Stop {}
+        es "Z después de G4 sin tiempo, o con 0, que anula el corrector de longitud de G43: rodete no sabe hasta dónde va"
+        en "Z behind G4 without a time, or with 0, which cancels the tool length offset of G43: rodete does not know where it goes"
+        remedy "detrás de G4 programe otra vez G43 y Z con G0 o G1 en G90, o G44; para una espera escriba el tiempo, como G4 K50",
+            "program G43 again and Z with G0 or G1 in G90 behind G4, or G44; for a dwell write the time, as G4 K50";
+        why "Sin su longitud la herramienta baja por debajo del programa en toda ella.",
+            "Without its length the tool goes below the program by all of it.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100 S900 M3|T1 D1|M6|G43 G0 Z50|G4|G1 Z-5|M30", "6:4");
+    "G0551" LengthOfOtherOffset Caution { tool: u32, offset: u32 }
+        es "D{offset} de T{tool}: la tabla solo tiene una longitud por herramienta, la de su D1, y rodete cuenta sin ella"
+        en "D{offset} of T{tool}: the table has one length for a tool only, that of its D1, and rodete counts without it"
+        remedy "compruebe en el control la longitud de ese corrector de la herramienta, y a qué altura va",
+            "check the length of that offset of the tool at the control, and at which height it moves";
+        why "En este control cada herramienta tiene sus correctores: D2 es el segundo de la herramienta, y no la fila 2 de una tabla.",
+            "On this control each tool has offsets of its own: D2 is the tool's second one, and not row 2 of a table.";
+        example Example::Program { control: "fagor-8070", program: "G71 G90 G94 S900|T1 D2 M6|M3|G0 Z5|G1 Z-2 F100|M30", at: "5", given: &[("--tools", "T1 P1 Z50 D10")] };
+    "G0552" PositionOrSpeedMissing Stop { code: String }
+        es "{code} sin ejes ni S"
+        en "{code} with neither axes nor S"
+        remedy "indique los ejes, para fijar la posición, o S, para el límite de giro", "name the axes, to set the position, or give S, the speed limit";
+        why "El código solo no dice qué hay que fijar.", "The code alone does not say what to set.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100|G92|M30", "2:1");
 }

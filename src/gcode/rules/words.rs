@@ -106,9 +106,9 @@ rules! {
         why "Un chaflán o un radio no puede ser cero ni negativo.",
             "A chamfer or a radius cannot be zero or negative.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.|G1 Z-10. ,C-1. F100.|X50.|M30", "3:12");
-    "G0115" CoordinateTooGreat Stop { letter: char, value: f64 }
-        es "{letter}{value} supera ±99 999.999"
-        en "{letter}{value} is beyond ±99,999.999"
+    "G0115" CoordinateTooGreat Stop { letter: char, value: f64, most: Text }
+        es "{letter}{value} supera ±{most}"
+        en "{letter}{value} is beyond ±{most}"
         remedy "compruebe el número", "check the number";
         why "Ninguna máquina llega ahí: será un número equivocado.",
             "No machine goes there: it will be a wrong number.";
@@ -130,7 +130,8 @@ rules! {
     "G0118" LetterUnknown Stop { letter: char, dialect: &'static str }
         es "la letra {letter} no se admite aquí en el dialecto {dialect}"
         en "letter {letter} is not allowed here in the dialect {dialect}"
-        remedy "quítela, o indique el dialecto: con --dialect, o en la hoja DATOS de un libro", "delete it, or name the dialect: with --dialect, or on the sheet DATA of a workbook";
+        remedy "compruebe el bloque, o indique el dialecto: con --dialect, o en la hoja DATOS de un libro; sin la palabra el bloque puede hacer otra cosa",
+            "check the block, or name the dialect: with --dialect, or on the sheet DATA of a workbook; without the word the block may do something else";
         why "El control se para en una letra que no conoce.",
             "The control stops at a letter that it does not know.";
         example Example::program("fagor-8055", "G0 X1 H5|M30", "1:7");
@@ -204,9 +205,9 @@ rules! {
             "write it in two blocks: the first with depth and retraction, the second with P and Q, or X and Z, and F";
         why "Este control lee G71 a G76 en dos bloques, con otras letras.", "This control reads G71 to G76 in two blocks, with other letters.";
         example Example::program("fanuc-lathe-a", "G21 G99|G0 X54. Z2.|G71 P10 Q20 U0.4 W0.1 D2000 F0.2|N10 G0 X30.|N20 G1 Z-20.|M30", "3:23");
-    "G0129" MacroLanguage Stop { dialect: &'static str }
-        es "IF, WHILE, DO, END y GOTO pertenecen a un lenguaje de macros que el dialecto {dialect} no tiene"
-        en "IF, WHILE, DO, END and GOTO belong to a macro language that the dialect {dialect} does not have"
+    "G0129" MacroLanguage Stop { word: &'static str, dialect: &'static str }
+        es "{word} pertenece a un lenguaje de macros que el dialecto {dialect} no tiene"
+        en "{word} belongs to a macro language that the dialect {dialect} does not have"
         remedy "escriba los bloques sin macros; para LinuxCNC, con palabras O (O1 IF, O1 WHILE)",
             "write the blocks without macros; for LinuxCNC, with O-words (O1 IF, O1 WHILE)";
         why "El control lee las letras de una en una, cada una con su número, y se para.",
@@ -230,8 +231,8 @@ rules! {
     "G0132" WordsOutOfOrder Stop { word: String, behind: char, error: String }
         es "{word} está detrás de {behind}, y el control pide otro orden{error}"
         en "{word} stands behind {behind}, and the control wants another order{error}"
-        remedy "escriba las palabras del bloque en el orden G, X Y Z U V W A B C, F S T D, M",
-            "write the words of the block in the order G, X Y Z U V W A B C, F S T D, M";
+        remedy "escriba las palabras del bloque en el orden G, X Y Z U V W A B C, F S T D, M, y las del centro en el orden I J K",
+            "write the words of the block in the order G, X Y Z U V W A B C, F S T D, M, and those of the centre in the order I J K";
         why "El control comprueba el orden de las palabras y no ejecuta un bloque que tenga otro.",
             "The control checks the order of the words and does not run a block that has another.";
         example Example::program("fagor-8055", "G71 G90 G94|G1 A10 X5 F100|M30", "2:8");
@@ -261,7 +262,31 @@ rules! {
     "G0136" CodeParted Stop { text: String }
         es "rodete lee «{text}» como un solo número, y no conoce tal código"
         en "rodete reads '{text}' as one number, and knows no such code"
-        remedy "escriba cada número con su letra y sin espacios, como G4 K50", "write each number with its letter and without blanks, as G4 K50";
+        remedy "escriba cada número detrás de su letra y sin espacios", "write each number behind its letter and without blanks";
         why "Los espacios no separan palabras: las separan las letras.", "Blanks do not part words: letters do.";
         example Example::program("fagor-8070", "G71 G90 G94 F100|G4 0.5|M30", "2:1");
+    "G0137" NameWithDigit Stop { name: String }
+        es "{name}=: un eje o un husillo cuyo nombre lleva una cifra, que rodete no sigue"
+        en "{name}=: an axis or a spindle with a digit in its name, which rodete does not follow"
+        remedy "no quite «=»: el número sería otro; escriba el bloque con ejes de una sola letra, si la máquina los tiene, o compruebe el programa en el control",
+            "do not take '=' out: the number would be another; write the block with axes of one letter, if the machine has them, or check the program at the control";
+        why "X1=10 lleva el eje X1 a 10: sin «=» sería X110, otro eje y otra cota.",
+            "X1=10 takes the axis X1 to 10: without '=' it would be X110, another axis and another position.";
+        example Example::program("fagor-8070", "%A|G71 G90 G94 F100|G1 X1=10|M30", "3:4");
+    "G0138" ParameterNotFollowed Stop { what: Text }
+        es "{what} en lugar de un número, que rodete no sigue"
+        en "{what} in place of a number, which rodete does not follow"
+        remedy "escriba el número que tiene en ese bloque, o compruebe el programa en el control; si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro",
+            "write the number that it has in that block, or check the program at the control; if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook";
+        why "El número está en el control, o lo calcula el programa allí: sin él no se sabe adónde va el bloque.",
+            "The number is at the control, or the program computes it there: without it nobody knows where the block goes.";
+        example Example::program("fagor-8055", "G71 G90 G94 F100 S900 M3|G1 XP122|M30", "2:5");
+    "G0139" LocalSubroutine Stop {}
+        es "subrutina local (%L, LL), que rodete no sigue"
+        en "local subroutine (%L, LL), which rodete does not follow"
+        remedy "escriba los bloques de la subrutina en el programa principal, en el lugar de cada llamada, o compruebe el programa en el control: si solo borra estas líneas, el programa hace otra cosa",
+            "write the blocks of the subroutine into the main program, in the place of each call, or check the program at the control: if you only delete these lines, the program does something else";
+        why "El control ejecuta la subrutina en cada llamada: sin seguirla no se sabe qué hace el programa.",
+            "The control runs the subroutine at each call: without following it nobody knows what the program does.";
+        example Example::program("fagor-8070", "%L CUT|G91 G1 Z-5 F100|M29|%MAIN|G0 X0|LL CUT|M30", "1:1");
 }

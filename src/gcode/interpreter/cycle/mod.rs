@@ -34,6 +34,13 @@ pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Refused> {
 }
 
 impl Reader<'_, '_> {
+    /// The motion of a block with G80 and axis words, on a control whose G80 brings back the motion code from before the cycle; `None` where
+    /// there is none.
+    pub(super) fn motion_behind_cancel(&self) -> Option<G> {
+        let under = self.state.modal.under_cycle();
+        (self.memory.control.cancel.restores() && under != G::Cancel).then_some(under)
+    }
+
     /// A canned cycle of the block in hand, as the control drills.
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn drill(&mut self, cycle: Cycle) -> Result<()> {

@@ -1,5 +1,5 @@
-;expected: 4 block without words
 %0001-A,MX--,
+;expected: 4 block without words
 N10 G71 G90 G94 F100
 N20 ;here
 G1 X10

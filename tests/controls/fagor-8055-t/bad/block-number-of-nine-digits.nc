@@ -1,5 +1,5 @@
-;expected: 4:1 block number N100000000 is above 99999999
 %0001-A,MX--,
+;expected: 4:1 block number N100000000 is above 99999999
 N10 G71 G90 G94 F100
 N100000000 G1 X10
 M30

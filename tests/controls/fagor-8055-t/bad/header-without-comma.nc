@@ -1,5 +1,5 @@
-;expected: 2 the first line is not %name,attributes
 %0001 TRY MX
+;expected: 1 the first line is not %name,attributes
 N10 G71 G90 G94 F100
 G1 X10
 M30
