@@ -150,7 +150,7 @@ fn write(post: Post, plan: &[Step], distance: Distance, before: Option<&String>)
                 writer.dwell(seconds).expect("a dwell");
                 // Seconds have three decimals; what counts in parts of them is whole.
                 let unit = control.lexis.dwell[0].unit;
-                made.push(Made::Dwell(seconds, if unit == 1.0 { 0.0005 } else { unit / 2.0 } + 1e-9));
+                made.push(Made::Dwell(seconds, if unit.whole() { unit.seconds() / 2.0 } else { 0.0005 } + 1e-9));
             }
             Step::Hold(on) => {
                 if let Some(words) = post.writing.height.words(on) {

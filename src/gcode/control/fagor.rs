@@ -4,11 +4,11 @@ use crate::gcode::code::{G, Group, M, Name, TurningCycle};
 use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
-    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent,
-    PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
-    Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
+    FeedChange, FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell,
+    LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order,
+    Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit,
+    SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -90,7 +90,7 @@ pub static FAGOR_8070: Control = Control {
     // Of block numbers, empty lines, switches, decimals and the order of words no page was at hand. Comments in parentheses: p. 204.
     lexis: Lexis {
         comments: Comments::Either,
-        dwell: &[DwellWord { letter: 'K', unit: 1.0 }],
+        dwell: &[DwellWord { letter: 'K', unit: DwellUnit::Second }],
         delete: BlockDelete::Numbered,
         words: WordOrder::Free,
         empty: EmptyBlock::Passed,
@@ -196,7 +196,8 @@ const LEXIS: Lexis = Lexis {
     refused: Letters::of("P"),
     free: Letters::of("DFST"),
     negative: Letters::of(""),
-    dwell: &[DwellWord { letter: 'K', unit: 0.01 }],
+    dwell: &[DwellWord { letter: 'K', unit: DwellUnit::Hundredth }],
+    cycle_dwell: DwellUnit::Hundredth,
     lone_dwell: LoneDwell::Rejected,
     language: Language::Words,
     comments: Comments::Semicolon,

@@ -11,11 +11,11 @@ use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle
 use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark,
-    MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii,
-    RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
-    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
+    FeedChange, FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
+    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent,
+    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
+    Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -50,10 +50,11 @@ pub static FANUC_LATHE_A: Control = Control {
         free: Letters::of("FST"),
         negative: Letters::of("Q"),
         dwell: &[
-            DwellWord { letter: 'X', unit: 1.0 },
-            DwellWord { letter: 'U', unit: 1.0 },
-            DwellWord { letter: 'P', unit: 0.001 },
+            DwellWord { letter: 'X', unit: DwellUnit::Second },
+            DwellWord { letter: 'U', unit: DwellUnit::Second },
+            DwellWord { letter: 'P', unit: DwellUnit::Millisecond },
         ],
+        cycle_dwell: DwellUnit::Millisecond,
         language: Language::Macros,
         comments: Comments::Parentheses,
         delete: BlockDelete::Numbered,

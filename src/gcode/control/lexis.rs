@@ -1,6 +1,6 @@
 //! The characters of a program: letters, comments, expressions, `/` and `%`.
 
-use super::{DwellWord, LoneDwell, WordOrder};
+use super::{DwellUnit, DwellWord, LoneDwell, WordOrder};
 use crate::gcode::letters::Letters;
 
 /// What a control reads beside letters with numbers.
@@ -403,6 +403,8 @@ pub struct Lexis {
     pub negative: Letters,
     /// The addresses of a dwell; the first is written.
     pub dwell: &'static [DwellWord],
+    /// What the dwell of a drilling or turning cycle counts.
+    pub cycle_dwell: DwellUnit,
     /// G4 without a time.
     pub lone_dwell: LoneDwell,
     /// Beside letters with numbers.

@@ -25,7 +25,7 @@ mod writing;
 
 pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments, NegativeRadius, Radii};
 pub use self::codes::{CODE_LIMIT, Codes, code_name};
-pub use self::dwell::{DwellWord, LoneDwell};
+pub use self::dwell::{DwellUnit, DwellWord, LoneDwell};
 pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, POST_8055_T};
 pub use self::fanuc::FANUC_LATHE_A;
 pub use self::feed::{FeedChange, FeedCodes, FeedPath, FeedRule, MissingFeed, UnsaidFeed};

@@ -4,14 +4,14 @@
 
 use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark,
-    MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii,
-    RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
-    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
+    FeedChange, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
+    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent,
+    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
+    Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::finding::AlarmFamily;
-use crate::gcode::code::{G, M};
+use crate::gcode::code::{Cycle, G, M, TurningCycle};
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::letters::Letters;
 use crate::gcode::word::{NumberFormat, Word};
@@ -54,6 +54,8 @@ impl Features {
             free,
             negative,
             dwell,
+            // Told with the cycles.
+            cycle_dwell: _,
             lone_dwell,
             language,
             comments,
@@ -257,6 +259,12 @@ impl Control {
         features.row(t("esquinas entre líneas", "corners between lines"), corners.told());
         features.row(t("G41 y G42", "G41 and G42"), radius.told());
         features.row(t("ciclos de taladrado", "drilling cycles"), drilling.told());
+        let waits =
+            [G::Cycle(Cycle::DrillDwell), G::Turning(TurningCycle::Fagor(83))].iter().any(|code| codes.has(*code));
+        features.row(
+            t("espera de un ciclo", "dwell of a cycle"),
+            if waits { lexis.cycle_dwell.told() } else { t("ninguna que rodete simule", "none that rodete simulates") },
+        );
         features.row(t("subprogramas", "subprograms"), by.told());
         features.row(
             t("subprogramas, unos dentro de otros", "subprograms inside one another"),
@@ -300,8 +308,8 @@ fn at_most(count: usize) -> Text {
 
 fn dwell_words(words: &[DwellWord]) -> Text {
     let one = |word: &DwellWord| match word.unit {
-        1.0 => format!("{} (s)", word.letter),
-        unit => format!("{} ({unit} s)", word.letter),
+        DwellUnit::Second => format!("{} (s)", word.letter),
+        DwellUnit::Hundredth | DwellUnit::Millisecond => format!("{} ({} s)", word.letter, word.unit.seconds()),
     };
     Text::same(words.iter().map(one).collect::<Vec<_>>().join(", "))
 }
@@ -367,6 +375,11 @@ told! {
     UnitChange {
         Self::Anywhere => "en cualquier bloque", "in any block";
         Self::AtBeginning => "antes del primer movimiento; después, aviso", "before the first motion; a caution behind it";
+    }
+    DwellUnit {
+        Self::Second => "segundos", "seconds";
+        Self::Hundredth => "centésimas de segundo, un número entero", "hundredths of a second, a whole number";
+        Self::Millisecond => "milisegundos, un número entero", "milliseconds, a whole number";
     }
     LoneDwell {
         Self::Rejected => "se rechaza", "rejected";

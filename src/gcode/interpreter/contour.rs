@@ -261,7 +261,7 @@ impl Reader<'_, '_> {
         if self.block.g(Group::NonModal) != Some(G::Dwell) {
             return Ok(0);
         }
-        let time = 1 << self.dwell_time()?.0;
+        let time = 1 << self.dwell_time()?.0.index();
         if self.block.present & MOVES.mask() & !time != 0 {
             return Err(Refused::of(&ContourDwellAndMotion {}, &[self.block.g_column(Group::NonModal)]));
         }

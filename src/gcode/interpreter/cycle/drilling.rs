@@ -58,7 +58,7 @@ impl Reader<'_, '_> {
             None => 0.0,
         };
         let p = match self.block.get(letter::P) {
-            Some(P) => P / 1_000.0,
+            Some(P) => P * self.memory.control.lexis.cycle_dwell.seconds(),
             None if again => sticky.p,
             None if cycle == Cycle::DrillDwell => return Err(missing('P', cycle)),
             None => 0.0,
