@@ -6,9 +6,10 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
     FeedChange, FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell,
-    LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order,
-    Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit,
-    SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, OpeningLine,
+    Order, Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule,
+    SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed,
+    WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -83,7 +84,7 @@ pub static FAGOR_8070: Control = Control {
         ),
         NO_HELIX,
     ],
-    text: TextForm { opening: Opening::Name, memory: 1 << 30, ..FAGOR_8055_BASE.text },
+    text: TextForm { opening: &[OpeningLine::Name], memory: 1 << 30, ..FAGOR_8055_BASE.text },
     feed: FeedRule { law: FeedLaw::Seconds, ..FAGOR_8055_BASE.feed },
     written: Some(&WRITING_8070),
     codes: &CODES_8070,
@@ -119,7 +120,8 @@ const FAGOR_8055_BASE: Control = Control {
     name: "",
     sources: &[],
     text: TextForm {
-        opening: Opening::NameAndAttributes,
+        opening: &[OpeningLine::NameAndAttributes],
+        ending: &[],
         comment: CommentForm::Semicolon,
         end_of_line: "\r\n",
         greatest_number: 99_999_999,

@@ -13,9 +13,9 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
     FeedChange, FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
-    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent,
-    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
-    Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Order, Percent, PolarWords,
+    Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
+    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -37,7 +37,8 @@ pub static FANUC_LATHE_A: Control = Control {
         ),
     ],
     text: TextForm {
-        opening: Opening::None,
+        opening: &[],
+        ending: &[],
         comment: CommentForm::Parentheses,
         end_of_line: "\r\n",
         greatest_number: 99_999,

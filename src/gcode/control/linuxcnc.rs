@@ -6,9 +6,9 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
     FeedChange, FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell,
-    LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Opening, Order, Percent,
-    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
-    Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Order, Percent, PolarWords,
+    Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
+    ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -24,7 +24,8 @@ pub static LINUXCNC: Control = Control {
         "LinuxCNC, G-code reference: its G and M codes; G93, inverse time; comments in parentheses; G21; G49",
     )],
     text: TextForm {
-        opening: Opening::None,
+        opening: &[],
+        ending: &[],
         comment: CommentForm::Parentheses,
         end_of_line: "\n",
         greatest_number: 99_999,

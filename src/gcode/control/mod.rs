@@ -42,7 +42,7 @@ pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
 pub use self::told::Feature;
 pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
 pub use self::word_order::{Disorder, WordOrder, WordsSeen};
-pub use self::writing::{CommentForm, Opening, Post, TextForm, Writing};
+pub use self::writing::{CommentForm, OpeningLine, Post, TextForm, Writing};
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 pub use crate::gcode::feed_law::{FeedLaw, Slower};

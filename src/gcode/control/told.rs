@@ -6,7 +6,7 @@ use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
     FeedChange, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
-    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent,
+    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, OpeningLine, Order, Percent,
     PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
     Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
@@ -36,8 +36,13 @@ impl Features {
     }
 
     fn text(&mut self, text: &TextForm) {
-        let TextForm { opening, comment, end_of_line, greatest_number, memory } = text;
-        self.row(t("primera línea", "first line"), opening.told());
+        let TextForm { opening, ending, comment, end_of_line, greatest_number, memory } = text;
+        let [none, opening_lines] = [t("ninguna", "none"), joined(opening.iter().map(OpeningLine::told))];
+        self.row(t("primeras líneas", "first lines"), if opening.is_empty() { none.clone() } else { opening_lines });
+        self.row(
+            t("últimas líneas", "last lines"),
+            if ending.is_empty() { none } else { Text::same(ending.join(", ")) },
+        );
         self.row(t("comentarios que se escriben", "comments as written"), comment.told());
         self.row(t("fin de línea", "end of a line"), Text::same(end_of_line.replace('\r', "CR ").replace('\n', "LF")));
         self.row(t("mayor número de bloque N", "largest block number N"), Text::same(greatest_number.to_string()));
@@ -302,6 +307,12 @@ fn block(words: &[Word]) -> String {
     text
 }
 
+/// Texts one behind the other.
+fn joined(texts: impl Iterator<Item = Text>) -> Text {
+    let (es, en): (Vec<_>, Vec<_>) = texts.map(|text| (text.es, text.en)).unzip();
+    Text::new(es.join(", "), en.join(", "))
+}
+
 fn at_most(count: usize) -> Text {
     Text::new(format!("{count} como mucho"), format!("{count} at most"))
 }
@@ -338,8 +349,9 @@ told! {
         Self::Mill => "fresadora", "mill";
         Self::Lathe => "torno", "lathe";
     }
-    Opening {
-        Self::None => "ninguna", "none";
+    OpeningLine {
+        Self::Percent => "%", "%";
+        Self::Number => "Onúmero", "Onumber";
         Self::NameAndAttributes => "%nombre,MX--,", "%name,MX--,";
         Self::Name => "%nombre", "%name";
     }

@@ -131,7 +131,7 @@ impl Reader<'_, '_> {
         if self.memory.control.lexis.percent.named() {
             if opening {
                 self.memory.percent = true;
-                return if self.memory.control.text.opening.attributes() { header(line) } else { Ok(()) };
+                return if self.memory.control.text.attributes() { header(line) } else { Ok(()) };
             }
         } else if alone {
             if opening {
