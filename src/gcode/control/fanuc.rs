@@ -11,11 +11,11 @@ use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle
 use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
-    FeedChange, FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
-    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Order, Percent, PolarWords,
-    Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
-    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    CommentForm, Comments, Control, Corners, CountedFeed, Counting, Decimals, DimensionPoint, Drilling, DwellUnit,
+    DwellWord, EmptyBlock, FeedChange, FeedCodes, FeedPath, FeedRule, Increments, Language, LeastIncrement, LengthWord,
+    Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule,
+    Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit,
+    SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -67,7 +67,12 @@ pub static FANUC_LATHE_A: Control = Control {
         empty: EmptyBlock::Passed,
         greatest_number: 999_999_999,
         decimals: Decimals::Free,
-        point: DimensionPoint::BySetting,
+        point: DimensionPoint::BySetting(Counting {
+            letters: Letters::of("IKRUWXZ"),
+            feed: CountedFeed::LengthUnknown,
+            whole: Letters::of("LMPQT"),
+            increment: LeastIncrement::Thousandth,
+        }),
         longest_line: 4096,
         most_machine_codes: 3,
         builders: BuilderCodes::Several,

@@ -16,6 +16,7 @@ mod linuxcnc;
 mod order;
 mod output;
 mod path;
+mod point;
 mod rotary;
 mod spindle;
 mod told;
@@ -30,13 +31,16 @@ pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, POST_8055_T};
 pub use self::fanuc::FANUC_LATHE_A;
 pub use self::feed::{FeedChange, FeedCodes, FeedPath, FeedRule, MissingFeed, UnsaidFeed};
 pub use self::lexis::{
-    BlockDelete, BuilderCodes, Comments, DecimalPoint, Decimals, DimensionPoint, EmptyBlock, Language, Lexis,
-    LoneReturn, Mark, Measured, NumberBehind, Percent, Pointing, PolarWords, Unpointed,
+    BlockDelete, BuilderCodes, Comments, Decimals, EmptyBlock, Language, Lexis, LoneReturn, Mark, NumberBehind,
+    Percent, PolarWords,
 };
 pub use self::linuxcnc::LINUXCNC;
 pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Reference};
 pub use self::output::HeightHold;
 pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};
+pub use self::point::{
+    CountedFeed, Counting, DecimalPoint, DimensionPoint, LeastIncrement, Pointing, Quantity, Reading, Unpointed,
+};
 pub use self::rotary::{Rollover, RotaryMode, RotaryRule};
 pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
 pub use self::told::Feature;
