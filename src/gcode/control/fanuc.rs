@@ -14,8 +14,8 @@ use crate::gcode::control::{
     CommentForm, Comments, Control, Corners, CountedFeed, Counting, Decimals, DimensionPoint, Drilling, DwellUnit,
     DwellWord, EmptyBlock, FeedChange, FeedCodes, FeedPath, FeedRule, Increments, Language, LeastIncrement, LengthWord,
     Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule,
-    Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit,
-    SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, Source,
+    SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -27,14 +27,22 @@ use crate::text::t;
 pub static FANUC_LATHE_A: Control = Control {
     name: "fanuc-lathe-a",
     sources: &[
-        t(
-            "la lista de códigos del simulador de torno: rodete interpreta estos",
-            "the lathe simulator's list of codes: rodete reads these",
-        ),
-        t(
+        Source::Published(t(
+            "la lista de códigos del simulador de torno: rodete interpreta estos; P de los ciclos de taladrado en milisegundos",
+            "the lathe simulator's list of codes: rodete reads these; P of drilling cycles in milliseconds",
+        )),
+        Source::Manual(t(
             "Fanuc Series 0i-T, manual del operador, sistema A de códigos G: rodete rechaza los demás por su nombre, y también las letras que solo usan las opciones del control (C, A, B y otras)",
             "Fanuc Series 0i-T, operator's manual, G-code system A: rodete rejects the others by name, and also letters that only options of the control use (C, A, B and others)",
-        ),
+        )),
+        Source::Manual(t(
+            "Fanuc Series 16i/18i-PB, descripciones (B-63682EN/01), p. 54: sin punto decimal, una cota es de la unidad o de incrementos mínimos, según un parámetro",
+            "Fanuc Series 16i/18i-PB, descriptions (B-63682EN/01), p. 54: without a decimal point a dimension counts units or least increments, by a parameter",
+        )),
+        Source::NotFound(t(
+            "lo que cuentan X, U y P de G4; se toman X y U en segundos y P en milisegundos; una espera por vueltas no se lee",
+            "what X, U and P of G4 count; X and U are taken in seconds and P in milliseconds; a dwell by revolutions is not read",
+        )),
     ],
     text: TextForm {
         opening: &[],

@@ -7,8 +7,8 @@ use crate::gcode::control::{
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
     FeedChange, FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell,
     LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Order, Percent, PolarWords,
-    Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
-    ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start,
+    TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -19,10 +19,10 @@ use crate::text::t;
 /// LinuxCNC for mills, with rotary axes.
 pub static LINUXCNC: Control = Control {
     name: "linuxcnc",
-    sources: &[t(
+    sources: &[Source::Manual(t(
         "LinuxCNC, referencia de códigos G: sus códigos G y M; G93, la inversa del tiempo; comentarios entre paréntesis; G21; G49",
         "LinuxCNC, G-code reference: its G and M codes; G93, inverse time; comments in parentheses; G21; G49",
-    )],
+    ))],
     text: TextForm {
         opening: &[],
         ending: &[],

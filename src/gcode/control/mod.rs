@@ -18,6 +18,7 @@ mod output;
 mod path;
 mod point;
 mod rotary;
+mod source;
 mod spindle;
 mod told;
 mod tool;
@@ -42,6 +43,7 @@ pub use self::point::{
     CountedFeed, Counting, DecimalPoint, DimensionPoint, LeastIncrement, Pointing, Quantity, Reading, Unpointed,
 };
 pub use self::rotary::{Rollover, RotaryMode, RotaryRule};
+pub use self::source::Source;
 pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
 pub use self::told::Feature;
 pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
@@ -51,7 +53,6 @@ use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 pub use crate::gcode::feed_law::{FeedLaw, Slower};
 use crate::gcode::motion::{FeedMode, Plane};
-use crate::text::Text;
 
 /// What stands in the chuck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,8 +94,8 @@ pub enum UnitChange {
 pub struct Control {
     /// The name in workbooks and on the command line.
     pub name: &'static str,
-    /// The works that it is read from, and what of them stands here.
-    pub sources: &'static [Text],
+    /// The works that it is read from and what of them stands here, and of what no page was at hand.
+    pub sources: &'static [Source],
     /// What the text of a program looks like.
     pub text: TextForm,
     /// Mill or lathe.
