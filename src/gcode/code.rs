@@ -162,6 +162,21 @@ impl TurningCycle {
             Self::Fagor(_) => Letters::of("ABCDEFHIJKLMPQRSUVWXZ"),
         }
     }
+
+    /// The letters of its first block, the one without P, whose number is how many times: no length, wherever lengths are counted.
+    #[must_use]
+    pub const fn times(self) -> Letters {
+        match self {
+            Self::Repeat => Letters::of("R"),
+            Self::Finish
+            | Self::Axial
+            | Self::Radial
+            | Self::GrooveFace
+            | Self::GrooveOutside
+            | Self::Thread
+            | Self::Fagor(_) => Letters::of(""),
+        }
+    }
 }
 
 /// A turning cycle of one pass, which every block with X, Z or R repeats.

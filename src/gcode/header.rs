@@ -29,7 +29,7 @@ pub struct Work<'a> {
     pub number: u32,
 }
 
-/// The head of a program under construction, its opening line first, in one language.
+/// The head of a program under construction, its opening first, in one language.
 #[derive(Debug)]
 pub struct Header {
     language: Language,
@@ -38,12 +38,12 @@ pub struct Header {
 }
 
 impl Header {
-    /// The opening line and what names program, part, workbook, and rodete.
+    /// The opening of the control and what names program, part, workbook, and rodete.
     #[must_use]
     pub fn new(control: &Control, key: &str, title: &Text, work: Work<'_>, origin: &Origin<'_>) -> Self {
         let Work { part, material, number } = work;
-        let opening = control.text.opening_line(number, key).map(Part::Line);
-        let mut header = Self { language: origin.language, parts: opening.into_iter().collect() };
+        let opening = control.text.opening.iter().map(|line| Part::Opening(line.text(number, key)));
+        let mut header = Self { language: origin.language, parts: opening.collect() };
         header.line(&format!("PROGRAMA {number:04} - {}", title.es), &format!("PROGRAM {number:04} - {}", title.en));
         header.line(&format!("PIEZA {part}"), &format!("PART {part}"));
         if !material.is_empty() {

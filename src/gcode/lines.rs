@@ -105,8 +105,14 @@ impl<'a> Lines<'a> {
         let program = self.program;
         self.line.clear();
         loop {
-            match program.parts.get(self.part)? {
-                Part::Line(text) => {
+            let Some(part) = program.parts.get(self.part) else {
+                let line = program.ending().get(self.part - program.parts.len())?;
+                self.part += 1;
+                self.line.push_str(line);
+                return Some((None, &self.line));
+            };
+            match part {
+                Part::Opening(text) | Part::Line(text) => {
                     self.part += 1;
                     self.line.push_str(text);
                     return Some((None, &self.line));

@@ -87,7 +87,9 @@ impl Path {
 /// A part of a program.
 #[derive(Clone, Debug)]
 pub enum Part {
-    /// A line as it stands: the first line of a control, a block of a published program.
+    /// A line of the control's opening. A program that begins with one has the control's ending behind its last part.
+    Opening(String),
+    /// A line as it stands: a block of a published program.
     Line(String),
     /// A comment, cleaned already.
     Comment(String),
@@ -198,6 +200,12 @@ impl Program {
             Part::Away(retract) => Some((line, retract)),
             _ => None,
         })
+    }
+
+    /// The lines behind the last part: the control's ending, where the program begins with its opening.
+    #[must_use]
+    pub fn ending(&self) -> &'static [&'static str] {
+        if matches!(self.parts.first(), Some(Part::Opening(_))) { self.control.text.ending } else { &[] }
     }
 
     /// How many blocks there are: lines that may carry a number.

@@ -7,7 +7,7 @@
 
 use crate::finding::Raise;
 use crate::gcode::comment;
-use crate::gcode::control::{CommentForm, FeedLaw, Opening};
+use crate::gcode::control::{CommentForm, FeedLaw};
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::proof::check::{At, Check, Question};
@@ -32,6 +32,10 @@ pub struct Characters<'a> {
     number: u32,
     longest: usize,
     bytes: u64,
+    /// The first line is that of the control's opening.
+    opened: bool,
+    /// How many lines of the control's ending there were.
+    ended: usize,
     fault: Option<(At, Text)>,
 }
 
@@ -39,7 +43,7 @@ impl<'a> Characters<'a> {
     /// The judge of a program's text.
     #[must_use]
     pub const fn new(program: &'a Program) -> Self {
-        Self { program, lines: 0, number: 0, longest: 0, bytes: 0, fault: None }
+        Self { program, lines: 0, number: 0, longest: 0, bytes: 0, opened: false, ended: 0, fault: None }
     }
 
     /// The next line, without its end.
@@ -69,12 +73,22 @@ impl<'a> Characters<'a> {
         if let Some(wrong) = line.chars().find(|letter| !matches!(letter, ' '..='~')) {
             return Err(quoted("carácter", "character", &wrong.escape_default().to_string()));
         }
+        if let Some(opening) = dialect.text.opening.get(self.lines - 1) {
+            let opens = opening.is(line);
+            self.opened |= opens && self.lines == 1;
+            if self.opened {
+                return if opens { Ok(()) } else { Err(quoted("línea", "line", line)) };
+            }
+        }
+        if self.opened && dialect.text.ending.get(self.ended) == Some(&line) {
+            self.ended += 1;
+            return Ok(());
+        }
+        if self.ended > 0 {
+            return Err(quoted("línea", "line", line));
+        }
         if line.starts_with('%') {
-            let opens = match dialect.text.opening {
-                Opening::None => false,
-                Opening::Name | Opening::NameAndAttributes => self.lines == 1,
-            };
-            return if opens { Ok(()) } else { Err(quoted("carácter", "character", "%")) };
+            return Err(quoted("carácter", "character", "%"));
         }
         let inside = match dialect.text.comment {
             CommentForm::Semicolon => line.strip_prefix(';'),
@@ -116,7 +130,11 @@ impl<'a> Characters<'a> {
     #[must_use]
     pub fn check(self) -> Check {
         let name = t("Caracteres y números", "Characters and numbers");
-        let Self { lines, longest, program, .. } = self;
+        let Self { lines, longest, program, opened, ended, mut fault, .. } = self;
+        let ending = program.control.text.ending;
+        if let Some(missing) = ending.get(ended).filter(|_| opened && fault.is_none()) {
+            fault = Some((At::line(lines), quoted("falta la línea", "missing line", missing)));
+        }
         let value = Text::new(
             format!("{lines} líneas de hasta {longest} caracteres"),
             format!("{lines} lines of up to {longest} characters"),
@@ -126,7 +144,7 @@ impl<'a> Characters<'a> {
             format!("{}: numbers ±99999.999, lines of up to {LONGEST}", program.control.name),
         );
         let asked = Question::new("characters", name, program).showing(value, limit).seen(lines);
-        asked.at(self.fault.as_ref().map(|(at, _)| *at)).unless(self.fault.map(|(at, fault)| {
+        asked.at(fault.as_ref().map(|(at, _)| *at)).unless(fault.map(|(at, fault)| {
             move |place| CharactersRefused { line: at.line, fault, program: program.title.clone() }.at(place)
         }))
     }
@@ -189,8 +207,9 @@ pub fn read(program: &Program) -> Characters<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{size, timed};
-    use crate::gcode::control::FeedLaw;
+    use super::{read, size, timed};
+    use crate::gcode::control::{Control, FeedLaw, LINUXCNC, OpeningLine, TextForm};
+    use crate::gcode::program::{Part, Program};
     use crate::gcode::word::NumberFormat::{Fixed, Trimmed};
 
     #[test]
@@ -218,6 +237,37 @@ mod tests {
             assert!(!timed(number, FeedLaw::Resultant), "{number}");
         }
         assert!(!timed("289211.635", FeedLaw::Seconds) && !timed("289211.6350", FeedLaw::Seconds));
+    }
+
+    /// A control whose programs begin and end with lines that are no blocks.
+    static FRAMED: Control = Control {
+        text: TextForm { opening: &[OpeningLine::Percent, OpeningLine::Number], ending: &["%"], ..LINUXCNC.text },
+        ..LINUXCNC
+    };
+
+    #[test]
+    fn an_opening_and_an_ending_of_lines_stand_whole_and_at_their_place() {
+        let framed = |parts: &[Part]| Program { control: &FRAMED, parts: parts.to_vec(), ..Program::sample("a") };
+        let lines = |lines: &[&str]| lines.iter().map(|line| Part::Line((*line).to_owned())).collect::<Vec<_>>();
+        let fault = |program: &Program| read(program).check().finding().is_some();
+        let opening: Vec<_> = FRAMED.text.opening.iter().map(|line| Part::Opening(line.text(7, "a"))).collect();
+        let whole = framed(&[opening, lines(&["(A)", "M30"])].concat());
+        assert_eq!(whole.text(), "%\nO0007\n(A)\nM30\n%\n");
+        assert!(!fault(&whole));
+        for bad in [
+            ["%", "O0007", "(A)", "M30"].as_slice(),
+            &["%", "(A)", "O0007", "M30", "%"],
+            &["%", "(A)", "M30", "%"],
+            &["%", "O0007", "%", "M30", "%"],
+            &["%", "O0007", "M30", "%", "%"],
+            &["%", "O7", "M30", "%"],
+            &["O0007", "M30", "%"],
+            &["(A)", "%", "M30"],
+        ] {
+            assert!(fault(&framed(&lines(bad))), "{bad:?}");
+        }
+        // Blocks for another program have neither.
+        assert!(!fault(&framed(&lines(&["G0 X1.000"]))));
     }
 
     #[test]

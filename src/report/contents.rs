@@ -384,7 +384,7 @@ fn ends(program: &Program, words: &mut Words) -> io::Result<[Vec<String>; 2]> {
 /// How the program's file is named at the control, by the number in the program's first line; `None` where any name will do.
 fn stored(program: &Program) -> Option<Text> {
     let first = program.parts.iter().find_map(|part| match part {
-        Part::Line(line) => Some(line.as_str()),
+        Part::Opening(line) | Part::Line(line) => Some(line.as_str()),
         Part::Comment(_) | Part::Block(_) | Part::Away(_) | Part::Path(_) => None,
     });
     let number: String = first?.strip_prefix('%')?.chars().take_while(char::is_ascii_digit).collect();

@@ -2,7 +2,10 @@
 
 use proptest::prelude::*;
 use rodete::gcode::code::{Cycle, G};
-use rodete::gcode::control::{ALL, Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC, Post, RotaryMode, Writing};
+use rodete::gcode::control::{
+    ALL, Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC, Language as Reads, Lexis, OpeningLine, Percent, Post,
+    RotaryMode, TextForm, Writing,
+};
 use rodete::gcode::feed_word::FeedWord;
 use rodete::gcode::header::{Header, Named, Origin, Work};
 use rodete::gcode::in_force::{Compensation, InForce, Speed, Spindle};
@@ -70,6 +73,14 @@ const SPOILT: [(G, &str); 10] = [
     (G::Compensation(Compensation::Left), " D1"),
     (G::Cycle(Cycle::Drill), " X0 Y0 Z-1 R1 F100"),
 ];
+
+/// A mill whose programs begin with `%` and their number, and end with `%`.
+static FRAMED: Control = Control {
+    name: "framed",
+    text: TextForm { opening: &[OpeningLine::Percent, OpeningLine::Number], ending: &["%"], ..LINUXCNC.text },
+    lexis: Lexis { percent: Percent::Leader, language: Reads::Macros, ..LINUXCNC.lexis },
+    ..LINUXCNC
+};
 
 /// The block that leaves something in force; `None` where the control does not know its code. Of a lathe's program the safety
 /// block says unit, dimensions and feed: zero, plane and nose are said with the tool.
@@ -150,7 +161,7 @@ fn write(post: Post, plan: &[Step], distance: Distance, before: Option<&String>)
                 writer.dwell(seconds).expect("a dwell");
                 // Seconds have three decimals; what counts in parts of them is whole.
                 let unit = control.lexis.dwell[0].unit;
-                made.push(Made::Dwell(seconds, if unit == 1.0 { 0.0005 } else { unit / 2.0 } + 1e-9));
+                made.push(Made::Dwell(seconds, if unit.whole() { unit.seconds() / 2.0 } else { 0.0005 } + 1e-9));
             }
             Step::Hold(on) => {
                 if let Some(words) = post.writing.height.words(on) {
@@ -277,14 +288,14 @@ proptest! {
     ) {
         let distance = if incremental { Distance::Incremental } else { Distance::Absolute };
         let mut controls = 0;
-        for control in ALL {
+        for control in ALL.into_iter().chain([&FRAMED]) {
             let Some(post) = Post::of(control) else { continue };
             controls += 1;
             if let Err(why) = reads_back(post, &plan, distance, spoilt) {
                 return Err(TestCaseError::fail(why));
             }
         }
-        prop_assert!(controls >= 4, "{controls} controls are written for");
+        prop_assert!(controls >= 5, "{controls} controls are written for");
     }
 
     /// The turning of a blank, in either layout: every place, the feed, the speed and what turns it.

@@ -97,7 +97,7 @@ pub fn controls(language: Language) -> String {
     for control in ALL {
         let _ = writeln!(page, "\n### {}\n", control.name);
         for source in control.sources {
-            let _ = writeln!(page, "- {}", plain(source.get(language)));
+            let _ = writeln!(page, "- {}", plain(source.told().get(language)));
         }
     }
     page
@@ -145,7 +145,7 @@ pub(super) fn told(language: Language, width: Option<usize>) -> String {
     for control in ALL {
         let _ = writeln!(text, "  {}", control.name);
         for source in control.sources {
-            text.push_str(&wrapped(&format!("    {}", source.get(language)), 6, width));
+            text.push_str(&wrapped(&format!("    {}", source.told().get(language)), 6, width));
         }
     }
     text

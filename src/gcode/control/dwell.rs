@@ -4,12 +4,49 @@ use crate::gcode::word::Word;
 use crate::number::grid::{Milli, OutOfFormat};
 
 /// An address of G4.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DwellWord {
     /// The letter of the word, as P or X.
     pub letter: char,
-    /// What its number counts, seconds.
-    pub unit: f64,
+    /// What its number counts.
+    pub unit: DwellUnit,
+}
+
+/// What the number of a dwell counts.
+///
+/// # References
+/// Fanuc 15i/150i-MA, programming manual (B-63324EN/03), p. 759, names G4 X and P, and a dwell by revolutions, which no control here
+/// has. Fagor 8055 M, programming manual, p. 162 and 177: K of a cycle in hundredths, a whole number; of G4 K itself no page was at
+/// hand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DwellUnit {
+    /// Seconds, with decimals.
+    Second,
+    /// Hundredths of a second, a whole number.
+    Hundredth,
+    /// Milliseconds, a whole number.
+    Millisecond,
+}
+
+impl DwellUnit {
+    /// How many seconds one is.
+    #[must_use]
+    pub const fn seconds(self) -> f64 {
+        match self {
+            Self::Second => 1.0,
+            Self::Hundredth => 0.01,
+            Self::Millisecond => 0.001,
+        }
+    }
+
+    /// True where the number has no decimals: it counts parts of a second.
+    #[must_use]
+    pub const fn whole(self) -> bool {
+        match self {
+            Self::Second => false,
+            Self::Hundredth | Self::Millisecond => true,
+        }
+    }
 }
 
 /// What G4 without a time is.
@@ -42,13 +79,7 @@ impl DwellWord {
     /// The seconds that the word's number says.
     #[must_use]
     pub fn seconds(self, number: f64) -> f64 {
-        number * self.unit
-    }
-
-    /// True where the number is the seconds themselves.
-    #[must_use]
-    pub fn counts_seconds(self) -> bool {
-        self.unit == 1.0
+        number * self.unit.seconds()
     }
 
     /// The word of a time in seconds: with three decimals where it counts seconds, else a whole number.
@@ -56,11 +87,11 @@ impl DwellWord {
     /// # Errors
     /// For a time that no program may carry.
     pub fn word(self, seconds: f64) -> Result<Word, OutOfFormat> {
-        if self.counts_seconds() {
+        if !self.unit.whole() {
             return Ok(Word::size(self.letter, Milli::round(seconds)?));
         }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a delay within a minute")]
-        let whole = (seconds / self.unit).round() as u32;
+        let whole = (seconds / self.unit.seconds()).round() as u32;
         Ok(Word::whole(self.letter, whole))
     }
 }

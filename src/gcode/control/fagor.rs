@@ -4,39 +4,41 @@ use crate::gcode::code::{G, Group, M, Name, TurningCycle};
 use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell,
-    LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order,
-    Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit,
-    SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
+    FeedChange, FeedCodes, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord, Lexis,
+    LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule,
+    OpeningLine, Order, Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode,
+    RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange,
+    UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
-use crate::text::{Text, t};
+use crate::text::t;
 
 /// Fagor CNC 8055, milling.
 pub static FAGOR_8055: Control = Control {
     name: "fagor-8055",
     sources: &[
-        t(
+        Source::Manual(t(
             "Fagor Automation, CNC 8055 M, manual de programación: lista de funciones G; cabecera %nombre,MX--,; comentario ;, ninguna línea vacía; orden de un bloque G, ejes, F, S, T, D, M; números ±5.4; N de 0 a 99999999; G70 pulgadas y G71 milímetros; G43 y G44; G94, F a lo largo de la resultante de los ejes, los grados como milímetros",
             "Fagor Automation, CNC 8055 M, programming manual: list of G functions; header %name,MX--,; comment ;, no empty lines; order of a block G, axes, F, S, T, D, M; numbers ±5.4; N 0 to 99999999; G70 inch and G71 millimetre; G43 and G44; G94, F along the resultant of the axes, degrees taken as millimetres",
-        ),
-        t(
+        )),
+        Source::Manual(t(
             "Fagor Automation, CNC 8055 M, solución de errores (Ref. 1310), errores 0054 y 1085: en un arco de G17 K es el paso de una hélice, siempre positivo; 0002 a 0004, 0009, 0012 y 0048: orden G, ejes X Y Z U V W A B C, F S T D, M (manual de programación, p. 47 y 65)",
             "Fagor Automation, CNC 8055 M, error solution (Ref. 1310), errors 0054 and 1085: in an arc of G17 K is the pitch of a helix, always positive; 0002 to 0004, 0009, 0012 and 0048: order G, axes X Y Z U V W A B C, F S T D, M (programming manual, p. 47 and 65)",
-        ),
-        t(
+        )),
+        Source::Manual(t(
             "Fagor Automation, CNC 8055 M, manual de programación, p. 144: G43 cuenta desde el siguiente movimiento del eje longitudinal, con L y K del corrector D, o del de la herramienta sin D; G44 la anula; p. 109: G4 sola para la preparación de bloques y anula la compensación de radio y de longitud en vigor; 5.7.8 y 5.7.9: M41 a M44 y M45",
             "Fagor Automation, CNC 8055 M, programming manual, p. 144: G43 counts from the next motion of the longitudinal axis, with L and K of offset D, or of the tool's own without D; G44 cancels it; p. 109: G4 alone stops the preparation of blocks and cancels the compensation of radius and length in force; 5.7.8 and 5.7.9: M41 to M44 and M45",
-        ),
-        t(
+        )),
+        Source::Manual(t(
             "Fagor Automation, CNC 8055 M, solución de errores (Ref. 1310), errores 0013, 0016, 0017, 0025, 0029 a 0036, 0116, 0200, 0213 y 1029: G15, G16, G28 a G30, G52, G60 a G68, G77, G78, G159; manual de programación, p. 419: G47 a G49; p. 88: I, J y K en el orden de sus ejes; errores 0007 y 0028: un ciclo corre con G0 o G1 activa; manual de ejemplos (Ref. 1010): tras G80 se mueve sin código de movimiento",
             "Fagor Automation, CNC 8055 M, error solution (Ref. 1310), errors 0013, 0016, 0017, 0025, 0029 to 0036, 0116, 0200, 0213 and 1029: G15, G16, G28 to G30, G52, G60 to G68, G77, G78, G159; programming manual, p. 419: G47 to G49; p. 88: I, J and K in the order of their axes; errors 0007 and 0028: a cycle runs with G0 or G1 active; examples manual (Ref. 1010): behind G80 a block moves without a motion code",
-        ),
+        )),
         FRAME,
+        DWELL,
     ],
     lexis: Lexis { lone_dwell: LoneDwell::StopsPreparation, ..LEXIS },
     machine_code: machine_code_8055,
@@ -48,15 +50,16 @@ pub static FAGOR_8055: Control = Control {
 pub static FAGOR_8055_T: Control = Control {
     name: "fagor-8055-t",
     sources: &[
-        t(
+        Source::Manual(t(
             "Fagor Automation, CNC 8055 T, manual de programación: lista de funciones G",
             "Fagor Automation, CNC 8055 T, programming manual: list of G functions",
-        ),
-        t(
-            "del orden de las palabras de un bloque no había página del 8055 T a mano: se toma el del 8055 M, con sus errores 0002 a 0004, 0009, 0012 y 0048",
-            "of the order of the words of a block no page of the 8055 T was at hand: that of the 8055 M is taken, with its errors 0002 to 0004, 0009, 0012 and 0048",
-        ),
+        )),
+        Source::NotFound(t(
+            "orden de las palabras de un bloque; se toma el del 8055 M, con sus errores 0002 a 0004, 0009, 0012 y 0048",
+            "order of the words of a block; that of the 8055 M is taken, with its errors 0002 to 0004, 0009, 0012 and 0048",
+        )),
         FRAME,
+        DWELL,
         NO_HELIX,
     ],
     class: Class::Lathe,
@@ -79,20 +82,24 @@ pub static FAGOR_8055_T: Control = Control {
 pub static FAGOR_8070: Control = Control {
     name: "fagor-8070",
     sources: &[
-        t(
+        Source::Manual(t(
             "Fagor Automation, CNC 8070, manual de programación: lista de funciones G; G93, el tiempo de mecanizado en segundos; p. 204, comentarios entre paréntesis en los ejemplos; Ref. 1709, p. 240: la longitud es la de la herramienta elegida, con su corrector D, o D1 si no se elige ninguno",
             "Fagor Automation, CNC 8070, programming manual: list of G functions; G93, machining time in seconds; p. 204, comments in parentheses in the examples; Ref. 1709, p. 240: the length is the selected tool's, of its offset D, or of D1 where none is selected",
-        ),
+        )),
+        Source::NotFound(t(
+            "números de bloque, líneas vacías, interruptores de /, decimales y orden de las palabras; se admite cualquiera",
+            "block numbers, empty lines, switches of /, decimals and the order of words; any is taken",
+        )),
+        Source::NotFound(t("K de G4; se toma en segundos", "K of G4; taken to count seconds")),
         NO_HELIX,
     ],
-    text: TextForm { opening: Opening::Name, memory: 1 << 30, file: FileName::Any, ..FAGOR_8055_BASE.text },
+    text: TextForm { opening: &[OpeningLine::Name], memory: 1 << 30, file: FileName::Any, ..FAGOR_8055_BASE.text },
     feed: FeedRule { law: FeedLaw::Seconds, ..FAGOR_8055_BASE.feed },
     written: Some(&WRITING_8070),
     codes: &CODES_8070,
-    // Of block numbers, empty lines, switches, decimals and the order of words no page was at hand. Comments in parentheses: p. 204.
     lexis: Lexis {
         comments: Comments::Either,
-        dwell: &[DwellWord { letter: 'K', unit: 1.0 }],
+        dwell: &[DwellWord { letter: 'K', unit: DwellUnit::Second }],
         delete: BlockDelete::Numbered,
         words: WordOrder::Free,
         empty: EmptyBlock::Passed,
@@ -107,22 +114,26 @@ pub static FAGOR_8070: Control = Control {
     ..FAGOR_8055_BASE
 };
 
-const FRAME: Text = t(
+const FRAME: Source = Source::Manual(t(
     "Fagor Automation, CNC 8055/8055i, nuevas prestaciones, p. 11: un archivo de seis cifras, .PIM de fresadora o .PIT de torno, otro no se lista; cabecera %nombre, en la primera línea, de hasta 20 caracteres, una coma y los atributos M, X, H, O; con otra forma, o sin X, el programa no es ejecutable. CNC 8055 M, solución de errores, 0001: ningún bloque vacío ni con solo la etiqueta; 0002: /1 a /3, N de 0 a 99999999; manual de programación, p. 65 y 88: ±5.4 en milímetros, ±4.5 en pulgadas, I, J, K y R ±6.5",
     "Fagor Automation, CNC 8055/8055i, new features, p. 11: a file of six digits, .PIM of a mill or .PIT of a lathe, another is not listed; header %name, in the first line, of up to 20 characters, a comma and the attributes M, X, H, O; in another form, or without X, the program is not executable. CNC 8055 M, error solution, 0001: no block empty or with a label alone; 0002: /1 to /3, N 0 to 99999999; programming manual, p. 65 and 88: ±5.4 in millimetres, ±4.5 in inches, I, J, K and R ±6.5",
-);
+));
 
-const NO_HELIX: Text = t(
-    "de la palabra de centro a través del plano de un arco no había página a mano",
-    "of the centre word across the plane of an arc no page was at hand",
-);
+const DWELL: Source = Source::NotFound(t(
+    "K de G4; se toma en centésimas de segundo, como la de los ciclos (CNC 8055 M, manual de programación, p. 162 y 177)",
+    "K of G4; taken to count hundredths of a second, as that of cycles does (CNC 8055 M, programming manual, p. 162 and 177)",
+));
+
+const NO_HELIX: Source =
+    Source::NotFound(t("palabra de centro a través del plano de un arco", "centre word across the plane of an arc"));
 
 /// What milling and turning have in common.
 const FAGOR_8055_BASE: Control = Control {
     name: "",
     sources: &[],
     text: TextForm {
-        opening: Opening::NameAndAttributes,
+        opening: &[OpeningLine::NameAndAttributes],
+        ending: &[],
         comment: CommentForm::Semicolon,
         end_of_line: "\r\n",
         greatest_number: 99_999_999,
@@ -200,7 +211,8 @@ const LEXIS: Lexis = Lexis {
     refused: Letters::of("P"),
     free: Letters::of("DFST"),
     negative: Letters::of(""),
-    dwell: &[DwellWord { letter: 'K', unit: 0.01 }],
+    dwell: &[DwellWord { letter: 'K', unit: DwellUnit::Hundredth }],
+    cycle_dwell: DwellUnit::Hundredth,
     lone_dwell: LoneDwell::Rejected,
     language: Language::Words,
     comments: Comments::Semicolon,

@@ -11,11 +11,11 @@ use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle
 use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, FileName, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
-    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent,
-    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
-    Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    CommentForm, Comments, Control, Corners, CountedFeed, Counting, Decimals, DimensionPoint, Drilling, DwellUnit,
+    DwellWord, EmptyBlock, FeedChange, FeedCodes, FeedPath, FeedRule, FileName, Increments, Language, LeastIncrement,
+    LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind,
+    OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule,
+    Source, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -27,17 +27,26 @@ use crate::text::t;
 pub static FANUC_LATHE_A: Control = Control {
     name: "fanuc-lathe-a",
     sources: &[
-        t(
-            "la lista de códigos del simulador de torno: rodete interpreta estos",
-            "the lathe simulator's list of codes: rodete reads these",
-        ),
-        t(
+        Source::Published(t(
+            "la lista de códigos del simulador de torno: rodete interpreta estos; P de los ciclos de taladrado en milisegundos",
+            "the lathe simulator's list of codes: rodete reads these; P of drilling cycles in milliseconds",
+        )),
+        Source::Manual(t(
             "Fanuc Series 0i-T, manual del operador, sistema A de códigos G: rodete rechaza los demás por su nombre, y también las letras que solo usan las opciones del control (C, A, B y otras)",
             "Fanuc Series 0i-T, operator's manual, G-code system A: rodete rejects the others by name, and also letters that only options of the control use (C, A, B and others)",
-        ),
+        )),
+        Source::Manual(t(
+            "Fanuc Series 16i/18i-PB, descripciones (B-63682EN/01), p. 54: sin punto decimal, una cota es de la unidad o de incrementos mínimos, según un parámetro",
+            "Fanuc Series 16i/18i-PB, descriptions (B-63682EN/01), p. 54: without a decimal point a dimension counts units or least increments, by a parameter",
+        )),
+        Source::NotFound(t(
+            "lo que cuentan X, U y P de G4; se toman X y U en segundos y P en milisegundos; una espera por vueltas no se lee",
+            "what X, U and P of G4 count; X and U are taken in seconds and P in milliseconds; a dwell by revolutions is not read",
+        )),
     ],
     text: TextForm {
-        opening: Opening::None,
+        opening: &[],
+        ending: &[],
         comment: CommentForm::Parentheses,
         end_of_line: "\r\n",
         greatest_number: 99_999,
@@ -51,10 +60,11 @@ pub static FANUC_LATHE_A: Control = Control {
         free: Letters::of("FST"),
         negative: Letters::of("Q"),
         dwell: &[
-            DwellWord { letter: 'X', unit: 1.0 },
-            DwellWord { letter: 'U', unit: 1.0 },
-            DwellWord { letter: 'P', unit: 0.001 },
+            DwellWord { letter: 'X', unit: DwellUnit::Second },
+            DwellWord { letter: 'U', unit: DwellUnit::Second },
+            DwellWord { letter: 'P', unit: DwellUnit::Millisecond },
         ],
+        cycle_dwell: DwellUnit::Millisecond,
         language: Language::Macros,
         comments: Comments::Parentheses,
         delete: BlockDelete::Numbered,
@@ -66,7 +76,12 @@ pub static FANUC_LATHE_A: Control = Control {
         empty: EmptyBlock::Passed,
         greatest_number: 999_999_999,
         decimals: Decimals::Free,
-        point: DimensionPoint::BySetting,
+        point: DimensionPoint::BySetting(Counting {
+            letters: Letters::of("IKRUWXZ"),
+            feed: CountedFeed::LengthUnknown,
+            whole: Letters::of("LMPQT"),
+            increment: LeastIncrement::Thousandth,
+        }),
         longest_line: 4096,
         most_machine_codes: 3,
         builders: BuilderCodes::Several,

@@ -1,6 +1,6 @@
 //! The characters of a program: letters, comments, expressions, `/` and `%`.
 
-use super::{DwellWord, LoneDwell, WordOrder};
+use super::{DimensionPoint, DwellUnit, DwellWord, LoneDwell, WordOrder};
 use crate::gcode::letters::Letters;
 
 /// What a control reads beside letters with numbers.
@@ -95,114 +95,6 @@ impl BlockDelete {
             Self::Plain => 0,
             Self::Numbered => 9,
             Self::Three => 3,
-        }
-    }
-}
-
-/// What a dimension without a decimal point is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DimensionPoint {
-    /// The same as with one, in the program's unit.
-    Free,
-    /// Millimetres or micrometres: a setting of the control decides.
-    BySetting,
-}
-
-/// What the setting makes of a dimension without a decimal point, where one decides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DecimalPoint {
-    /// As a pocket calculator does: X100 is 100 mm.
-    Calculator,
-    /// A number of least input increments: X100 is 0.1 mm (0.01 inch under G20).
-    Micrometre,
-}
-
-/// What a word's decimal point, or its absence, makes of its number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pointing {
-    /// The number is what it says.
-    AsWritten,
-    /// The letter takes no number with a decimal point.
-    NotTaken,
-    /// The number is to be divided, by what is known with its whole block: [`DimensionPoint::divisor`].
-    Divided,
-}
-
-impl Pointing {
-    /// True where the number is to be divided.
-    #[must_use]
-    pub const fn divides(self) -> bool {
-        match self {
-            Self::Divided => true,
-            Self::AsWritten | Self::NotTaken => false,
-        }
-    }
-}
-
-/// What a number measures that may be divided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measured {
-    /// A length, in inches or mm.
-    Length {
-        /// In inches.
-        inch: bool,
-    },
-    /// A feed in lengths: per revolution, or the lead of a thread.
-    Feed,
-    /// A time in seconds.
-    Time,
-}
-
-/// Why a number without a decimal point cannot be read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unpointed {
-    /// The setting that decides is not known.
-    BySettingUnknown,
-    /// What the setting makes of a feed is not known.
-    FeedUnknown,
-}
-
-/// Addresses of [`DimensionPoint::BySetting`] whose number is divided where it has no decimal point: lengths, times and feeds.
-const SCALED: Letters = Letters::of("FIKRUWXZ");
-/// Addresses of the same that take no decimal point.
-const WHOLE: Letters = Letters::of("LMPQT");
-
-impl DimensionPoint {
-    /// What the decimal point of a word makes of its number, or its absence. It is asked of every number as it is read; the letter
-    /// is counted from A = 0, and `,C` and `,R` ask as R does.
-    #[inline]
-    #[must_use]
-    pub const fn of(self, letter: u8, pointed: bool) -> Pointing {
-        match self {
-            Self::Free => Pointing::AsWritten,
-            Self::BySetting if pointed && WHOLE.has(letter) => Pointing::NotTaken,
-            Self::BySetting if !pointed && SCALED.has(letter) => Pointing::Divided,
-            Self::BySetting => Pointing::AsWritten,
-        }
-    }
-
-    /// By what a number without a decimal point is divided that is to be divided, under a setting of the control.
-    ///
-    /// # Errors
-    /// Where that is not known.
-    pub const fn divisor(self, measured: Measured, setting: Option<DecimalPoint>) -> Result<f64, Unpointed> {
-        match (self, setting, measured) {
-            (Self::Free, ..) | (Self::BySetting, Some(DecimalPoint::Calculator), _) => Ok(1.0),
-            (Self::BySetting, None, _) => Err(Unpointed::BySettingUnknown),
-            (Self::BySetting, Some(DecimalPoint::Micrometre), Measured::Feed) => Err(Unpointed::FeedUnknown),
-            (Self::BySetting, Some(DecimalPoint::Micrometre), Measured::Length { inch: true }) => Ok(10_000.0),
-            (Self::BySetting, Some(DecimalPoint::Micrometre), Measured::Length { inch: false } | Measured::Time) => {
-                Ok(1_000.0)
-            }
-        }
-    }
-
-    /// True where a form must ask for the setting that decides.
-    #[must_use]
-    pub const fn by_setting(self) -> bool {
-        match self {
-            Self::Free => false,
-            Self::BySetting => true,
         }
     }
 }
@@ -413,6 +305,8 @@ pub struct Lexis {
     pub negative: Letters,
     /// The addresses of a dwell; the first is written.
     pub dwell: &'static [DwellWord],
+    /// What the dwell of a drilling or turning cycle counts.
+    pub cycle_dwell: DwellUnit,
     /// G4 without a time.
     pub lone_dwell: LoneDwell,
     /// Beside letters with numbers.

@@ -4,11 +4,11 @@ use crate::gcode::code::{Cycle, G, Group, M, Name};
 use crate::gcode::control::codes::{BY_MODE, COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell,
-    LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Opening, Order, Percent,
-    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
-    Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
+    FeedChange, FeedCodes, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord, Lexis,
+    LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Order, Percent,
+    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, Source, SpeedLimit,
+    SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -19,12 +19,13 @@ use crate::text::t;
 /// LinuxCNC for mills, with rotary axes.
 pub static LINUXCNC: Control = Control {
     name: "linuxcnc",
-    sources: &[t(
+    sources: &[Source::Manual(t(
         "LinuxCNC, referencia de códigos G: sus códigos G y M; G93, la inversa del tiempo; comentarios entre paréntesis; G21; G49",
         "LinuxCNC, G-code reference: its G and M codes; G93, inverse time; comments in parentheses; G21; G49",
-    )],
+    ))],
     text: TextForm {
-        opening: Opening::None,
+        opening: &[],
+        ending: &[],
         comment: CommentForm::Parentheses,
         end_of_line: "\n",
         greatest_number: 99_999,
@@ -37,7 +38,8 @@ pub static LINUXCNC: Control = Control {
         refused: Letters::of(""),
         free: Letters::of("FST"),
         negative: Letters::of("D"),
-        dwell: &[DwellWord { letter: 'P', unit: 1.0 }],
+        dwell: &[DwellWord { letter: 'P', unit: DwellUnit::Second }],
+        cycle_dwell: DwellUnit::Second,
         language: Language::OWords,
         comments: Comments::ParenthesesAndSemicolon,
         delete: BlockDelete::Plain,

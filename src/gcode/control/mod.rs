@@ -16,7 +16,9 @@ mod linuxcnc;
 mod order;
 mod output;
 mod path;
+mod point;
 mod rotary;
+mod source;
 mod spindle;
 mod told;
 mod tool;
@@ -25,29 +27,32 @@ mod writing;
 
 pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments, NegativeRadius, Radii};
 pub use self::codes::{CODE_LIMIT, Codes, code_name};
-pub use self::dwell::{DwellWord, LoneDwell};
+pub use self::dwell::{DwellUnit, DwellWord, LoneDwell};
 pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, POST_8055_T};
 pub use self::fanuc::FANUC_LATHE_A;
 pub use self::feed::{FeedChange, FeedCodes, FeedPath, FeedRule, MissingFeed, UnsaidFeed};
 pub use self::lexis::{
-    BlockDelete, BuilderCodes, Comments, DecimalPoint, Decimals, DimensionPoint, EmptyBlock, Language, Lexis,
-    LoneReturn, Mark, Measured, NumberBehind, Percent, Pointing, PolarWords, Unpointed,
+    BlockDelete, BuilderCodes, Comments, Decimals, EmptyBlock, Language, Lexis, LoneReturn, Mark, NumberBehind,
+    Percent, PolarWords,
 };
 pub use self::linuxcnc::LINUXCNC;
 pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Reference};
 pub use self::output::HeightHold;
 pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};
+pub use self::point::{
+    CountedFeed, Counting, DecimalPoint, DimensionPoint, LeastIncrement, Pointing, Quantity, Reading, Unpointed,
+};
 pub use self::rotary::{Rollover, RotaryMode, RotaryRule};
+pub use self::source::Source;
 pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
 pub use self::told::Feature;
 pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
 pub use self::word_order::{Disorder, WordOrder, WordsSeen};
-pub use self::writing::{CommentForm, FileName, Opening, Post, TextForm, Writing};
+pub use self::writing::{CommentForm, FileName, OpeningLine, Post, TextForm, Writing};
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 pub use crate::gcode::feed_law::{FeedLaw, Slower};
 use crate::gcode::motion::{FeedMode, Plane};
-use crate::text::Text;
 
 /// What stands in the chuck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,8 +94,8 @@ pub enum UnitChange {
 pub struct Control {
     /// The name in workbooks and on the command line.
     pub name: &'static str,
-    /// The works that it is read from, and what of them stands here.
-    pub sources: &'static [Text],
+    /// The works that it is read from and what of them stands here, and of what no page was at hand.
+    pub sources: &'static [Source],
     /// What the text of a program looks like.
     pub text: TextForm,
     /// Mill or lathe.

@@ -133,6 +133,18 @@ const fn error(word: Class, behind: Class) -> Option<&'static str> {
     }
 }
 
+/// The words of a block with the place of each; a word that may stand anywhere has that of the one that it stands behind.
+fn places(words: &[Word]) -> impl Iterator<Item = (usize, Word)> {
+    words.iter().scan((WordsSeen::NONE, 0), |(seen, place), &word| {
+        let number = match word.number {
+            Number::Whole(number) => number.into(),
+            Number::Size(_) | Number::Feed(_) => 0.0,
+        };
+        *place = seen.place(word.letter, number).unwrap_or(*place);
+        Some((*place, word))
+    })
+}
+
 impl WordOrder {
     /// Takes in a word with its number and its column, counted from 0, behind those that have been read.
     ///
@@ -162,16 +174,11 @@ impl WordOrder {
         match self {
             Self::Free => {}
             Self::Ranked => {
-                let (mut seen, mut place) = (WordsSeen::NONE, 0);
-                let mut placed: Vec<(usize, Word)> = Vec::with_capacity(words.len());
-                for &word in &*words {
-                    let number = match word.number {
-                        Number::Whole(number) => number.into(),
-                        Number::Size(_) | Number::Feed(_) => 0.0,
-                    };
-                    place = seen.place(word.letter, number).unwrap_or(place);
-                    placed.push((place, word));
+                // Most blocks are in order already.
+                if places(words).is_sorted_by_key(|(place, _)| place) {
+                    return;
                 }
+                let mut placed: Vec<(usize, Word)> = places(words).collect();
                 placed.sort_by_key(|(place, _)| *place);
                 words.iter_mut().zip(placed).for_each(|(word, (_, sorted))| *word = sorted);
             }

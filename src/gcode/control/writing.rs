@@ -26,24 +26,59 @@ impl CommentForm {
     }
 }
 
-/// The first line of a program.
+/// A line before the first block of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Opening {
-    /// There is none: the program begins with its first block.
-    None,
-    /// `%name,MX--,`: name and attributes (modifiable, executable).
-    NameAndAttributes,
-    /// `%name`
+pub enum OpeningLine {
+    /// `%` alone.
+    Percent,
+    /// `O1234`: the program's number.
+    Number,
+    /// `%1234-NAME`
     Name,
+    /// `%1234-NAME,MX--,`: name and attributes (modifiable, executable).
+    NameAndAttributes,
 }
 
-impl Opening {
+/// The attributes behind the name of a program.
+const ATTRIBUTES: &str = ",MX--,";
+
+impl OpeningLine {
+    /// The line of a program with a number and a name, which is written in capitals.
+    #[must_use]
+    pub fn text(self, number: u32, name: &str) -> String {
+        let name = name.to_uppercase();
+        match self {
+            Self::Percent => "%".to_owned(),
+            Self::Number => format!("O{number:04}"),
+            Self::Name => format!("%{number:04}-{name}"),
+            Self::NameAndAttributes => format!("%{number:04}-{name}{ATTRIBUTES}"),
+        }
+    }
+
+    /// True of a line that has this form, whatever the number and the name.
+    #[must_use]
+    pub fn is(self, line: &str) -> bool {
+        let numbered = |text: &str| text.len() >= 4 && text.bytes().all(|byte| byte.is_ascii_digit());
+        let named = |text: &str| {
+            let parts = text.strip_prefix('%').and_then(|text| text.split_once('-'));
+            parts.is_some_and(|(number, name)| {
+                numbered(number) && !name.is_empty() && !name.contains([',', '%']) && name.to_uppercase() == name
+            })
+        };
+        match self {
+            Self::Percent => line == "%",
+            Self::Number => line.strip_prefix('O').is_some_and(numbered),
+            Self::Name => named(line),
+            Self::NameAndAttributes => line.strip_suffix(ATTRIBUTES).is_some_and(named),
+        }
+    }
+
     /// True where attributes follow the name, without which the control runs no program.
     #[must_use]
     pub const fn attributes(self) -> bool {
         match self {
             Self::NameAndAttributes => true,
-            Self::None | Self::Name => false,
+            Self::Percent | Self::Number | Self::Name => false,
         }
     }
 
@@ -52,7 +87,7 @@ impl Opening {
     pub const fn local_subroutines(self) -> bool {
         match self {
             Self::Name => true,
-            Self::None | Self::NameAndAttributes => false,
+            Self::Percent | Self::Number | Self::NameAndAttributes => false,
         }
     }
 }
@@ -84,8 +119,10 @@ impl FileName {
 /// What the text of a program looks like on the control, whoever wrote it.
 #[derive(Clone, Copy, Debug)]
 pub struct TextForm {
-    /// The first line.
-    pub opening: Opening,
+    /// The lines before the first block and its comments; none where a program begins with them.
+    pub opening: &'static [OpeningLine],
+    /// The lines behind the last block of a program that has the opening, as `%`; none where the last block ends the text.
+    pub ending: &'static [&'static str],
     /// How comments are marked where rodete writes them.
     pub comment: CommentForm,
     /// What ends a line: LF, or CR and LF.
@@ -99,15 +136,16 @@ pub struct TextForm {
 }
 
 impl TextForm {
-    /// The first line of a program with a number and a name; `None` where there is none.
+    /// True where attributes follow the name of a program, without which the control does not run it.
     #[must_use]
-    pub fn opening_line(&self, number: u32, name: &str) -> Option<String> {
-        let name = name.to_uppercase();
-        match self.opening {
-            Opening::None => None,
-            Opening::Name => Some(format!("%{number:04}-{name}")),
-            Opening::NameAndAttributes => Some(format!("%{number:04}-{name},MX--,")),
-        }
+    pub fn attributes(&self) -> bool {
+        self.opening.iter().any(|line| line.attributes())
+    }
+
+    /// True where `%L` opens a subroutine before the program and LL calls it.
+    #[must_use]
+    pub fn local_subroutines(&self) -> bool {
+        self.opening.iter().any(|line| line.local_subroutines())
     }
 }
 
@@ -149,7 +187,8 @@ impl Writing {
 
 #[cfg(test)]
 mod tests {
-    use crate::gcode::control::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC};
+    use super::OpeningLine;
+    use crate::gcode::control::{ALL, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC};
 
     #[test]
     fn a_fagor_8055_lists_files_of_six_digits_and_its_ending() {
@@ -162,5 +201,30 @@ mod tests {
         .map(|(control, number)| control.text.file.told(number).expect("a form").en.into_owned());
         assert_eq!(told, ["000001.PIM", "123456.PIT", "six digits and .PIM", "six digits and .PIM"]);
         assert!([&FAGOR_8070, &LINUXCNC].iter().all(|control| control.text.file.told(Some(1)).is_none()));
+    }
+
+    #[test]
+    fn the_lines_of_an_opening_have_their_own_form_alone() {
+        use OpeningLine::{Name, NameAndAttributes, Number, Percent};
+        let all = [Percent, Number, Name, NameAndAttributes];
+        let texts = all.map(|line| line.text(42, "hole"));
+        assert_eq!(texts, ["%", "O0042", "%0042-HOLE", "%0042-HOLE,MX--,"]);
+        for (line, own) in all.iter().zip(&texts) {
+            for text in &texts {
+                assert_eq!(line.is(text), text == own, "{line:?}: {text}");
+            }
+            for text in
+                ["", "O42", "O00x2", "%42-HOLE", "%0042-", "%0042-hole", "%0042-HOLE,M---,", "G0 X1", "% ", "O0042 "]
+            {
+                assert!(!line.is(text), "{line:?}: {text}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_text_that_has_an_ending_has_an_opening() {
+        for control in ALL {
+            assert!(control.text.ending.is_empty() || !control.text.opening.is_empty(), "{}", control.name);
+        }
     }
 }

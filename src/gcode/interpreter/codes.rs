@@ -2,7 +2,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M, TurningCycle};
-use crate::gcode::control::{DwellWord, FeedChange, SpeedLimit};
+use crate::gcode::control::{DwellUnit, DwellWord, FeedChange, SpeedLimit};
 use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
@@ -169,7 +169,8 @@ impl Reader<'_, '_> {
             self.end_length_by_dwell();
             return Ok(());
         }
-        let (letter, seconds) = self.dwell_time()?;
+        let (word, seconds) = self.dwell_time()?;
+        let letter = word.index();
         if seconds == 0.0 && self.memory.control.lexis.lone_dwell.runs() {
             // No page at hand parts it from a lone G4, and it is no dwell.
             self.end_length_by_dwell();
@@ -177,7 +178,7 @@ impl Reader<'_, '_> {
         if letter != super::block::letter::P || self.memory.control.lexis.dwell.len() > 1 {
             self.block.take(letter);
         }
-        self.see_dwell(letter, seconds);
+        self.see_dwell(word.letter, word.unit, seconds);
         self.emit(MotionKind::Dwell(seconds), self.state.at, Some(seconds));
         Ok(())
     }
@@ -190,15 +191,14 @@ impl Reader<'_, '_> {
     }
 
     /// Remarks a dwell beyond a minute whose letter counts seconds: it may be meant in milliseconds.
-    pub(super) fn see_dwell(&mut self, index: usize, seconds: f64) {
-        let word = self.memory.control.lexis.dwell.iter().find(|word| word.index() == index);
-        if let Some(word) = word.filter(|word| word.counts_seconds() && seconds > LONGEST_DWELL) {
-            self.memory.remarks.dwelt(self.block.spot, word.letter, seconds);
+    pub(super) fn see_dwell(&mut self, letter: char, unit: DwellUnit, seconds: f64) {
+        if !unit.whole() && seconds > LONGEST_DWELL {
+            self.memory.remarks.dwelt(self.block.spot, letter, seconds);
         }
     }
 
-    /// The letter of a dwell's time, and the time in seconds.
-    pub(super) fn dwell_time(&self) -> Result<(usize, f64)> {
+    /// The word of a dwell's time, and the time in seconds.
+    pub(super) fn dwell_time(&self) -> Result<(DwellWord, f64)> {
         let found =
             self.memory.control.lexis.dwell.iter().find_map(|dwell| Some((*dwell, self.block.get(dwell.index())?)));
         let column = self.block.g_column(Group::NonModal);
@@ -211,11 +211,11 @@ impl Reader<'_, '_> {
             Some((dwell, number)) if number < 0.0 => {
                 Err(Refused::of(&DwellNegative {}, &[self.block.column(dwell.index())]))
             }
-            Some((dwell @ DwellWord { letter, unit }, value)) if unit < 1.0 && value.fract() != 0.0 => {
+            Some((dwell @ DwellWord { letter, unit }, value)) if unit.whole() && value.fract() != 0.0 => {
                 let at = self.block.column(dwell.index());
-                Err(Refused::of(&DwellNotWhole { letter, value, unit, number: 4 }, &[at]))
+                Err(Refused::of(&DwellNotWhole { letter, value, unit: unit.seconds(), number: 4 }, &[at]))
             }
-            Some((dwell, number)) => Ok((dwell.index(), dwell.seconds(number))),
+            Some((dwell, number)) => Ok((dwell, dwell.seconds(number))),
         }
     }
 

@@ -43,7 +43,7 @@ use crate::machine::axis::{Axis, Pose};
 use crate::text::{Text, t};
 
 /// The sharpest outer corner that a Fagor goes round straight: 300 degrees between the paths, a turn of 120.
-const FAGOR_STRAIGHT: f64 = PI * 2.0 / 3.0;
+const STRAIGHT_TO_120: f64 = PI * 2.0 / 3.0;
 
 /// A motion on its way through the stage.
 #[derive(Clone)]
@@ -77,7 +77,7 @@ impl Compensator {
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) const fn new(rule: RadiusRule) -> Self {
         let straight = match rule {
-            RadiusRule::Nose(NoseCorner::StraightTo120) => FAGOR_STRAIGHT,
+            RadiusRule::Nose(NoseCorner::StraightTo120) => STRAIGHT_TO_120,
             RadiusRule::Nose(NoseCorner::Straight) | RadiusRule::Cutter | RadiusRule::None => STRAIGHT,
         };
         Self { stage: Stage::new(straight), straight, aside: [0.0; 2], refused: false, blocks: 0 }

@@ -166,7 +166,7 @@ impl Reader<'_, '_> {
         }
         contour.behind = next.line;
         if let Some((word, line)) = contour.edge {
-            return Err(word.refusal(line, &ContourEndsWithCorner { cycle, word: word.name }));
+            return Err(word.refusal(line, &ContourEndsWithCorner { cycle, word: word.name }, self.alarms()));
         }
         if contour.profile.elements.is_empty() {
             let [P, Q] = ends.numbers;
@@ -197,7 +197,7 @@ impl Reader<'_, '_> {
         if self.block.present & MOVES.mask() & !dwell == 0 {
             self.edge_fits(None)?;
             if let Some((word, line)) = contour.edge.filter(|_| !self.block.says_nothing()) {
-                return Err(word.alone(line, false));
+                return Err(word.alone(line, false, self.alarms()));
             }
             // The manual says so of the roughing cycles.
             return if ns && cycle != 70 && self.block.g(Group::Motion).is_none() {
@@ -235,12 +235,12 @@ impl Reader<'_, '_> {
         let to = [self.state.at.get(Axis::X), self.state.at.get(Axis::Z)];
         if let Some((word, line)) = contour.edge.take() {
             if motion != G::Linear {
-                return Err(word.alone(line, true));
+                return Err(word.alone(line, true, self.alarms()));
             }
             contour
                 .profile
                 .break_edge(to, word.edge(self.state.modal.unit), word.square)
-                .map_err(|trouble| word.trouble(line, &trouble))?;
+                .map_err(|trouble| word.trouble(line, &trouble, self.alarms()))?;
         }
         contour.edge = self.block.edge.map(|word| (word, self.block.spot.line));
         if let Some(word) = self.block.edge.filter(|word| word.square.is_none()) {
@@ -261,7 +261,7 @@ impl Reader<'_, '_> {
         if self.block.g(Group::NonModal) != Some(G::Dwell) {
             return Ok(0);
         }
-        let time = 1 << self.dwell_time()?.0;
+        let time = 1 << self.dwell_time()?.0.index();
         if self.block.present & MOVES.mask() & !time != 0 {
             return Err(Refused::of(&ContourDwellAndMotion {}, &[self.block.g_column(Group::NonModal)]));
         }

@@ -49,27 +49,27 @@ impl EdgeWord {
         if self.round { Edge::Round(size) } else { Edge::Chamfer(size) }
     }
 
-    /// A refusal at the corner's own line.
-    pub(super) fn refusal(&self, line: usize, row: &dyn Raise) -> Box<Refused> {
-        let fault = Refused::of(row, &[self.column]).as_alarm_of(Some(AlarmFamily::Fanuc));
+    /// A refusal at the corner's own line, with the alarm of the control's family.
+    pub(super) fn refusal(&self, line: usize, row: &dyn Raise, family: Option<AlarmFamily>) -> Box<Refused> {
+        let fault = Refused::of(row, &[self.column]).as_alarm_of(family);
         Box::new(Refused { line, ..*fault })
     }
 
     /// The refusal of a corner that cannot be broken.
-    pub(super) fn trouble(&self, line: usize, trouble: &Trouble) -> Box<Refused> {
+    pub(super) fn trouble(&self, line: usize, trouble: &Trouble, family: Option<AlarmFamily>) -> Box<Refused> {
         let (name, Text { es, en }) = (self.name, &trouble.what);
         let what = Text::new(format!("{es} ({name})"), format!("{en} ({name})"));
         let fault = Refused::from(Trouble { what, line: Some(line), ..trouble.clone() });
-        Box::new(Refused { columns: vec![self.column + 1], ..fault }).as_alarm_of(Some(AlarmFamily::Fanuc))
+        Box::new(Refused { columns: vec![self.column + 1], ..fault }).as_alarm_of(family)
     }
 
     /// The refusal of a corner behind which no line at feed comes.
-    pub(super) fn alone(&self, line: usize, motion: bool) -> Box<Refused> {
+    pub(super) fn alone(&self, line: usize, motion: bool, family: Option<AlarmFamily>) -> Box<Refused> {
         let word = self.name;
         if motion {
-            self.refusal(line, &CornerBeforeOtherMotion { word })
+            self.refusal(line, &CornerBeforeOtherMotion { word }, family)
         } else {
-            self.refusal(line, &CornerBeforeNoMotion { word })
+            self.refusal(line, &CornerBeforeNoMotion { word }, family)
         }
     }
 }
@@ -132,7 +132,7 @@ impl Reader<'_, '_> {
     /// The program does not go on from a corner: its line is made whole, and the corner refused.
     pub(super) fn lose_corner(&mut self, motion: bool) {
         if let Some(corner) = self.memory.corner.take() {
-            let fault = corner.word.alone(corner.spot.line, motion);
+            let fault = corner.word.alone(corner.spot.line, motion, self.alarms());
             self.refuse_corner(corner, fault);
         }
     }
@@ -158,7 +158,7 @@ impl Reader<'_, '_> {
             match broken(points, corner.edge, corner.word.square) {
                 Ok(broken) => self.make_corner(corner, broken),
                 Err(trouble) => {
-                    let fault = corner.word.trouble(corner.spot.line, &trouble);
+                    let fault = corner.word.trouble(corner.spot.line, &trouble, self.alarms());
                     self.refuse_corner(corner, fault);
                 }
             }

@@ -26,9 +26,6 @@ use crate::text::{Text, t};
 /// The angle of a thread's flank where A does not give it, degrees.
 const FLANK: f64 = 30.0;
 
-/// What K of a cycle counts, s.
-const HUNDREDTH: f64 = 0.01;
-
 /// The letters that a cycle must have, and those that it may have.
 const fn letters(number: u8) -> (Letters, Letters) {
     match number {
@@ -102,13 +99,13 @@ impl Reader<'_, '_> {
         [self.memory.control.axes.x.coordinate(Q), self.length(letter::R)]
     }
 
-    /// K, the dwell of a cycle, s: it counts whole hundredths, as that of G4 does.
+    /// K, the dwell of a cycle, s.
     fn dwell_of_cycle(&self, number: u8) -> Result<f64> {
-        let K = self.block.get(letter::K).unwrap_or(0.0);
-        if K.fract() == 0.0 {
-            return Ok(K * HUNDREDTH);
+        let (K, unit) = (self.block.get(letter::K).unwrap_or(0.0), self.memory.control.lexis.cycle_dwell);
+        if K.fract() == 0.0 || !unit.whole() {
+            return Ok(K * unit.seconds());
         }
-        let row = DwellNotWhole { letter: 'K', value: K, unit: HUNDREDTH, number };
+        let row = DwellNotWhole { letter: 'K', value: K, unit: unit.seconds(), number };
         Err(Refused::of(&row, &[self.block.column(letter::K)]))
     }
 

@@ -131,7 +131,7 @@ impl Reader<'_, '_> {
             cursor.peek() == 0 || self.memory.control.lexis.percent.leader() && titled(line)
         };
         if self.memory.control.lexis.percent.named() {
-            let form = self.memory.control.text.opening;
+            let form = &self.memory.control.text;
             if form.local_subroutines()
                 && cursor.accept(b'l')
                 && line.get(cursor.column()).is_none_or(u8::is_ascii_whitespace)

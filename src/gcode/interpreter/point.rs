@@ -1,11 +1,7 @@
-//! Numbers without a decimal point in Fanuc's system A: a setting of the control says whether X100 is 100 mm or 0.1 mm.
-//!
-//! # References
-//! Fanuc Series 0i-T operator's manual, decimal point programming: pocket calculator type and usual type; addresses that take a
-//! decimal point are lengths, times and feeds; M, T, L, P, Q and others take none.
+//! Numbers without a decimal point: the control says which letters count what, and a setting of it whether they do.
 
 use crate::gcode::code::{G, Group, SinglePassCycle, TurningCycle};
-use crate::gcode::control::{Measured, Pointing, Unpointed};
+use crate::gcode::control::{Pointing, Quantity, Reading, Unpointed};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Decimal;
@@ -15,7 +11,6 @@ use crate::gcode::rules::words::{
     DimensionsWithoutPoint, DwellsWithoutPoint, PointMissing, PointMissingInFeed, PointNotTaken,
 };
 use crate::machine::length_unit::LengthUnit;
-use crate::text::t;
 
 impl Reader<'_, '_> {
     /// Marks a number that is to be divided, and refuses a decimal point where none may be.
@@ -34,9 +29,10 @@ impl Reader<'_, '_> {
     /// Gives the numbers of the block that are to be divided their value.
     #[inline(never)]
     pub(super) fn settle_points(&mut self) -> Result<()> {
-        if self.block.g(Group::NonModal) == Some(G::Turning(TurningCycle::Repeat)) && !self.block.has(letter::P) {
-            // How many times.
-            self.block.pointless &= !(1 << letter::R);
+        if let Some(G::Turning(cycle)) = self.block.g(Group::NonModal)
+            && !self.block.has(letter::P)
+        {
+            self.block.pointless &= !cycle.times().mask();
         }
         if !self.feed_by_revolution() {
             self.block.pointless &= !(1 << letter::F);
@@ -59,42 +55,26 @@ impl Reader<'_, '_> {
     /// By what a number without a decimal point is divided.
     fn unpointed(&mut self, word: &str, column: usize, feed: bool) -> Result<f64> {
         let dwell = self.block.g(Group::NonModal) == Some(G::Dwell);
-        let inch = self.inch();
-        let measured = match feed {
-            true => Measured::Feed,
-            false if dwell => Measured::Time,
-            false => Measured::Length { inch },
+        let quantity = match (dwell, self.inch()) {
+            (true, _) => Quantity::Second,
+            (false, true) => Quantity::Inch,
+            (false, false) => Quantity::Millimetre,
         };
-        let by = match self.memory.control.lexis.point.divisor(measured, self.memory.setting.decimal_point) {
-            Ok(by) => by,
-            Err(Unpointed::BySettingUnknown) => {
-                let (es, en) = match inch {
-                    _ if dwell => ("s o ms", "s or ms"),
-                    true => ("pulgadas o diezmilésimas", "inches or ten-thousandths"),
-                    false => ("mm o µm", "mm or µm"),
-                };
-                return Err(Refused::of(&PointMissing { word: word.to_owned(), reading: t(es, en) }, &[column]));
-            }
-            Err(Unpointed::FeedUnknown) => {
-                return Err(Refused::of(&PointMissingInFeed { word: word.to_owned() }, &[column]));
-            }
-        };
+        let Reading { by, told: reading } =
+            match self.memory.control.lexis.point.reading(quantity, feed, self.memory.setting.decimal_point) {
+                Ok(reading) => reading,
+                Err(Unpointed::BySettingUnknown(reading)) => {
+                    return Err(Refused::of(&PointMissing { word: word.to_owned(), reading }, &[column]));
+                }
+                Err(Unpointed::FeedUnknown) => {
+                    return Err(Refused::of(&PointMissingInFeed { word: word.to_owned() }, &[column]));
+                }
+            };
         let spot = self.block.spot;
-        let calculator = by == 1.0;
-        let (es, en) = match (calculator, inch) {
-            _ if dwell && calculator => ("leídos como s", "read as s"),
-            _ if dwell => ("leídos como ms", "read as ms"),
-            (true, false) => ("leídas como mm", "read as mm"),
-            (true, true) => ("leídas como pulgadas", "read as inches"),
-            (false, false) => ("leídas como incrementos mínimos (0.001 mm)", "read as least increments (0.001 mm)"),
-            (false, true) => {
-                ("leídas como incrementos mínimos (0.0001 pulgadas)", "read as least increments (0.0001 inch)")
-            }
-        };
         if dwell {
-            self.memory.remarks.row(&DwellsWithoutPoint { reading: t(es, en) }, spot, Some(column));
+            self.memory.remarks.row(&DwellsWithoutPoint { reading }, spot, Some(column));
         } else {
-            self.memory.remarks.row(&DimensionsWithoutPoint { reading: t(es, en) }, spot, Some(column));
+            self.memory.remarks.row(&DimensionsWithoutPoint { reading }, spot, Some(column));
         }
         Ok(by)
     }

@@ -346,7 +346,7 @@ impl Reader<'_, '_> {
         if letter == b'q' && lexis.polar.by_letters() {
             return self.polar_by_letters(name, column);
         }
-        if letter == b'l' && cursor.doubled() && self.memory.control.text.opening.local_subroutines() {
+        if letter == b'l' && cursor.doubled() && self.memory.control.text.local_subroutines() {
             return Refused::of(&LocalSubroutine {}, &[column]);
         }
         if let Some(G::Turning(cycle)) = self.block.g(Group::NonModal)

@@ -12,6 +12,7 @@
 
 use crate::finding::Size;
 use crate::gcode::code::{Cycle, G};
+use crate::gcode::control::Quantity;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::cycle::{NO_PECK, PECK_CLEARANCE, missing};
@@ -58,7 +59,7 @@ impl Reader<'_, '_> {
             None => 0.0,
         };
         let p = match self.block.get(letter::P) {
-            Some(P) => P / 1_000.0,
+            Some(P) => P * self.memory.control.lexis.cycle_dwell.seconds(),
             None if again => sticky.p,
             None if cycle == Cycle::DrillDwell => return Err(missing('P', cycle)),
             None => 0.0,
@@ -114,9 +115,11 @@ impl Reader<'_, '_> {
 
     /// A number of least input increments, as P and Q of cycles are; mm.
     pub(in crate::gcode::interpreter) fn increments(&self, number: f64) -> f64 {
-        match self.state.modal.unit {
-            LengthUnit::Millimetre => number / 1_000.0,
-            LengthUnit::Inch => self.state.modal.unit.to_mm(number / 10_000.0),
-        }
+        let unit = self.state.modal.unit;
+        let quantity = match unit {
+            LengthUnit::Millimetre => Quantity::Millimetre,
+            LengthUnit::Inch => Quantity::Inch,
+        };
+        unit.to_mm(number / self.memory.control.lexis.point.increments(quantity))
     }
 }

@@ -166,7 +166,7 @@ impl Reader<'_, '_> {
             | Cycle::TapRight => {
                 let tap = matches!(cycle, Cycle::TapLeft | Cycle::TapRight);
                 run.p = match self.block.get(letter::P) {
-                    Some(P) => P,
+                    Some(P) => P * self.memory.control.lexis.cycle_dwell.seconds(),
                     None if again || tap => self.state.modal.sticky.p,
                     None => return Err(missing('P', cycle)),
                 };
@@ -311,7 +311,7 @@ impl Reader<'_, '_> {
 
     fn wait(&mut self, seconds: f64) {
         if seconds > 0.0 {
-            self.see_dwell(letter::P, seconds);
+            self.see_dwell('P', self.memory.control.lexis.cycle_dwell, seconds);
             self.emit(MotionKind::Dwell(seconds), self.state.at, Some(seconds));
         }
     }
