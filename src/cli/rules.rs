@@ -119,7 +119,7 @@ rules! {
             "With other stock the depth of cut and the alarms change.";
         example line!("simulate" "part.nc"; "part.nc" = "G50 S2500|T0101|G97 S900 M3|G0 X54. Z2.|G1 X48. F0.2|Z-20.|X54.|G0 X100. Z50.|M30");
     "U0124" ExampleMachine Note {}
-        es "sin --tools: rodete toma la máquina y la torreta del libro de ejemplo (rodete new lathe), y la barra ya refrentada, con la cara en Z0: el sobremetal de una barra aserrada va en L5 de un libro de torno (--tools)"
+        es "sin --tools: rodete toma la máquina y la torreta del libro de ejemplo (rodete new lathe), y la barra ya refrentada, con la cara en Z0: la demasía de una barra aserrada va en L5 de un libro de torno (--tools)"
         en "no --tools: rodete takes the machine and turret of the example workbook (rodete new lathe), and the bar already faced, its face at Z0: the allowance of a sawn bar goes into L5 of a lathe workbook (--tools)"
         remedy "", "";
         why "Su máquina puede tener otros recorridos, otro plato y otras herramientas. Una barra aserrada sobresale de Z0: allí rodete no ve metal si no conoce L5.",

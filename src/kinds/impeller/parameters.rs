@@ -127,7 +127,7 @@ pub(super) static D_T: Field<f64, Required> = Field::real(
     MM,
     [0.2, 100.0],
     t("Diámetro de la herramienta", "Tool diameter"),
-    t("Fresa cilíndrica frontal; como mucho 2·r", "Flat end mill; at most 2·r"),
+    t("Fresa frontal; como mucho 2·r", "Flat end mill; at most 2·r"),
 );
 pub(super) static T: Field<u32, Required> =
     Field::whole("T", "tool_T", Unit::Count, [1, 9999], t("Número de herramienta", "Tool number"), t("", ""));
@@ -366,7 +366,7 @@ pub(super) static C: Field<f64, Required> = Field::real(
     "blank_step_C",
     MM,
     [0.01, 20.0],
-    t("Paso C del ciclo G85, en Z, y sobremetal de la cara", "Step C of the G85 cycle, along Z, and facing allowance"),
+    t("Paso C del ciclo G85, en Z, y demasía de refrentado", "Step C of the G85 cycle, along Z, and facing allowance"),
     t("Publicado: 1", "Published: 1"),
 );
 pub(super) static F_B: Field<f64, Required> = Field::real(

@@ -303,7 +303,7 @@ rules! {
         en "the passes cut up to {most} into the blade's own faces and leave the blade thinner: {faces} (upper bounds, block by block; from the twist at the hub alone, without thickness and blocks, {law})"
         remedy "elija una a_p menor, una herramienta menor o un e mayor que lo compense; un n mayor reduce lo que añaden los bloques",
             "choose a smaller a_p, a smaller tool, or a larger e to make up for it; a larger n reduces what the blocks add";
-        why "El flanco de una fresa cilíndrica no sigue una cara alabeada: lo que entra en ella reduce el espesor. El alabeo solo da d_t/2·(1 − cos θ): θ es lo que la cara gira de la superficie torneada al fondo.",
+        why "El flanco recto de una fresa no sigue una cara alabeada: lo que entra en ella reduce el espesor. El alabeo solo da d_t/2·(1 − cos θ): θ es lo que la cara gira de la superficie torneada al fondo.",
             "The side of a cylindrical cutter does not follow a twisted face: where it enters the face, the blade gets thinner. The twist alone gives d_t/2·(1 − cos θ): θ is how far the face turns from the turned surface to the floor.";
         example book!("impeller --case full");
     "P1045" ToolDoesNotPass Caution { tool: Size, largest: Largest, at: Size, blades: Text, thickness: Text }

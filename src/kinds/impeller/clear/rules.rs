@@ -84,7 +84,7 @@ rules! {
         es "en el rincón de cara y fondo queda material de hasta {height} de alto, al {here} % del camino del cubo al borde (a media altura, {thick} de grueso); no cuenta lo que no pasa de {over} de grueso"
         en "in the corner of face and floor up to {height} of metal is left in height, at {here} % of the way from hub to rim ({thick} thick half-way up); what is no thicker than {over} is not counted"
         remedy "una fresa de acabado menor, o de menor radio de esquina, deja menos", "a smaller finishing tool, or one of a smaller corner radius, leaves less";
-        why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
+        why "Una fresa no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");
     "P1211" RidgesOfTheFloor Note { most: Size, beside: Size, share: Size }
         es "en el fondo quedan unos {most}, a más de {beside} de las caras, al {share} % del camino del cubo al borde"
@@ -204,7 +204,7 @@ rules! {
         es "en el rincón de cara y fondo queda material de hasta {width} de ancho, al {there} % del camino del cubo al borde; no cuenta lo que no pasa de {over} de grueso"
         en "in the corner of face and floor up to {width} of metal is left in width, at {there} % of the way from hub to rim; what is no thicker than {over} is not counted"
         remedy "una fresa de acabado menor, o de menor radio de esquina, deja menos", "a smaller finishing tool, or one of a smaller corner radius, leaves less";
-        why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
+        why "Una fresa no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");
     "P1230" FinishingCellsNotRead Caution { cells: Text, r_c: Size }
         es "sin d_f acaba la misma herramienta que desbasta, y no se lee: {cells}; el radio de esquina es r_c = {r_c}"
