@@ -174,8 +174,8 @@ rules! {
     "U0131" NoPreamble Caution { parameters: String }
         es "no se escriben bloques G10: no admiten los valores de {parameters}"
         en "no G10 blocks are written: they cannot hold the values of {parameters}"
-        remedy "corrija los valores: el margen es de −99999.999 a 99999.999 mm o grados",
-            "correct the values: the range is −99999.999 to 99999.999 mm or degrees";
+        remedy "corrija los valores: el margen es de -99999.999 a 99999.999 mm o grados",
+            "correct the values: the range is -99999.999 to 99999.999 mm or degrees";
         why "Un número de un programa tiene cinco cifras y tres decimales.", "A number in a program has five digits and three decimals.";
         example line!("offsets" "linuxcnc.var"; "linuxcnc.var" = "5220 1|5221 1000000");
     "U0132" ControlRunning Note {}

@@ -107,7 +107,7 @@ rules! {
     "G0685" FagorHoleWithoutDepth Stop {}
         es "el agujero tiene profundidad 0"
         en "the hole has depth 0"
-        remedy "dé I, positivo hacia −Z", "give I, positive towards −Z";
+        remedy "dé I, positivo hacia -Z", "give I, positive towards -Z";
         why "Sin profundidad la broca no corta.", "Without a depth the drill does not cut.";
         example Example::program("fagor-8055-t", "G95 F0.2 S500 M3|G0 X40 Z2|G83 X0 Z0 I0 B5 D1|M30", "3:1");
     "G0686" FagorDrillNegative Stop { letter: char }
