@@ -90,7 +90,10 @@ pub fn header(
         comments.line("ANTES DE ARRANCAR - B Y C DEBEN MARCAR 0", "BEFORE THE START - B AND C SHOW 0");
         comments.true_for_both();
     } else {
-        comments.line("C ES EJE GIRATORIO CONTINUO - CUENTA MAS ALLA DE 360", "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360");
+        comments.line(
+            "C ES EJE GIRATORIO CONTINUO - CUENTA MAS ALLA DE 360",
+            "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360",
+        );
         if design.style == Style::Full && design.distance == Distance::Incremental {
             comments.line(
                 "PARA EJES GIRATORIOS LINEALES - CON OTROS BLOQUE A BLOQUE",
