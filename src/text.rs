@@ -78,6 +78,24 @@ impl Text {
     }
 }
 
+/// A text of rodete's own as paper has it: with a true minus sign, U+2212, before a number and between two terms. A word of a program,
+/// as `X-5`, a range of years and a name keep their hyphens. The terminal, JSON, CSV and programs have the hyphen alone.
+#[must_use]
+pub fn true_minus(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut before = None;
+    let mut rest = text.chars().peekable();
+    while let Some(one) = rest.next() {
+        let after = rest.peek().copied();
+        let opens = before.is_none_or(|before: char| before.is_whitespace() || "([≥≤<>=…~".contains(before));
+        let number = after.is_some_and(|after| after.is_ascii_digit() || after == '∞');
+        let term = before == Some(' ') && after == Some(' ');
+        out.push(if one == '-' && (opens && number || term) { '\u{2212}' } else { one });
+        before = Some(one);
+    }
+    out
+}
+
 /// A count with what is counted, in words: `1 move`, `2 moves`. Each pair is the singular and the plural.
 #[must_use]
 pub fn many(count: impl Display, es: [&str; 2], en: [&str; 2]) -> Text {
@@ -113,6 +131,22 @@ fn listed(parts: impl IntoIterator<Item = Text>, [es, en]: [&str; 2]) -> Text {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_number_and_a_difference_have_a_true_minus_on_paper_and_words_of_programs_their_hyphen() {
+        for (plain, paper) in [
+            ("-5 mm, de -1000 a 1000", "−5 mm, de −1000 a 1000"),
+            ("≥ -0.005 mm (-∞)", "≥ −0.005 mm (−∞)"),
+            ("R - r - a_p", "R − r − a_p"),
+            (
+                "X-5 Z-3; 2026-11-23; SHA-256; sobre-plano; --from; \"-5\"",
+                "X-5 Z-3; 2026-11-23; SHA-256; sobre-plano; --from; \"-5\"",
+            ),
+            ("", ""),
+        ] {
+            assert_eq!(true_minus(plain), paper);
+        }
+    }
 
     #[test]
     fn the_last_of_a_list_is_joined_by_a_word_and_those_before_it_by_commas() {

@@ -233,7 +233,8 @@ fn table(sheet: &Sheet, language: Language, width: Option<usize>) -> String {
         line.trim_end().to_owned()
     };
     if !differing.is_empty() {
-        let headings: Vec<String> = sheet.headings.iter().map(|heading| heading.get(language).to_owned()).collect();
+        let plain = |heading: &Text| heading.get(language).replace('\u{2212}', "-");
+        let headings: Vec<String> = sheet.headings.iter().map(plain).collect();
         text.push_str(&format!("{}\n", padded(&headings)));
     }
     for row in differing.iter().take(LISTED_DIFFERENCES) {

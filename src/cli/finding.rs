@@ -186,7 +186,7 @@ fn sentence(finding: &Finding, language: Language) -> String {
 
 /// True for a sentence in which a number, with its unit if it has one, stands by itself.
 fn names(what: &str, number: &str) -> bool {
-    let part = |letter: char| letter.is_alphanumeric() || matches!(letter, '.' | '-' | '−');
+    let part = |letter: char| letter.is_alphanumeric() || matches!(letter, '.' | '-');
     what.match_indices(number).any(|(at, _)| {
         let (before, after) = (&what[..at], &what[at + number.len()..]);
         let goes_on = after.strip_prefix('.').unwrap_or(after).starts_with(char::is_alphanumeric);

@@ -54,7 +54,7 @@ pub(super) fn table_of(
                 one.symbol,
                 blanks(symbols - display_width(one.symbol)),
                 blanks(ends - display_width(&end)),
-                printable(one.meaning.get(language)),
+                printable(one.meaning.get(language)).replace('\u{2212}', "-"),
             );
             wrapped(line.trim_end(), indent, width)
         })

@@ -119,7 +119,7 @@ rules! {
             "With other stock the depth of cut and the alarms change.";
         example line!("simulate" "part.nc"; "part.nc" = "G50 S2500|T0101|G97 S900 M3|G0 X54. Z2.|G1 X48. F0.2|Z-20.|X54.|G0 X100. Z50.|M30");
     "U0124" ExampleMachine Note {}
-        es "sin --tools: rodete toma la máquina y la torreta del libro de ejemplo (rodete new lathe), y la barra ya refrentada, con la cara en Z0: el sobremetal de una barra aserrada va en L5 de un libro de torno (--tools)"
+        es "sin --tools: rodete toma la máquina y la torreta del libro de ejemplo (rodete new lathe), y la barra ya refrentada, con la cara en Z0: la demasía de una barra aserrada va en L5 de un libro de torno (--tools)"
         en "no --tools: rodete takes the machine and turret of the example workbook (rodete new lathe), and the bar already faced, its face at Z0: the allowance of a sawn bar goes into L5 of a lathe workbook (--tools)"
         remedy "", "";
         why "Su máquina puede tener otros recorridos, otro plato y otras herramientas. Una barra aserrada sobresale de Z0: allí rodete no ve metal si no conoce L5.",
@@ -174,8 +174,8 @@ rules! {
     "U0131" NoPreamble Caution { parameters: String }
         es "no se escriben bloques G10: no admiten los valores de {parameters}"
         en "no G10 blocks are written: they cannot hold the values of {parameters}"
-        remedy "corrija los valores: el margen es de −99999.999 a 99999.999 mm o grados",
-            "correct the values: the range is −99999.999 to 99999.999 mm or degrees";
+        remedy "corrija los valores: el margen es de -99999.999 a 99999.999 mm o grados",
+            "correct the values: the range is -99999.999 to 99999.999 mm or degrees";
         why "Un número de un programa tiene cinco cifras y tres decimales.", "A number in a program has five digits and three decimals.";
         example line!("offsets" "linuxcnc.var"; "linuxcnc.var" = "5220 1|5221 1000000");
     "U0132" ControlRunning Note {}

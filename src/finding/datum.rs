@@ -100,7 +100,7 @@ impl Size {
 impl Said for Size {
     fn said(&self, _: Language) -> Cow<'_, str> {
         if self.value.is_infinite() {
-            return if self.value > 0.0 { "∞".into() } else { "−∞".into() };
+            return if self.value > 0.0 { "∞".into() } else { "-∞".into() };
         }
         let number = shown(self.value, self.decimals);
         match self.unit {

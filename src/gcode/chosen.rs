@@ -40,11 +40,11 @@ impl Typed for Post {
     }
 }
 
-choices! { for Style; "annex" ("annex", "annex") => Style::Annex, "full" ("full", "full") => Style::Full }
+choices! { for Style; "annex" ("anexo", "annex") => Style::Annex, "full" ("completo", "full") => Style::Full }
 
 choices! { for Distance; "G90" ("G90", "G90") => Distance::Absolute, "G91" ("G91", "G91") => Distance::Incremental }
 
 choices! { for RotaryMode;
     "rollover" ("rollover", "rollover") => RotaryMode::Rollover,
-    "linear" ("linear", "linear") => RotaryMode::Linear
+    "linear" ("lineal", "linear") => RotaryMode::Linear
 }

@@ -3,6 +3,7 @@
 //! Formulas stand over the defined names of the form's cells. They know the closed limits alone: what is searched for, the
 //! solids and the motions are judged by `rodete check`.
 
+use crate::parameter::field::Chosen;
 use crate::table::{Formula, Unit};
 use crate::text::Text;
 
@@ -85,6 +86,21 @@ pub fn says(cell: &str, word: &str) -> String {
         format!("AND(TRIM({cell})=\"{word}\",ISNUMBER(FIND(\"{word}\",LOWER({cell}))))")
     } else {
         format!("TRIM({cell})=\"{word}\"")
+    }
+}
+
+/// True as a formula where a cell holds a choice, by its key or by its word in either language, with
+/// its accents.
+#[must_use]
+pub fn holds<T: Chosen + PartialEq>(cell: &str, choice: T) -> String {
+    let Text { es, en } = choice.label();
+    let mut words = [choice.key(), es, en].map(str::to_lowercase).to_vec();
+    words.sort();
+    words.dedup();
+    let said: Vec<String> = words.iter().map(|word| says(cell, word)).collect();
+    match said.as_slice() {
+        [one] => one.clone(),
+        _ => format!("OR({})", said.join(",")),
     }
 }
 

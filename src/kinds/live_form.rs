@@ -1,7 +1,8 @@
 //! What the live forms of several kinds say alike.
 
 use crate::gcode::control::{Control, MILLING};
-use crate::kind::live_form::{LiveRow, says};
+use crate::gcode::program::Style;
+use crate::kind::live_form::{LiveRow, holds, says};
 use crate::text::t;
 
 /// The controls that do not move at feed without F.
@@ -13,8 +14,8 @@ fn needing_feed() -> impl Iterator<Item = &'static Control> {
 pub(crate) fn feed_needed(style: LiveRow) -> LiveRow {
     needing_feed().fold(style, |row, control| {
         row.wrong(
-            format!("AND({},{})", says("style", "annex"), says("dialect", control.name)),
-            t("annex no lleva avance, y LinuxCNC lo necesita", "annex has no feed, and LinuxCNC needs one"),
+            format!("AND({},{})", holds("style", Style::Annex), says("dialect", control.name)),
+            t("anexo no lleva avance, y LinuxCNC lo necesita", "annex has no feed, and LinuxCNC needs one"),
             "style",
         )
     })

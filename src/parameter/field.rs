@@ -115,6 +115,15 @@ pub trait Chosen: Copy + 'static {
     /// What the key of a choice stands for.
     fn of(key: &str) -> Option<Self>;
 
+    /// What stands in a cell for the choice, in both languages.
+    fn label(self) -> &'static Text
+    where
+        Self: PartialEq,
+    {
+        const NONE: &Text = &t("", "");
+        Self::CHOICES.iter().find(|choice| Self::of(choice.key) == Some(self)).map_or(NONE, |choice| &choice.label)
+    }
+
     /// The key of the choice, as [`Self::of`] takes it.
     fn key(self) -> &'static str
     where

@@ -48,7 +48,7 @@ fn answer(program: &Program, counting: RotaryMode, motions: usize, differs: Opti
     let limit = Text::same(counting.name());
     let Some(at) = differs else {
         let value = Text::new(
-            format!("rollover y linear: los mismos {motions} movimientos"),
+            format!("rollover y lineal: los mismos {motions} movimientos"),
             format!("rollover and linear: the same {motions} motions"),
         );
         return asked.showing(value, limit).seen(motions).passes();

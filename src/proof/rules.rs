@@ -159,7 +159,7 @@ crate::finding::rule::rules! {
         es "{what} {off}; la tolerancia es {limit}{of}"
         en "{what} {off}; the tolerance is {limit}{of}"
         remedy "elija {N}", "choose {N}";
-        why "Con pocos puntos los arcos son largos y se apartan de la curva entre punto y punto; también cuenta dónde caen. En style = annex, el programa publicado, es solo una precaución.",
+        why "Con pocos puntos los arcos son largos y se apartan de la curva entre punto y punto; también cuenta dónde caen. En style = anexo, el programa publicado, es solo una precaución.",
             "With few points the arcs are long and leave the curve between the points; where the points fall counts, too. In style = annex, the published program, it is only a caution.";
         example Example::Slip { kind: "pipe-insert", cells: &[("mode", "flat"), ("N", "8")], program: "insert", from: "", to: "" };
     "V0025" NotEnclosed Caution { what: Text, off: Size, most: Size, limit: Size }

@@ -25,7 +25,7 @@ use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value, title_block};
 use crate::proof::check::Check as Checked;
 use crate::table::{Entry, Print, Table};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, true_minus};
 use crate::typeset::characters::{Words, code_point};
 use crate::typeset::failure::ReportFailure;
 use crate::typeset::pen::pen;
@@ -408,8 +408,8 @@ fn answer(check: &Checked, outcome: &Outcome, words: &mut Words) -> Answer {
         key: check.key(),
         program: program.map_or_else(|| check.program().to_owned(), |program| words.text(&program.title)),
         what: words.text(check.name()),
-        value: words.text(check.value()),
-        limit: words.text(check.limit()),
+        value: true_minus(&words.text(check.value())),
+        limit: true_minus(&words.text(check.limit())),
         measured: check.measured().filter(|value| value.is_finite()),
         place: check.at().map_or_else(String::new, |at| words.text(&at.words())),
         verdict: check.grade().map_or("passed", key),
@@ -432,10 +432,10 @@ fn check(finding: &Finding, words: &mut Words) -> Check {
         grade: key(finding.grade),
         name: words.text(&finding.grade.name()),
         code: finding.code(),
-        what: words.text(&finding.what),
+        what: true_minus(&words.text(&finding.what)),
         place: words.text(&checks::place(&finding.place)),
-        value: words.line(value),
-        limit: words.line(limit),
-        remedy: words.text(&finding.remedy),
+        value: true_minus(&words.line(value)),
+        limit: true_minus(&words.line(limit)),
+        remedy: true_minus(&words.text(&finding.remedy)),
     }
 }

@@ -6,8 +6,8 @@ use crate::kind::Kind;
 use crate::kind::measure::{Level, Measure};
 use crate::limits::SWEEP_DESIGNS;
 use crate::number::decimal;
-use crate::parameter::field::{Chosen, Entry, Fields};
-use crate::parameter::{Choice, FieldKind, Form, Parameter, Value, at};
+use crate::parameter::field::{Entry, Fields};
+use crate::parameter::{FieldKind, Form, Parameter, Value, at};
 use crate::sweep::form::{
     CONSTRAINTS, DESIGNS, DISTRIBUTION, FROM, INPUT, LEVEL, METHOD, NAME, OBJECTIVES, SAMPLES, SEED, STEP, TO, VALUES,
 };
@@ -15,7 +15,7 @@ use crate::sweep::objective::{Constraint, Objective, bound, direction, pieces};
 use crate::sweep::plan::{Input, Levels, Method, Plan, Spread, billionth, grouped, whole};
 use crate::sweep::rules::*;
 use crate::sweep::sobol;
-use crate::text::Text;
+use crate::text::{Language, Text};
 
 /// Characters of a text that are shown.
 const SHOWN: usize = 40;
@@ -120,7 +120,7 @@ impl Reading<'_> {
             Method::Factorial | Method::Latin | Method::List => usize::MAX,
         };
         if inputs.len() > most {
-            let row = TooManySampled { count: inputs.len(), method: self.method.key(), most };
+            let row = TooManySampled { count: inputs.len(), method: self.method, most };
             self.wrong(METHOD.key(), &row);
         }
         inputs
@@ -257,7 +257,7 @@ impl Reading<'_> {
             Method::Latin | Method::Sobol | Method::Saltelli => {
                 let samples = self.fields.get(&SAMPLES);
                 if samples.is_none() {
-                    let method = self.method.key();
+                    let method = self.method;
                     self.wrong(SAMPLES.key(), &SamplesNeeded { method });
                 }
                 let group = if self.method == Method::Saltelli { grouped(inputs.len()) } else { 1 };
@@ -272,7 +272,7 @@ impl Reading<'_> {
 
     /// A caution that a plan which samples nothing does not read how many designs are sampled.
     fn unread_samples(&mut self) {
-        let told = SamplesUnread { method: self.method.key() }.at(Place::Parameters(vec![SAMPLES.key()]));
+        let told = SamplesUnread { method: self.method }.at(Place::Parameters(vec![SAMPLES.key()]));
         self.notes.push(self.fields.locate(told));
     }
 
@@ -377,9 +377,11 @@ fn expected(parameter: &Parameter) -> Text {
             Text::new(format!("un número entero de {min} a {max}"), format!("a whole number from {min} to {max}"))
         }
         FieldKind::Choice(choices) => {
-            let list = |word: fn(&Choice) -> &str| choices.iter().map(word).collect::<Vec<_>>().join(", ");
-            let (es, en) = (list(|one| &one.label.es), list(|one| &one.label.en));
-            Text::new(format!("una de estas palabras: {es}"), format!("one of: {en}"))
+            let list = |language| choices.iter().map(|one| one.label.get(language)).collect::<Vec<_>>().join(", ");
+            Text::new(
+                format!("una de estas palabras: {}", list(Language::Es)),
+                format!("one of: {}", list(Language::En)),
+            )
         }
         _ => Text::same(""),
     }

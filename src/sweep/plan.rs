@@ -1,13 +1,17 @@
 //! The designs of a plan: each a function of the plan and its index alone.
 
+use std::borrow::Cow;
+
 use serde_json::json;
 
 use super::chance::{drawn, permuted, unit};
 use super::objective::{Constraint, Objective};
 use super::sobol::Sobol;
+use crate::finding::{Datum, Said};
 use crate::kind::measure::Level;
 use crate::parameter::field::{Chosen, choices};
 use crate::parameter::{FieldKind, Form, Parameter, Value};
+use crate::text::Language;
 
 choices! {
     /// How the designs are chosen.
@@ -23,6 +27,17 @@ choices! {
         Saltelli = "saltelli" ("saltelli", "saltelli"),
         /// The designs of a sheet of their own.
         List = "list" ("lista", "list"),
+    }
+}
+
+/// In a sentence the word of the cell, in JSON the key.
+impl Said for Method {
+    fn said(&self, language: Language) -> Cow<'_, str> {
+        Cow::Borrowed(self.label().get(language))
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Word(self.key().to_owned())
     }
 }
 

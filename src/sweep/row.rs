@@ -246,7 +246,7 @@ fn measured(of: &Finding, checks: &[Check]) -> Option<f64> {
 /// The number that a value begins with, as `9.71 mm`; `None` where there is none.
 fn number(value: &str) -> Option<f64> {
     let number = value.trim_start_matches(['≤', '≥', '<', '>', ' ']);
-    let number = number.split([' ', '°', '%']).next()?.replace('−', "-");
+    let number = number.split([' ', '°', '%']).next()?;
     number.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
@@ -311,7 +311,7 @@ mod tests {
 
     #[test]
     fn values_of_findings_are_read_as_numbers() {
-        assert_eq!([number("9.71 mm"), number("≥ −0.5 mm"), number("12.5°")], [Some(9.71), Some(-0.5), Some(12.5)]);
+        assert_eq!([number("9.71 mm"), number("≥ -0.5 mm"), number("12.5°")], [Some(9.71), Some(-0.5), Some(12.5)]);
         assert_eq!((number("N_max"), number(""), number("∞")), (None, None, None));
     }
 
@@ -319,7 +319,7 @@ mod tests {
     fn of_a_value_between_two_bounds_the_stricter_one_counts() {
         let program = Program { title: Text::same("Finish"), ..Program::sample("finish") };
         let check = Question::new("splitters", Text::same("Clearance"), &program)
-            .showing(bounded(-0.15, -0.14), Text::same("≥ −0.005 mm"))
+            .showing(bounded(-0.15, -0.14), Text::same("≥ -0.005 mm"))
             .seen(1)
             .measuring(-0.15)
             .holds(false, |place| Stopped { what: Text::same("cuts"), todo: Text::same("less") }.at(place));

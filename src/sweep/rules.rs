@@ -2,6 +2,7 @@
 
 use crate::finding::rule::{book, rules};
 use crate::finding::{Example, Key, Typed};
+use crate::sweep::plan::Method;
 use crate::text::{Text, t};
 
 rules! {
@@ -93,7 +94,7 @@ rules! {
         remedy "dé un paso, o elija latino o sobol", "give a step, or choose latin or sobol";
         why "Un plan factorial combina niveles, y un intervalo sin paso no tiene ninguno.", "A factorial plan combines levels, and a range without a step has none.";
         example book!("impeller", "SWEEP!D16" = "");
-    "D0115" SamplesNeeded Stop { method: &'static str }
+    "D0115" SamplesNeeded Stop { method: Method }
         es "con method = {method} falta samples, el número de diseños"
         en "with method = {method}, samples is missing: the number of designs"
         remedy "escriba cuántos diseños se quieren", "write how many designs are wanted";
@@ -105,7 +106,7 @@ rules! {
         remedy "dé menos niveles o pasos mayores, o elija sobol con menos diseños", "give fewer levels or larger steps, or choose sobol with fewer designs";
         why "Con más diseños los resultados ya no se pueden examinar.", "The results of more designs cannot be looked through.";
         example book!("impeller", "SWEEP!D16" = "0.000001");
-    "D0117" TooManySampled Stop { count: usize, method: &'static str, most: usize }
+    "D0117" TooManySampled Stop { count: usize, method: Method, most: usize }
         es "varían {count} entradas; {method} admite {most}"
         en "{count} inputs vary; {method} allows {most}"
         remedy "elija latino, o varíe menos entradas", "choose latin, or vary fewer inputs";
@@ -195,7 +196,7 @@ rules! {
         remedy "deje cada valor una sola vez", "leave each value once";
         why "Los mismos diseños se calcularían y contarían dos veces.", "The same designs would be worked out and counted twice.";
         example book!("impeller", "SWEEP!E17" = "4; 5; 4");
-    "D0132" SamplesUnread Caution { method: &'static str }
+    "D0132" SamplesUnread Caution { method: Method }
         es "con method = {method} no se lee samples"
         en "with method = {method}, samples is not read"
         remedy "vacíe la celda, o elija latino, sobol o saltelli", "empty the cell, or choose latin, sobol or saltelli";
@@ -235,7 +236,7 @@ rules! {
     "D0204" WrongChunk Stop { text: String }
         es "«{text}» no es un trozo"
         en "\"{text}\" is not a chunk"
-        remedy "escriba I/N, con I de 0 a N − 1, como 0/40", "write I/N with I from 0 to N − 1, such as 0/40";
+        remedy "escriba I/N, con I de 0 a N - 1, como 0/40", "write I/N with I from 0 to N - 1, such as 0/40";
         why "Los trozos se cuentan desde 0, como los índices de Slurm.", "Chunks are counted from 0, as the indices of Slurm.";
         example Example::Command { files: &[], words: &["sweep", "impeller.xlsx", "--chunk", "40/40"] };
     "D0205" ChunkTorn Caution { path: String }

@@ -12,6 +12,7 @@
 pub mod address;
 mod book;
 mod calculated;
+mod calendar;
 pub mod cell;
 mod chart_sheet;
 pub mod charts;

@@ -106,8 +106,9 @@ impl Summary<'_> {
         let found = &outcome.findings;
         let source = &outcome.source;
         let part: Vec<&str> = [outcome.part(), outcome.material()].into_iter().filter(|one| !one.is_empty()).collect();
-        let control = |word: &str| {
-            let style = outcome.style.map_or_else(String::new, |style| format!(", {word} {}", style.key()));
+        let control = |word: &str, language| {
+            let style =
+                outcome.style.map_or_else(String::new, |style| format!(", {word} {}", style.label().get(language)));
             format!("{}{style}", outcome.control.name)
         };
         let (words, grade) = checks::verdict(outcome.stopped(), found);
@@ -122,7 +123,7 @@ impl Summary<'_> {
         let tables = self.live.note().map(|note| line(t("Tablas", "Tables"), note));
         let lines = vec![
             line(t("Pieza", "Part"), Text::same(part.join(", "))),
-            line(t("Control", "Control"), Text::new(control("estilo"), control("style"))),
+            line(t("Control", "Control"), Text::new(control("estilo", Language::Es), control("style", Language::En))),
             computed(t("Resultado", "Verdict"), verdict, Some(grade)),
             computed(t("Qué revisar", "What to check"), looked, attention),
             computed(t("Programas", "Programs"), programs(&outcome.programs), None),

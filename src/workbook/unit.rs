@@ -45,7 +45,7 @@ fn mistaken(unit: Unit) -> &'static [(Text, f64)] {
         (t("metros", "metres"), 1000.0),
         (t("pulgadas", "inches"), 25.4),
         (t("centímetros", "centimetres"), 10.0),
-        (t("micrómetros", "micrometres"), 0.001),
+        (t("micras", "micrometres"), 0.001),
     ];
     const FEEDS: &[(Text, f64)] =
         &[(t("m/min", "m/min"), 1000.0), (t("mm/s", "mm/s"), 60.0), (t("pulgadas/min", "inches/min"), 25.4)];

@@ -8,7 +8,7 @@ use super::value::DATE;
 use super::words::fold;
 use crate::kind::live_form::says;
 use crate::parameter::{Choice, FieldKind, Parameter};
-use crate::text::{Language, Text, one_of, t};
+use crate::text::{Language, Text, one_of, t, true_minus};
 
 /// Excel's limits for titles and messages, in UTF-16 units.
 const TITLE: usize = 32;
@@ -124,7 +124,7 @@ pub fn red(parameter: &Parameter, cell: &str, styles: &Styles) -> Option<Conditi
 pub fn range_and_note(parameter: &Parameter, language: Language) -> String {
     static MAY_BE_EMPTY: Text = t("Puede quedar vacía", "May stay empty");
     let range = range(parameter);
-    let range = range.get(language);
+    let range = &*true_minus(range.get(language));
     let mut note = parameter.note.get(language);
     if note.is_empty() && !parameter.required {
         note = MAY_BE_EMPTY.get(language);

@@ -7,6 +7,7 @@ use crate::parameter::{Choice, FieldKind, Parameter, Value};
 use crate::text::{Text, t};
 
 use super::address::{self, Position};
+use super::calendar;
 use super::limits;
 use super::rules::value::*;
 use super::sheet_cells::{Content, SheetCells};
@@ -134,7 +135,7 @@ impl Reading<'_> {
                 Some((Content::Date(day, _), _))
                     if matches!(self.parameter.kind, FieldKind::Date) && !day.is_empty() =>
                 {
-                    return self.text(day, day.chars().count());
+                    return self.line(day, day.chars().count(), DATE);
                 }
                 Some((Content::Date(..), _)) => Box::new(ValueIsDate { name, cell }),
                 Some((Content::Number(number), percent)) => return self.number(*number, percent),
@@ -197,6 +198,10 @@ impl Reading<'_> {
             }
             FieldKind::Choice(choices) => self.choice(choices, text),
             FieldKind::Line { max } => self.line(text, characters, *max),
+            FieldKind::Date if calendar::never(text) => {
+                self.stop(&NoSuchDay { name, text: shown.clone(), cell: address::format(self.at) }, shown);
+                None
+            }
             FieldKind::Date => self.line(text, characters, DATE),
             FieldKind::Codes => self.codes(text, characters, words::codes(text)),
             FieldKind::Block => self.codes(text, characters, words::block(text)),

@@ -9,3 +9,4 @@ mod licences;
 mod links;
 mod markdown;
 mod pages;
+mod words;

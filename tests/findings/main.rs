@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
 
 mod bad_workbooks;
+mod choices;
 mod commanded;
 #[path = "../common/mod.rs"]
 mod common;

@@ -52,7 +52,7 @@ fn a_cut_through_the_hub_is_refused() {
         "tfg-2021",
         &[real("a_p", 10.0)],
         &["a_p", "R", "r"],
-        "depth of cut a_p is 10 mm; it must be less than R − r = 10 mm",
+        "depth of cut a_p is 10 mm; it must be less than R - r = 10 mm",
     );
 }
 

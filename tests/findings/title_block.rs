@@ -26,6 +26,23 @@ fn a_workbook_without_its_rows_is_read_as_before() {
 }
 
 #[test]
+fn a_date_that_no_calendar_has_is_refused_and_named_with_its_cell() {
+    for date in ["31/02/2026", "29/02/2026", "2026-02-30", "31 de febrero de 2026", "Feb 30, 2026"] {
+        let refusal = impeller(&Parts::sound().string("date", date).zip()).expect_err(date);
+        let [finding] = refusal.findings.as_slice() else { panic!("{date}: {:?}", refusal.findings) };
+        assert_eq!(finding.code(), "W0540", "{date}");
+        assert!(finding.what.es.contains(&format!("\"{date}\", un día que no existe")), "{}", finding.what.es);
+        let cell = format!("C{}", row("date"));
+        assert!(finding.remedy.es.starts_with(&format!("escriba en {cell} ")), "{}", finding.remedy.es);
+        assert!(finding.remedy.en.starts_with(&format!("in {cell} write ")), "{}", finding.remedy.en);
+    }
+    for date in ["29/02/2028", "12/31/2026", "noviembre de 2026", "a determinar", "26-11-23"] {
+        let filled = impeller(&Parts::sound().string("date", date).zip()).expect(date);
+        assert_eq!(filled.values.line(&DATE), date);
+    }
+}
+
+#[test]
 fn a_date_is_a_text_or_a_cell_formatted_as_one() {
     let told = |parts: Parts| {
         let filled = impeller(&parts.zip()).expect("a sound workbook");

@@ -383,8 +383,8 @@ rules! {
         es "{axis}-0 en G90: no está definido en este control; rodete lo lee como giro negativo hasta 0"
         en "{axis}-0 in G90: undefined on this control; rodete reads it as a turn in minus to 0"
         remedy "quite la palabra de un eje que no gira, o escriba el giro en G91", "delete the word of an axis that does not turn, or write the turn in G91";
-        why "El signo da el sentido, y el manual no dice qué significa −0.",
-            "The sign gives the direction, and the manual does not say what −0 means.";
+        why "El signo da el sentido, y el manual no dice qué significa -0.",
+            "The sign gives the direction, and the manual does not say what -0 means.";
         example Example::program("fagor-8055", "G90|G0 B90|G0 B-0|M30", "3:4");
     "G0455" HalfTurn Caution { axis: char, degrees: Size, count: u64, line: usize, more: Text }
         es "un eje giratorio da más de media vuelta en un bloque en avance: {axis} gira {degrees}{more}"

@@ -9,9 +9,9 @@ choices! {
     /// Which point m each side fades up to.
     pub enum Fade {
         /// One m for both sides, from the crossing on one of them, as published.
-        Published = "published" ("published", "published"),
+        Published = "published" ("publicado", "published"),
         /// Each side its own, from where its tool has room.
-        EachSide = "each-side" ("each-side", "each-side"),
+        EachSide = "each-side" ("cada lado", "each-side"),
     }
 }
 

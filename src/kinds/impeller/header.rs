@@ -62,7 +62,7 @@ pub fn header(
     }
     if let Some([out, back]) = full_from {
         comments.line(
-            &format!("INTERMEDIO ENTERO DESDE PUNTO {out} IDA Y {back} VUELTA"),
+            &format!("INTERMEDIO COMPLETO DESDE PUNTO {out} IDA Y {back} VUELTA"),
             &format!("SPLITTER IN FULL FROM POINT {out} OUT AND {back} BACK"),
         );
     }
@@ -71,30 +71,32 @@ pub fn header(
         &format!("LONGITUD DE PIVOTE L {L} DEL EJE B AL CENTRO DEL TORO"),
         &format!("PIVOT LENGTH L {L} FROM B AXIS TO TORUS CENTRE"),
     );
-    comments.line(&format!("L ES R_B {R_B} MAS H {H}"), &format!("L IS R_B {R_B} PLUS H {H}"));
-    comments.line("R_B - NARIZ DEL HUSILLO PORTAPIEZA SOBRE EL EJE B", "R_B - WORK SPINDLE NOSE OVER THE B AXIS");
-    comments.line("H - CARA TORNEADA SOBRE ESA NARIZ", "H - TURNED FACE OVER THAT NOSE");
-    comments
-        .line("CERO G54 - PUNTA EN EL CENTRO DEL TORO CON B0 C0", "ZERO G54 - TOOL TIP IN THE TORUS CENTRE AT B0 C0");
+    comments.line(&format!("L ES LA SUMA DE R_B {R_B} Y H {H}"), &format!("L IS R_B {R_B} PLUS H {H}"));
+    comments.line("R_B - DEL EJE B A LA NARIZ DEL HUSILLO PORTAPIEZA", "R_B - WORK SPINDLE NOSE OVER THE B AXIS");
+    comments.line("H - DE ESA NARIZ A LA CARA TORNEADA", "H - TURNED FACE OVER THAT NOSE");
     comments.line(
-        "SIN CONTROL DE PUNTA RTCP - SOLO VALE CON ESTA L",
-        "NO TOOL CENTRE POINT CONTROL - VALID FOR THIS L ONLY",
+        "CERO PIEZA G54 - PUNTA EN EL CENTRO DEL TORO CON B0 C0",
+        "ZERO G54 - TOOL TIP IN THE TORUS CENTRE AT B0 C0",
     );
+    comments
+        .line("SIN RTCP - EL PROGRAMA SOLO VALE CON ESTA L", "NO TOOL CENTRE POINT CONTROL - VALID FOR THIS L ONLY");
     let by_increments = design.turns_by_increments();
     let height = fixed(program.start.get(crate::machine::axis::Axis::Z).value());
     comments.line(
-        &format!("EMPIEZA Y ACABA EN X0 Y0 Z{height} B0 Y C {}", if by_increments { "0" } else { "EN VUELTAS" }),
+        &format!("INICIO Y FIN EN X0 Y0 Z{height} B0 {}", if by_increments { "C0" } else { "- C EN VUELTAS ENTERAS" }),
         &format!("STARTS AND ENDS AT X0 Y0 Z{height} B0 AND C {}", if by_increments { "0" } else { "IN TURNS" }),
     );
     if by_increments {
-        comments.line("ANTES DE EMPEZAR - B Y C A 0 EN PANTALLA", "BEFORE THE START - B AND C SHOW 0");
+        comments.line("ANTES DE ARRANCAR - B Y C DEBEN MARCAR 0", "BEFORE THE START - B AND C SHOW 0");
         comments.true_for_both();
     } else {
-        comments
-            .line("C ES EJE GIRATORIO CONTINUO - CUENTA MAS DE 360", "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360");
+        comments.line(
+            "C ES EJE GIRATORIO CONTINUO - CUENTA MAS ALLA DE 360",
+            "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360",
+        );
         if design.style == Style::Full && design.distance == Distance::Incremental {
             comments.line(
-                "VALE CON EJES GIRATORIOS LINEALES - OTROS BLOQUE A BLOQUE",
+                "PARA EJES GIRATORIOS LINEALES - CON OTROS BLOQUE A BLOQUE",
                 "VALID FOR LINEAR ROTARY AXES - OTHERS IN SINGLE BLOCK",
             );
         }
@@ -109,7 +111,7 @@ pub fn header(
         );
     }
     if design.distance == Distance::Incremental {
-        comments.line("COORDENADAS INCREMENTALES G91 TRAS EL INICIO", "INCREMENTAL G91 AFTER THE START");
+        comments.line("COORDENADAS INCREMENTALES G91 DESDE EL INICIO", "INCREMENTAL G91 AFTER THE START");
     }
     extents(&mut comments, program);
     if let (Some(F), Some(S)) = (F, S) {
@@ -149,7 +151,8 @@ pub fn blank_header(design: &Design, program: &Program, origin: &Origin<'_>) -> 
     );
     comments
         .line(&format!("HERRAMIENTA T{} D{}", blank.T_b, blank.D_b), &format!("TOOL T{} D{}", blank.T_b, blank.D_b));
-    comments.line("CERO EN EL EJE Y LA CARA - X EN DIAMETROS", "ZERO ON THE AXIS AND THE FACE - X ON DIAMETERS");
+    comments
+        .line("CERO PIEZA EN EL EJE Y EN LA CARA - X EN DIAMETROS", "ZERO ON THE AXIS AND THE FACE - X ON DIAMETERS");
     extents(&mut comments, program);
     comments.parts
 }

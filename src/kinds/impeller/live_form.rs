@@ -1,12 +1,13 @@
 //! The live form of the impeller: its closed limits, and the blades in plan.
 
-use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, Wrong};
+use crate::gcode::program::Style;
+use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, Wrong, holds};
 use crate::kinds::live_form::feed_needed;
 use crate::table::{Formula, Unit};
 use crate::text::t;
 
 /// True where the part is cut clear: then the published limits decide nothing, and no formula tells whether the tools pass.
-const CLEAR: &str = "TRIM(method)=\"clear\"";
+const CLEAR: &str = "OR(TRIM(method)=\"canal\",TRIM(method)=\"clear\")";
 /// True where the part has splitters.
 pub(super) const SPLITTERS: &str = "OR(TRIM(splitters)=\"yes\",TRIM(splitters)=\"sí\",TRIM(splitters)=\"si\")";
 
@@ -50,7 +51,7 @@ pub fn live() -> LiveForm {
         undecided: Some((
             CLEAR,
             t(
-                "method = clear: rodete check comprueba si pasan las fresas",
+                "method = canal: rodete check comprueba si pasan las fresas",
                 "method = clear: rodete check checks whether the tools pass",
             ),
         )),
@@ -61,8 +62,8 @@ pub fn live() -> LiveForm {
 
 fn rows() -> Vec<LiveRow> {
     let row = LiveRow::length;
-    let told = t("regla publicada; con clear, rodete check", "published rule; for clear, rodete check");
-    let published = |wrong: &str| format!("AND(TRIM(method)<>\"clear\",{wrong})");
+    let told = t("regla publicada; con canal, rodete check", "published rule; for clear, rodete check");
+    let published = |wrong: &str| format!("AND(NOT({CLEAR}),{wrong})");
     vec![
         row("L", "live_L", t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H").wrong(
             "live_L<=MAX(torus_R,meridian_r)",
@@ -185,8 +186,8 @@ fn machine() -> Vec<LiveRow> {
 fn program() -> Vec<LiveRow> {
     let given = |symbol, name, meaning, input: &'static str| {
         LiveRow::length(symbol, name, meaning, format!("IF(ISNUMBER({input}),{input},\"\")")).always().wrong(
-            format!("AND(TRIM(style)=\"full\",NOT(ISNUMBER({input})))"),
-            t("style = full lo necesita", "style = full needs it"),
+            format!("AND({},NOT(ISNUMBER({input})))", holds("style", Style::Full)),
+            t("style = completo lo necesita", "style = full needs it"),
             input,
         )
     };
@@ -202,14 +203,17 @@ fn program() -> Vec<LiveRow> {
                 .always()
                 .unit(Unit::None)
                 .wrong(
-                    format!("AND({CLEAR},TRIM(style)=\"annex\")"),
-                    t("clear necesita style = full", "clear needs style = full"),
+                    format!("AND({CLEAR},{})", holds("style", Style::Annex)),
+                    t("canal necesita style = completo", "clear needs style = full"),
                     "style",
                 ),
         )
         // Left empty, the axes count as those of the control do.
         .wrong(
-            "AND(TRIM(style)=\"full\",TRIM(distance)=\"G90\",OR(TRIM(rotary_axes)=\"rollover\",AND(LEN(TRIM(rotary_axes))=0,LEFT(TRIM(dialect),10)=\"fagor-8055\")))",
+            format!(
+                "AND({},TRIM(distance)=\"G90\",OR(TRIM(rotary_axes)=\"rollover\",AND(LEN(TRIM(rotary_axes))=0,LEFT(TRIM(dialect),10)=\"fagor-8055\")))",
+                holds("style", Style::Full)
+            ),
             t("con G90 y ejes rollover B y C darían la vuelta", "G90 with rollover axes turns B and C the long way"),
             "distance",
         ),
@@ -403,6 +407,14 @@ fn view() -> LiveView {
 
 #[cfg(test)]
 mod tests {
+    use super::{CLEAR, holds};
+    use crate::kinds::impeller::clear::fields::Method;
+
+    #[test]
+    fn the_clear_cut_is_known_by_its_words() {
+        assert_eq!(CLEAR, holds("method", Method::Clear));
+    }
+
     use crate::gcode::control::{MILLING, RotaryMode};
 
     #[test]

@@ -51,7 +51,7 @@ pub(super) static INTERVALS_N: Field<u32, Required> = Field::whole(
     [2, 100_000],
     t("Número de intervalos de la discretización", "Number of intervals of the discretisation"),
     t(
-        "n + 1 puntos por pasada; con method = clear cuenta solo en las tablas de la fibra media",
+        "n + 1 puntos por pasada; con method = canal cuenta solo en las tablas de la fibra media",
         "n + 1 points per pass; with method = clear it counts only for the tables of the mean line",
     ),
 );
@@ -73,7 +73,7 @@ pub(super) static N: Field<u32, Required> = Field::whole(
     [1, 60],
     t("Número de álabes", "Number of blades"),
     t(
-        "Como mucho N_max; con method = clear, mientras pasen las fresas",
+        "Como mucho N_max; con method = canal, mientras pasen las fresas",
         "At most N_max; with method = clear, as long as the tools pass",
     ),
 );
@@ -84,7 +84,7 @@ pub(super) static E: Field<f64, Required> = Field::real(
     [0.05, 100.0],
     t("Espesor del álabe", "Blade thickness"),
     t(
-        "Como mucho e_max; con method = clear, mientras pasen las fresas",
+        "Como mucho e_max; con method = canal, mientras pasen las fresas",
         "At most e_max; with method = clear, as long as the tools pass",
     ),
 );
@@ -93,7 +93,7 @@ pub(super) static A_P: Field<f64, Required> = Field::real(
     "depth_a_p",
     MM,
     [0.01, 100.0],
-    t("Profundidad del canal (published: la de su única pasada)", "Depth of the channel (published: of its only pass)"),
+    t("Profundidad del canal (publicado: la de su única pasada)", "Depth of the channel (published: of its only pass)"),
     t("Menor que R − r", "Less than R − r"),
 );
 pub(super) static SPLITTERS: Field<bool, Required> =
@@ -104,7 +104,7 @@ pub(super) static SPLITTER_FADE: Field<Fade, Usual> = Field::choice_or(
     "splitter_fade",
     t("Cómo empiezan los álabes intermedios", "How splitter blades begin"),
     t(
-        "Solo con method = published. each-side: la herramienta libra los álabes vecinos; published, o vacía: como en la publicación, los corta",
+        "Solo con method = publicado. cada lado: la herramienta libra los álabes vecinos; publicado, o vacía: como en la publicación, los corta",
         "Only with method = published. each-side: the tool clears the neighbouring blades; published, or empty: as published, the tool cuts into them",
     ),
 );
@@ -127,7 +127,7 @@ pub(super) static D_T: Field<f64, Required> = Field::real(
     MM,
     [0.2, 100.0],
     t("Diámetro de la herramienta", "Tool diameter"),
-    t("Fresa cilíndrica frontal; como mucho 2·r", "Flat end mill; at most 2·r"),
+    t("Fresa frontal; como mucho 2·r", "Flat end mill; at most 2·r"),
 );
 pub(super) static T: Field<u32, Required> =
     Field::whole("T", "tool_T", Unit::Count, [1, 9999], t("Número de herramienta", "Tool number"), t("", ""));
@@ -169,7 +169,7 @@ pub(super) static ROTARY: Field<RotaryMode, Optional> = Field::choice(
     "rotary_axes",
     t("Cómo cuentan los ejes B y C de la máquina en G90", "How the machine's axes B and C count in G90"),
     t(
-        "rollover: de 0 a 360, el signo es el sentido (Fagor 8055 de fábrica; también si queda vacía); linear: como un eje lineal",
+        "rollover: de 0 a 360, el signo es el sentido (Fagor 8055 de fábrica; también si queda vacía); lineal: como un eje lineal",
         "rollover: from 0 to 360, the sign is the direction (Fagor 8055 as delivered; also if empty); linear: like a linear axis",
     ),
 );
@@ -243,7 +243,7 @@ pub(super) static F: Field<f64, Optional> = Field::real(
     [0.1, 50_000.0],
     t("Avance de la punta sobre la pieza", "Feed of the tool tip over the part"),
     t(
-        "Obligatorio con style = full; con annex puede quedar vacía",
+        "Obligatorio con style = completo; con anexo puede quedar vacía",
         "Required with style = full; with annex it may stay empty",
     ),
 );
@@ -254,7 +254,7 @@ pub(super) static S: Field<u32, Optional> = Field::whole(
     [1, 200_000],
     t("Velocidad del husillo", "Spindle speed"),
     t(
-        "Obligatorio con style = full; con annex puede quedar vacía",
+        "Obligatorio con style = completo; con anexo puede quedar vacía",
         "Required with style = full; with annex it may stay empty",
     ),
 );
@@ -265,7 +265,7 @@ pub(super) static TOL: Field<f64, Optional> = Field::real(
     [0.0005, 10.0],
     t("Tolerancia de la trayectoria de la punta entre bloques", "Tolerance of the tip path between blocks"),
     t(
-        "Vacía: con method = clear, 0.01 (con 0.0102 el acabado de un libro nuevo cabe en 1 MiB); con published el informe da la desviación sin límite",
+        "Vacía: con method = canal, 0.01 (con 0.0102 el acabado de un libro nuevo cabe en 1 MiB); con publicado el informe da la desviación sin límite",
         "Empty: 0.01 with method = clear (with 0.0102 the finishing program of a new workbook stays below 1 MiB); with published the report gives the deviation without a limit",
     ),
 );
@@ -282,7 +282,7 @@ pub(super) static NUMBER: Field<u32, Required> = Field::whole(
     [1, NUMBERS],
     t("Número de programa", "Program number"),
     t(
-        "Va en la cabecera de los programas; con method = clear, el de acabado lleva el siguiente",
+        "Va en la cabecera de los programas; con method = canal, el de acabado lleva el siguiente",
         "Goes into the header of the programs; with method = clear the finishing program has the next one",
     ),
 );
@@ -290,14 +290,17 @@ pub(super) static STYLE: Field<Style, Required> = Field::choice(
     "style",
     "style",
     t("Estilo de los programas", "Style of the programs"),
-    t("annex: como los anexos publicados; full: completo", "annex: as in the published annexes; full: complete"),
+    t(
+        "anexo: como los anexos publicados; completo: con herramienta, avance y fin de programa",
+        "annex: as in the published annexes; full: complete",
+    ),
 );
 pub(super) static DISTANCE: Field<Distance, Required> = Field::choice(
     "distance",
     "distance",
     t("Coordenadas: G90 absolutas, G91 incrementales", "Coordinates: G90 absolute, G91 incremental"),
     t(
-        "Solo con style = full; annex es siempre G91. En un Fagor 8055, G90 solo con rotary = linear",
+        "Solo con style = completo; anexo es siempre G91. En un Fagor 8055, G90 solo con rotary = lineal",
         "Only with style = full; annex is always G91. On a Fagor 8055, G90 only with rotary = linear",
     ),
 );
@@ -327,7 +330,7 @@ pub(super) static RETRACT: Field<Retract, Optional> = Field::other(
         "Block that retracts the tool before any axis turns",
     ),
     t(
-        "Solo con style = full. G0 G53 Z0 si el cero máquina está en lo alto de Z: compruébelo. Vacía: rodete avisa",
+        "Solo con style = completo. G0 G53 Z0 si el cero máquina está en lo alto de Z: compruébelo. Vacía: rodete avisa",
         "Only with style = full. G0 G53 Z0 if machine zero is at the top of Z: check this. Empty: rodete gives a caution",
     ),
 );
@@ -366,7 +369,7 @@ pub(super) static C: Field<f64, Required> = Field::real(
     "blank_step_C",
     MM,
     [0.01, 20.0],
-    t("Paso C del ciclo G85, en Z, y sobremetal de la cara", "Step C of the G85 cycle, along Z, and facing allowance"),
+    t("Paso C del ciclo G85, en Z, y demasía de refrentado", "Step C of the G85 cycle, along Z, and facing allowance"),
     t("Publicado: 1", "Published: 1"),
 );
 pub(super) static F_B: Field<f64, Required> = Field::real(
@@ -392,7 +395,7 @@ pub(super) static S_M: Field<u32, Optional> = Field::whole(
     [1, 20_000],
     t("Límite de giro del husillo del torno", "Speed limit of the lathe spindle"),
     t(
-        "Con velocidad de corte constante el husillo se acelera hacia el centro. Solo con style = full. Vacía: sin límite",
+        "Con velocidad de corte constante el husillo se acelera hacia el centro. Solo con style = completo. Vacía: sin límite",
         "At constant surface speed the spindle speeds up towards the centre. Only with style = full. Empty: no limit",
     ),
 );

@@ -15,8 +15,8 @@ rules! {
         why "Un toro cerrado no tiene círculos de Villarceau.", "A closed torus has no Villarceau circles.";
         example book!("impeller", "r" = "25", "R" = "25");
     "P1002" CutThroughHub Stop { a_p: Size, room: Size }
-        es "la profundidad a_p es {a_p} y debe ser menor que R − r = {room}"
-        en "depth of cut a_p is {a_p}; it must be less than R − r = {room}"
+        es "la profundidad a_p es {a_p} y debe ser menor que R - r = {room}"
+        en "depth of cut a_p is {a_p}; it must be less than R - r = {room}"
         remedy "elija una profundidad menor", "choose a smaller depth";
         why "La herramienta atravesaría el cubo.", "The tool would cut through the hub.";
         example book!("impeller", "a_p" = "100");
@@ -81,7 +81,7 @@ rules! {
     "P1012" AbsoluteOnRollover Stop {}
         es "distance = G90 con ejes rollover: en G90 el signo es el sentido y el número el ángulo; en cada bloque B daría casi una vuelta y C giraría al revés"
         en "distance = G90 with rollover axes: in G90 the sign is the direction and the number is the angle; in each block B would make nearly a full turn and C would turn the wrong way"
-        remedy "elija distance = G91, que vale para los dos tipos de eje; o, si B y C de la máquina cuentan como ejes lineales, rotary = linear (fila rotary, valor en la columna C)",
+        remedy "elija distance = G91, que vale para los dos tipos de eje; o, si B y C de la máquina cuentan como ejes lineales, rotary = lineal (fila rotary, valor en la columna C)",
             "choose distance = G91, which suits both types of axis; or, if B and C of the machine count as linear axes, rotary = linear (row rotary, value in column C)";
         why "La herramienta atravesaría la pieza mientras esta gira.", "The tool would go through the part while the part turns.";
         example book!("impeller", "distance" = "G90", "rotary" = "rollover");
@@ -140,16 +140,16 @@ rules! {
         example book!("impeller --case full", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
             "CALIBRATION!C10" = "6", "CALIBRATION!C11" = "0.1", "CALIBRATION!C12" = "0.1");
     "P1021" AnnexWithoutFeed Caution {}
-        es "style = annex no lleva avance F ni velocidad S, como los programas publicados"
+        es "style = anexo no lleva avance F ni velocidad S, como los programas publicados"
         en "style = annex has no feed F and no speed S, like the published programs"
-        remedy "fíjelos en el control antes de empezar, o elija style = full", "set them at the control before the start, or choose style = full";
+        remedy "fíjelos en el control antes de empezar, o elija style = completo", "set them at the control before the start, or choose style = full";
         why "El control usaría el avance y la velocidad del programa anterior.",
             "The control would use the feed and speed of the previous program.";
         example book!("impeller --case full", "style" = "annex");
     "P1022" AnnexStartsAnywhere Caution {}
         es "el programa incremental empieza en la posición actual de la máquina: llévela antes al punto de seguridad de entrada, con B y C del Anexo 6"
         en "the incremental program starts from the machine's present position: first move to the safe entry point, with B and C of Annex 6"
-        remedy "elija style = full, que va por sí mismo al punto de inicio", "choose style = full, which goes to its start point by itself";
+        remedy "elija style = completo, que va por sí mismo al punto de inicio", "choose style = full, which goes to its start point by itself";
         why "Desde otro punto, toda la pasada se desplaza lo mismo, también en rápido.",
             "From another point the whole pass shifts by the same distance, also in rapid.";
         example book!("impeller --case full", "style" = "annex");
@@ -295,16 +295,16 @@ rules! {
         en "beside the blades the floor is up to {most} deeper than a_p (upper bound; worst on {track}, point {point}): the flat end of the tool does not fit the concave floor (that alone gives {law}; the rest comes from the blocks)"
         remedy "elija una herramienta menor, o cuente con ese fondo más hondo en el cubo y donde la pieza es delgada",
             "choose a smaller tool, or allow for the deeper floor at the hub and where the part is thin";
-        why "En el cubo la pared mide R − r − a_p, menos lo que el fondo tenga de más. El extremo plano solo da √(r_f² + (d_t/2 + w·cos α)²) − r_f: r_f es el radio del arco del fondo, r + a_p; w, lo que el eje se aparta de la línea media; α, el ángulo entre la línea media y el paralelo.",
-            "At the hub the wall is R − r − a_p, less the extra depth of the floor. The flat end alone gives √(r_f² + (d_t/2 + w·cos α)²) − r_f: r_f is the radius of the arc of the floor, r + a_p; w is how far the axis is from the mean line; α is the angle between the mean line and the parallel.";
+        why "En el cubo la pared mide R - r - a_p, menos lo que el fondo tenga de más. El extremo plano solo da √(r_f² + (d_t/2 + w·cos α)²) - r_f: r_f es el radio del arco del fondo, r + a_p; w, lo que el eje se aparta de la línea media; α, el ángulo entre la línea media y el paralelo.",
+            "At the hub the wall is R - r - a_p, less the extra depth of the floor. The flat end alone gives √(r_f² + (d_t/2 + w·cos α)²) - r_f: r_f is the radius of the arc of the floor, r + a_p; w is how far the axis is from the mean line; α is the angle between the mean line and the parallel.";
         example book!("impeller --case full");
     "P1044" IntoOwnFaces Caution { most: Size, faces: Text, law: Size }
         es "las pasadas entran hasta {most} en las propias caras del álabe, que queda más delgado: {faces} (valores máximos, bloque a bloque; solo por el alabeo en el cubo, sin contar el espesor ni los bloques, {law})"
         en "the passes cut up to {most} into the blade's own faces and leave the blade thinner: {faces} (upper bounds, block by block; from the twist at the hub alone, without thickness and blocks, {law})"
         remedy "elija una a_p menor, una herramienta menor o un e mayor que lo compense; un n mayor reduce lo que añaden los bloques",
             "choose a smaller a_p, a smaller tool, or a larger e to make up for it; a larger n reduces what the blocks add";
-        why "El flanco de una fresa cilíndrica no sigue una cara alabeada: lo que entra en ella reduce el espesor. El alabeo solo da d_t/2·(1 − cos θ): θ es lo que la cara gira de la superficie torneada al fondo.",
-            "The side of a cylindrical cutter does not follow a twisted face: where it enters the face, the blade gets thinner. The twist alone gives d_t/2·(1 − cos θ): θ is how far the face turns from the turned surface to the floor.";
+        why "El flanco recto de una fresa no sigue una cara alabeada: lo que entra en ella reduce el espesor. El alabeo solo da d_t/2·(1 - cos θ): θ es lo que la cara gira de la superficie torneada al fondo.",
+            "The side of a cylindrical cutter does not follow a twisted face: where it enters the face, the blade gets thinner. The twist alone gives d_t/2·(1 - cos θ): θ is how far the face turns from the turned surface to the floor.";
         example book!("impeller --case full");
     "P1045" ToolDoesNotPass Caution { tool: Size, largest: Largest, at: Size, blades: Text, thickness: Text }
         es "la herramienta de {tool} no pasa entre los álabes; la mayor que pasa: {largest}; el paso más estrecho está al {at} del camino del cubo al borde; {blades}; {thickness}"

@@ -144,7 +144,7 @@ pub(crate) static L5: Field<f64, Required> = Field::real(
     "facing_L5",
     MM,
     [0.0, 50.0],
-    t("Sobremetal de refrentado L5", "Facing allowance L5"),
+    t("Demasía de refrentado L5", "Facing allowance L5"),
     t(
         "El cero pieza W1 (G54) está L5 a la izquierda de la cara",
         "The part zero W1 (G54) is L5 to the left of the face",

@@ -31,7 +31,7 @@ rules! {
     "P4002" FacingBeyondOverhang Stop { L5: Size, overhang: Size }
         es "L5 es {L5} y debe ser menor que el voladizo, {overhang}"
         en "L5 is {L5}; it must be less than the stick-out of {overhang}"
-        remedy "use un sobremetal de refrentado menor", "use a smaller facing allowance";
+        remedy "use una demasía de refrentado menor", "use a smaller facing allowance";
         why "El cero pieza W1 quedaría dentro de las garras.", "The part zero W1 would be inside the jaws.";
         example book!("lathe", "L4" = "80", "L5" = "50");
     "P4003" BoreBeyondStock Stop { d: Size, D: Size }

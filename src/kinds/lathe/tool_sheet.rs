@@ -91,7 +91,7 @@ pub(crate) static W: Field<f64, Optional> = Field::real(
     "",
     MM,
     [0.1, 200.0],
-    t("ancho de la ranuradora; diámetro de la broca", "width of a groover; diameter of a drill"),
+    t("ancho de la herramienta de ranurar; diámetro de la broca", "width of a groover; diameter of a drill"),
     NONE,
 );
 pub(crate) static H: Field<f64, Optional> = Field::real(
@@ -182,7 +182,7 @@ pub(super) const LIST: List = List {
     naming: Naming::One(t("HERRAMIENTAS", "TOOLS")),
     title: t("Herramientas", "Tools"),
     note: t(
-        "El catálogo: una herramienta por fila. Una herramienta con T está montada en ese puesto de la torreta, de 1 a 8. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al punto de referencia de la torreta, hacia +X y +Z: son los correctores del control. M es el giro de corte, según la cara que queda arriba; en las de ranurar y roscar, M y la mano dan además el lado del mango. Si M está vacía en una de ellas: R corta con M3; L corta con M3 en torreta delantera, con el mango hacia el plato, y con M4 en torreta trasera.",
+        "El catálogo: una herramienta por fila. Una herramienta con T está montada en ese puesto de la torreta, de 1 a 8. El punto programado es la punta teórica de la placa; en una herramienta de ranurar, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al punto de referencia de la torreta, hacia +X y +Z: son los correctores del control. M es el giro de corte, según la cara que queda arriba; en las de ranurar y roscar, M y la mano dan además el lado del mango. Si M está vacía en una de ellas: R corta con M3; L corta con M3 en torreta delantera, con el mango hacia el plato, y con M4 en torreta trasera.",
         "The catalogue: one tool per row. A tool with a T is mounted in that turret place, 1 to 8. The programmed point is the imaginary tip of the insert; for a grooving insert its left corner, for a drill its point. Q_x and Q_z go from that point to the turret reference point, towards +X and +Z: they are the tool offsets in the control. M is the spindle direction in the cut, according to the face that is up; for grooving and threading tools, M and the hand also give the side of the shank. If M is empty for such a tool: R cuts with M3; L cuts with M3 in a front turret, with its shank towards the chuck, and with M4 in a rear turret.",
     ),
     is_program: false,

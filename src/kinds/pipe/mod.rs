@@ -50,7 +50,7 @@ const fn way_title(kerf: f64) -> Text {
 /// What the head of a program says of the kerf in mm, in Spanish and English. With 0 the torch goes along the curve itself.
 fn kerf_in_header(kerf: f64) -> [String; 2] {
     if kerf > 0.0 {
-        [format!("CORTE DE {kerf:.3} COMPENSADO"), format!("KERF {kerf:.3} COMPENSATED")]
+        [format!("ANCHO DE CORTE {kerf:.3} COMPENSADO"), format!("KERF {kerf:.3} COMPENSATED")]
     } else {
         ["ANCHO DE CORTE SIN COMPENSAR".to_owned(), "KERF NOT COMPENSATED".to_owned()]
     }

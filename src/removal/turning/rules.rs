@@ -418,7 +418,7 @@ rules! {
             "The stick-out must be above 0 and less than the length of the stock.";
         example checked!();
     "L0225" StockFacing Stop {}
-        es "el sobremetal de refrentado L5 es imposible"
+        es "la demasía de refrentado L5 es imposible"
         en "the facing allowance L5 is impossible"
         remedy "cambie las medidas del bruto", "change the sizes of the stock";
         why "El cero pieza W1 quedaría dentro de las garras.",
@@ -447,11 +447,11 @@ rules! {
         example book!("lathe", "L" = "1000", "L4" = "100", "Z_s" = "1000", "PROGRAM 2!A6" = "M30");
 
     "L0233" BladeWedge Stop alarm Lathe 101 {}
-        es "La lama roza en rápido la cuña que su flanco inclinado ha dejado en la pared"
+        es "La herramienta de ranurar roza en rápido la cuña que su flanco inclinado ha dejado en la pared"
         en "The blade scrapes, in rapid, the wedge that its inclined side has left at the wall"
         remedy "retire con avance de trabajo, o sepárela antes unas décimas de la pared",
             "retract at feed rate, or move it some tenths away from the wall first";
-        why "Al cilindrar con una lama queda en la pared una cuña de profundidad × tan 1°, y en rápido ninguna herramienta corta.",
+        why "Al cilindrar con una herramienta de ranurar queda en la pared una cuña de profundidad × tan 1°, y en rápido ninguna herramienta corta.",
             "Turning sideways with a blade leaves a wedge of depth × tan 1° at the wall, and in rapid no tool cuts.";
         example program!("G50 S2500|T0303|G97 S500 M3|M8|G0 X54. Z-20.|G1 X40. F0.1|Z-30.|G0 X54.|X100. Z50. M9|M30");
     "L0237" IntermediateInMetal Stop alarm Lathe 101 {}

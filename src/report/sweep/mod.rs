@@ -201,7 +201,7 @@ impl Setter<'_> {
     fn varied(&mut self) -> Chapter {
         let plan = self.results.plan;
         let (count, seed) = (plan.count, plan.seed);
-        let method = plan.method.key();
+        let method = plan.method.label();
         let judged = self.results.judged_by();
         let chance = if matches!(plan.method, Method::Latin | Method::Sobol | Method::Saltelli) {
             Text::new(format!(", seed = {seed}"), format!(", seed = {seed}"))
@@ -209,8 +209,8 @@ impl Setter<'_> {
             t("", "")
         };
         let mut paragraphs = vec![Text::new(
-            format!("{count} diseños, method = {method}{}. Cada uno se comprueba {}.", chance.es, judged.es),
-            format!("{count} designs, method = {method}{}. Each is checked {}.", chance.en, judged.en),
+            format!("{count} diseños, method = {}{}. Cada uno se comprueba {}.", method.es, chance.es, judged.es),
+            format!("{count} designs, method = {}{}. Each is checked {}.", method.en, chance.en, judged.en),
         )];
         let list = |name: Text, all: Vec<String>| {
             let all = all.join("; ");

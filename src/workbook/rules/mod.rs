@@ -1,6 +1,6 @@
 //! Findings about a workbook and of any other file that is read: one row each.
 //!
-//! W01 the file, W02 its package and parts, W03 cells as they are written, W04 values, W05 sheets and symbols, W06 lists, W07 work
+//! W01 the file, W02 its package and parts, W03 cells as they are written, W04 values, W05 sheets and symbols (W0540 on: values too), W06 lists, W07 work
 //! offsets.
 
 pub mod cell;

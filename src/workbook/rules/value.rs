@@ -186,4 +186,11 @@ rules! {
         remedy "conviértalo y escriba solo el número; la unidad de la celda: {unit}", "convert it, and type the number alone; the unit of the cell: {unit}";
         why "Un número en otra unidad no es el de la celda, y rodete no adivina esa unidad.", "A number in another unit is not that of the cell, and rodete does not guess that unit.";
         example book!("impeller", "R" = "'12 kg");
+    "W0540" NoSuchDay Stop { name: Text, text: String, cell: String }
+        es "{name} es \"{text}\", un día que no existe en ningún calendario"
+        en "{name} is \"{text}\", a day that no calendar has"
+        remedy "escriba en {cell} un día que exista, como 2026-11-23, o vacíela", "in {cell} write a day that exists, such as 2026-11-23, or empty the cell";
+        why "La fecha va en el informe tal como se escribió; con un día que no existe no se sabe de cuándo es.",
+            "The report carries the date as it was typed; with a day that does not exist, its age is not known.";
+        example book!("impeller", "date" = "'31/02/2026");
 }

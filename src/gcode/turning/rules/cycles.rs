@@ -209,9 +209,9 @@ rules! {
             "G71 roughs along Z and goes in along X; G72 roughs along X and goes in along Z.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G72 W2. R1.|G72 P10 Q20 U.4 W.1|N10 G0 X20.|G1 Z-10.|N20 X50.|M30", "5");
     "G0644" PlungesApart Caution { number: u8, step: Size, width: Size }
-        es "G{number}: la herramienta entra cada {step} y la cuchilla mide {width} de ancho: entre las entradas queda material"
+        es "G{number}: la herramienta entra cada {step} y mide {width} de ancho: entre las entradas queda material"
         en "G{number}: the tool goes in every {step} and the blade is {width} wide: metal stays between the plunges"
-        remedy "reduzca el paso por debajo del ancho de la cuchilla, o llame a una más ancha",
+        remedy "reduzca el paso por debajo del ancho de la herramienta de ranurar, o llame a una más ancha",
             "make the step smaller than the blade is wide, or call a wider one";
         why "Entre dos entradas queda un anillo tan alto como honda es la ranura: se rompe, o choca con lo que viene después.",
             "Between two plunges a ring stays as high as the groove is deep: it breaks off, or what comes after hits it.";

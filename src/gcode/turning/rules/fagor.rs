@@ -107,7 +107,7 @@ rules! {
     "G0685" FagorHoleWithoutDepth Stop {}
         es "el agujero tiene profundidad 0"
         en "the hole has depth 0"
-        remedy "dé I, positivo hacia −Z", "give I, positive towards −Z";
+        remedy "dé I, positivo hacia -Z", "give I, positive towards -Z";
         why "Sin profundidad la broca no corta.", "Without a depth the drill does not cut.";
         example Example::program("fagor-8055-t", "G95 F0.2 S500 M3|G0 X40 Z2|G83 X0 Z0 I0 B5 D1|M30", "3:1");
     "G0686" FagorDrillNegative Stop { letter: char }
@@ -146,11 +146,11 @@ rules! {
             "With B0 the cycle taps, and this word means something else.";
         example Example::program("fagor-8055-t", "G95 F0.2 S500 M3|G0 X40 Z2|G83 X0 Z0 I10 B0 D1 H3|M30", "3:21");
     "G0692" FagorGroovePoint Caution { number: u8 }
-        es "G{number}: rodete recorre la ranura con el punto programado; el control resta el ancho de la cuchilla"
+        es "G{number}: rodete recorre la ranura con el punto programado; el control resta el ancho de la herramienta de ranurar"
         en "G{number}: rodete moves the programmed point along the groove; the control subtracts the width of the grooving tool"
-        remedy "compruebe el ancho de la cuchilla (NOSEW) en la tabla del control",
+        remedy "compruebe el ancho de la herramienta de ranurar (NOSEW) en la tabla del control",
             "check the width of the grooving tool (NOSEW) in the control's table";
-        why "El ancho de la cuchilla está en la tabla del control, no en el programa.",
+        why "El ancho de la herramienta de ranurar está en la tabla del control, no en el programa.",
             "The width of the grooving tool is in the control's table, not in the program.";
         example Example::program("fagor-8055-t", "G95 F0.2 S500 M3|G0 X40 Z2|G88 X30 Z-5 Q20 R-9 C2 D1|M30", "3:1");
     "G0693" FagorLetterMissing Stop { letter: char, number: u8 }
@@ -162,9 +162,9 @@ rules! {
     "G0694" FagorGrooveStepMissing Stop { number: u8 }
         es "falta C en G{number}"
         en "C is missing in G{number}"
-        remedy "añada C: sin ella el control usa el ancho de la cuchilla, que no está en el programa",
+        remedy "añada C: sin ella el control usa el ancho de la herramienta de ranurar, que no está en el programa",
             "add C: without it the control uses the width of the grooving tool, which is not in the program";
-        why "El ancho de la cuchilla está en la tabla del control.",
+        why "El ancho de la herramienta de ranurar está en la tabla del control.",
             "The width of the grooving tool is in the control's table.";
         example Example::program("fagor-8055-t", "G95 F0.2 S500 M3|G0 X40 Z2|G88 X30 Z-5 Q20 R-9 D1|M30", "3:1");
     "G0695" FagorTaps Caution { with: Text }

@@ -13,9 +13,9 @@ choices! {
     /// The method by which the part is cut.
     pub enum Method {
         /// Two tip paths beside the mean line, the tool along its N.
-        Published = "published" ("published", "published"),
+        Published = "published" ("publicado", "published"),
         /// The whole channel: roughing, floor and flanks.
-        Clear = "clear" ("clear", "clear"),
+        Clear = "clear" ("canal", "clear"),
     }
 }
 
@@ -25,7 +25,7 @@ pub(in crate::kinds::impeller) static METHOD: Field<Method, Usual> = Field::choi
     "method",
     t("Cómo se corta la pieza", "How the part is cut"),
     t(
-        "clear: desbasta todo el canal y acaba fondo y caras como se diseñaron; published, o vacía: solo las dos pasadas publicadas por álabe",
+        "canal: desbasta todo el canal y acaba fondo y caras como se diseñaron; publicado, o vacía: solo las dos pasadas publicadas por álabe",
         "clear: roughs the whole channel and finishes floor and faces as designed; published, or empty: only the two published passes per blade",
     ),
 );
@@ -36,7 +36,7 @@ pub(in crate::kinds::impeller) static D_F: Field<f64, Optional> = Field::real(
     [0.2, 100.0],
     t("Diámetro de la fresa de acabado", "Diameter of the finishing tool"),
     t(
-        "Solo con method = clear; d_t es entonces la de desbaste. Fresa frontal si r_cf está vacía; vacía: la misma herramienta, T y D",
+        "Solo con method = canal; d_t es entonces la de desbaste. Fresa frontal si r_cf está vacía; vacía: la misma herramienta, T y D",
         "Only with method = clear; d_t is then the roughing tool. Flat end mill if r_cf is empty; empty: the same tool, T and D",
     ),
 );
@@ -62,7 +62,7 @@ pub(in crate::kinds::impeller) static F_F: Field<f64, Optional> = Field::real(
     Unit::MillimetrePerMinute,
     [0.1, 50_000.0],
     t("Avance de la punta al acabar", "Feed of the tool tip when finishing"),
-    t("Solo con method = clear; vacía: F", "Only with method = clear; empty: F"),
+    t("Solo con method = canal; vacía: F", "Only with method = clear; empty: F"),
 );
 pub(in crate::kinds::impeller) static S_F: Field<u32, Optional> = Field::whole(
     "S_f",
@@ -70,7 +70,7 @@ pub(in crate::kinds::impeller) static S_F: Field<u32, Optional> = Field::whole(
     Unit::RevolutionPerMinute,
     [1, 200_000],
     t("Velocidad del husillo al acabar", "Spindle speed when finishing"),
-    t("Solo con method = clear; vacía: S", "Only with method = clear; empty: S"),
+    t("Solo con method = canal; vacía: S", "Only with method = clear; empty: S"),
 );
 pub(in crate::kinds::impeller) static ALLOWANCE: Field<f64, Usual> = Field::real_or(
     0.3,
@@ -79,7 +79,7 @@ pub(in crate::kinds::impeller) static ALLOWANCE: Field<f64, Usual> = Field::real
     MM,
     [0.0, 10.0],
     t("Demasía que deja el desbaste en caras y fondo", "Allowance that roughing leaves on faces and floor"),
-    t("Solo con method = clear; vacía: 0.3", "Only with method = clear; empty: 0.3"),
+    t("Solo con method = canal; vacía: 0.3", "Only with method = clear; empty: 0.3"),
 );
 pub(in crate::kinds::impeller) static LEVEL: Field<f64, Optional> = Field::real(
     "a_k",
@@ -87,7 +87,7 @@ pub(in crate::kinds::impeller) static LEVEL: Field<f64, Optional> = Field::real(
     MM,
     [0.01, 100.0],
     t("Profundidad máxima de un nivel de desbaste", "Maximum depth of a roughing level"),
-    t("Solo con method = clear; vacía: 0.5·d_t", "Only with method = clear; empty: 0.5·d_t"),
+    t("Solo con method = canal; vacía: 0.5·d_t", "Only with method = clear; empty: 0.5·d_t"),
 );
 pub(in crate::kinds::impeller) static STEP: Field<f64, Usual> = Field::real_or(
     0.7,
@@ -97,7 +97,7 @@ pub(in crate::kinds::impeller) static STEP: Field<f64, Usual> = Field::real_or(
     [0.05, 0.95],
     t("Paso lateral del desbaste, en diámetros", "Sideways step of roughing, in diameters"),
     t(
-        "Solo con method = clear; vacía: 0.7; en metal duro, 0.4",
+        "Solo con method = canal; vacía: 0.7; en metal duro, 0.4",
         "Only with method = clear; empty: 0.7; in hard metal, 0.4",
     ),
 );
@@ -108,7 +108,7 @@ pub(in crate::kinds::impeller) static SCALLOP: Field<f64, Usual> = Field::real_o
     MM,
     [0.0005, 1.0],
     t("Altura de las crestas entre pasadas del fondo", "Height of the ridges between floor lanes"),
-    t("Solo con method = clear; vacía: 0.02", "Only with method = clear; empty: 0.02"),
+    t("Solo con method = canal; vacía: 0.02", "Only with method = clear; empty: 0.02"),
 );
 pub(in crate::kinds::impeller) static FEED_CHANGE: Field<f64, Optional> = Field::real(
     "delta",
@@ -120,7 +120,7 @@ pub(in crate::kinds::impeller) static FEED_CHANGE: Field<f64, Optional> = Field:
         "How much the feed of the tip may change within a block",
     ),
     t(
-        "Solo con method = clear; 0.02 es el 2 %. Vacía: sin límite; rodete avisa del cambio",
+        "Solo con method = canal; 0.02 es el 2 %. Vacía: sin límite; rodete avisa del cambio",
         "Only with method = clear; 0.02 is 2 %. Empty: no limit; rodete reports the change",
     ),
 );
@@ -131,7 +131,7 @@ pub(in crate::kinds::impeller) static STICK_OUT: Field<f64, Optional> = Field::r
     [1.0, 500.0],
     t("Voladizo de la herramienta T", "Stick-out of the tool T"),
     t(
-        "Solo con method = clear, de la punta al portaherramientas; vacía: rodete avisa del voladizo que basta",
+        "Solo con method = canal, de la punta al portaherramientas; vacía: rodete avisa del voladizo que basta",
         "Only with method = clear, from the tip to the holder; empty: rodete reports the stick-out that is enough",
     ),
 );
@@ -142,7 +142,7 @@ pub(in crate::kinds::impeller) static STICK_OUT_F: Field<f64, Optional> = Field:
     [1.0, 500.0],
     t("Voladizo de la fresa de acabado", "Stick-out of the finishing tool"),
     t(
-        "Solo con method = clear, de la punta al portaherramientas; vacía: rodete avisa del voladizo que basta",
+        "Solo con method = canal, de la punta al portaherramientas; vacía: rodete avisa del voladizo que basta",
         "Only with method = clear, from the tip to the holder; empty: rodete reports the stick-out that is enough",
     ),
 );
@@ -166,7 +166,7 @@ pub(in crate::kinds::impeller) static CORNER: Field<f64, Usual> = Field::real_or
     [0.0, 50.0],
     t("Radio de esquina de la fresa d_t", "Corner radius of the tool d_t"),
     t(
-        "Solo con method = clear; vacía: 0, fresa frontal; d_t/2 es una esférica, entre ambos una tórica",
+        "Solo con method = canal; vacía: 0, fresa frontal; d_t/2 es una esférica, entre ambos una tórica",
         "Only with method = clear; empty: 0, a flat end mill; d_t/2 is a ball end mill, between them a bull-nose one",
     ),
 );
@@ -191,7 +191,7 @@ pub(in crate::kinds::impeller) static ROOT: Field<f64, Optional> = Field::real(
         "Height of material allowed in the corner of face and floor",
     ),
     t(
-        "Solo con method = clear; rodete da la mayor fresa frontal que no deja más. Vacía: no da ninguna",
+        "Solo con method = canal; rodete da la mayor fresa frontal que no deja más. Vacía: no da ninguna",
         "Only with method = clear; rodete names the largest flat end mill that leaves no more. Empty: it names none",
     ),
 );
@@ -201,7 +201,7 @@ pub(in crate::kinds::impeller) static PARTLY: Field<bool, Usual> = Field::choice
     "cut_partly",
     t("Cortar hasta donde quepa la fresa", "Cut as far as the tool fits"),
     t(
-        "Solo con method = clear; sí: si la fresa no llega al cubo, rodete corta desde el borde hasta donde cabe y avisa de lo que queda. Vacía: no; rodete lo rechaza",
+        "Solo con method = canal; sí: si la fresa no llega al cubo, rodete corta desde el borde hasta donde cabe y avisa de lo que queda. Vacía: no; rodete lo rechaza",
         "Only with method = clear; yes: if a tool does not fit as far as the hub, rodete cuts from the rim to where it fits and reports what is left. Empty: no; rodete rejects it",
     ),
 );

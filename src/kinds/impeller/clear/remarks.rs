@@ -198,7 +198,7 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
             let (tool, from, place) = (tool_name(which), Size::mm(stage.from), Place::Parameters(cells));
             findings.push(if found.is_finite() {
                 let told = HolderHitsBlank { tool, clearance, enough, d_s }.at(place);
-                told.with(format!("−{}", clearance.said(Language::En)), "≥ 0 mm".to_owned())
+                told.with(format!("-{}", clearance.said(Language::En)), "≥ 0 mm".to_owned())
             } else {
                 // Below this a holder of any diameter hits the blank; what is enough keeps d_s away from it.
                 let least = at_most(of(plan, which).stick_out - design.d_s);

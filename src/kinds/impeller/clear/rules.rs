@@ -27,10 +27,10 @@ rules! {
     /// The rows of a clear cut.
     RULES;
     "P1201" ClearNeedsFull Stop {}
-        es "method = clear necesita style = full: los anexos publicados no tienen forma para estos programas"
+        es "method = canal necesita style = completo: los anexos publicados no tienen forma para estos programas"
         en "method = clear needs style = full: the published annexes have no form for these programs"
-        remedy "elija style = full, o method = published", "choose style = full, or method = published";
-        why "Los programas de clear llevan avance, herramienta y dos archivos.", "The programs of clear carry feed, tool and two files.";
+        remedy "elija style = completo, o method = publicado", "choose style = full, or method = published";
+        why "Los programas de canal llevan avance, herramienta y dos archivos.", "The programs of clear carry feed, tool and two files.";
         example book!("impeller", "style" = "annex");
     "P1202" FinishingToolIncomplete Stop { symbol: Key }
         es "falta {symbol}: la fresa de acabado d_f necesita su número T_f y su corrector D_f"
@@ -84,7 +84,7 @@ rules! {
         es "en el rincón de cara y fondo queda material de hasta {height} de alto, al {here} % del camino del cubo al borde (a media altura, {thick} de grueso); no cuenta lo que no pasa de {over} de grueso"
         en "in the corner of face and floor up to {height} of metal is left in height, at {here} % of the way from hub to rim ({thick} thick half-way up); what is no thicker than {over} is not counted"
         remedy "una fresa de acabado menor, o de menor radio de esquina, deja menos", "a smaller finishing tool, or one of a smaller corner radius, leaves less";
-        why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
+        why "Una fresa no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");
     "P1211" RidgesOfTheFloor Note { most: Size, beside: Size, share: Size }
         es "en el fondo quedan unos {most}, a más de {beside} de las caras, al {share} % del camino del cubo al borde"
@@ -117,9 +117,9 @@ rules! {
         why "Un programa tan largo no cabe en la memoria de muchos controles.", "So long a program does not fit the memory of many controls.";
         example book!("impeller", "tol" = "0.0045", "delta" = "0.005");
     "P1216" PublishedLeavesMetal Caution {}
-        es "method = published corta solo dos pasadas por álabe: queda metal en el canal y las caras salen más delgadas en la raíz"
+        es "method = publicado corta solo dos pasadas por álabe: queda metal en el canal y las caras salen más delgadas en la raíz"
         en "method = published cuts only two passes per blade: metal is left in the channel, and the faces come out thinner at the root"
-        remedy "elija method = clear, que corta la pieza diseñada; published es para repetir los programas publicados", "choose method = clear, which cuts the part as designed; published is for repeating the published programs";
+        remedy "elija method = canal, que corta la pieza diseñada; publicado es para repetir los programas publicados", "choose method = clear, which cuts the part as designed; published is for repeating the published programs";
         why "El método publicado no desbasta ni acaba el fondo.", "The published method neither roughs the channel nor finishes the floor.";
         example book!("impeller", "method" = "");
     "P1217" CornerBeyondRadius Stop { symbol: Key, r_c: Size, half: Size }
@@ -174,10 +174,10 @@ rules! {
             "Without d_h it is not known whether the holder passes through the channel, and one that does not pass hits the part.";
         example book!("impeller", "splitters" = "no", "l_t" = "8");
     "P1225" GapBelowRule Note { gap: Size, tool: Size, least: Size }
-        es "entre los álabes pasa como mucho una herramienta de {gap}; para la de {tool} la regla publicada pediría {least}; con method = clear rodete demuestra la separación"
+        es "entre los álabes pasa como mucho una herramienta de {gap}; para la de {tool} la regla publicada pediría {least}; con method = canal rodete demuestra la separación"
         en "a tool of {gap} at most passes between the blades; for the tool of {tool} the published rule would ask for {least}; with method = clear rodete proves the gap itself"
         remedy "", "";
-        why "La regla publicada pide un tercio más que la herramienta; de un corte clear rodete comprueba cada pasada con los álabes vecinos.",
+        why "La regla publicada pide un tercio más que la herramienta; con canal rodete comprueba cada pasada con los álabes vecinos.",
             "The published rule asks for a third more than the tool; of a clear cut rodete checks each pass against the neighbouring blades.";
         example book!("impeller", "splitters" = "no");
     "P1226" StretchesNotReached Caution { count: usize, what: Text, from: Size, to: Size, smaller: Text }
@@ -204,7 +204,7 @@ rules! {
         es "en el rincón de cara y fondo queda material de hasta {width} de ancho, al {there} % del camino del cubo al borde; no cuenta lo que no pasa de {over} de grueso"
         en "in the corner of face and floor up to {width} of metal is left in width, at {there} % of the way from hub to rim; what is no thicker than {over} is not counted"
         remedy "una fresa de acabado menor, o de menor radio de esquina, deja menos", "a smaller finishing tool, or one of a smaller corner radius, leaves less";
-        why "La fresa cilíndrica no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
+        why "Una fresa no puede acabar a la vez una cara inclinada y un fondo cóncavo.", "An end mill cannot finish a leaning face and a concave floor at once.";
         example book!("impeller", "splitters" = "no");
     "P1230" FinishingCellsNotRead Caution { cells: Text, r_c: Size }
         es "sin d_f acaba la misma herramienta que desbasta, y no se lee: {cells}; el radio de esquina es r_c = {r_c}"

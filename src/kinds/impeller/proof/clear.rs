@@ -394,7 +394,7 @@ impl ClearCutting<'_> {
     /// A question of a clearance, with what was found of it and the least there may be.
     fn clearance(&self, asked: Question, bounds: Bounds, at: At) -> Question {
         let least = self.least_left();
-        let sign = if least < 0.0 { "−" } else { "" };
+        let sign = if least < 0.0 { "-" } else { "" };
         asked
             .showing(bounded(bounds.lower, bounds.upper), Text::same(format!("≥ {sign}{}", mm(least.abs()))))
             .at(Some(at))

@@ -69,14 +69,14 @@ crate::finding::rule::rules! {
     "V0109" PublishedSplitterCutsBlade Caution { point: Size, depth: Size, line: usize, program: Text }
         es "la pasada del álabe intermedio corta el álabe vecino (en su punto {point}) {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "the splitter's pass cuts into the neighbouring blade (at its point {point}) by {depth} across the tool, in line {line} of \"{program}\""
-        remedy "ponga splitter_fade = each-side o splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set splitter_fade = each-side or splitters = no, or use fewer blades, thinner blades, or a smaller tool";
+        remedy "ponga splitter_fade = cada lado o splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set splitter_fade = each-side or splitters = no, or use fewer blades, thinner blades, or a smaller tool";
         why "El metal que la herramienta quita a otro álabe no se recupera.",
             "Metal cut from another blade is lost.";
         example Example::Slip { kind: "impeller --case full", cells: &[("splitter_fade", "published")], program: "splitter", from: "", to: "" };
     "V0110" PublishedSplitterMayCutBlade Caution { point: Size, line: usize, program: Text }
         es "no está demostrado que la pasada del álabe intermedio libre el álabe vecino (en su punto {point}): pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the splitter's pass clears the neighbouring blade (at its point {point}): it comes nearest in line {line} of \"{program}\""
-        remedy "ponga splitter_fade = each-side o splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set splitter_fade = each-side or splitters = no, or use fewer blades, thinner blades, or a smaller tool";
+        remedy "ponga splitter_fade = cada lado o splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set splitter_fade = each-side or splitters = no, or use fewer blades, thinner blades, or a smaller tool";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
         example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
@@ -111,28 +111,28 @@ crate::finding::rule::rules! {
     "V0121" ToolInStock Stop { depth: Size, line: usize, program: Text }
         es "la herramienta entra al menos {depth} en el bruto fuera de las pasadas, en la línea {line} de «{program}»"
         en "the tool goes at least {depth} into the stock outside the passes, in line {line} of \"{program}\""
-        remedy "elija una distancia de seguridad d_s mayor o, con method = published, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
+        remedy "elija una distancia de seguridad d_s mayor o, con method = publicado, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
         why "Fuera de las pasadas la herramienta va en rápido y se rompe si toca el bruto.",
             "Outside the passes the tool moves in rapid and breaks if it touches the stock.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N100 G0 X-250.900", to: "N100 G0 X-220.900" };
     "V0122" ToolMayBeInStock Stop { line: usize, program: Text }
         es "no está demostrado que la herramienta libre el bruto en la línea {line} de «{program}»"
         en "it is not proved that the tool clears the stock in line {line} of \"{program}\""
-        remedy "elija una distancia de seguridad d_s mayor o, con method = published, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
+        remedy "elija una distancia de seguridad d_s mayor o, con method = publicado, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
         example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
     "V0123" ToolNearStock Caution { distance: Size, line: usize, program: Text }
         es "la herramienta pasa a {distance} del bruto, menos que d_s, en la línea {line} de «{program}»"
         en "the tool passes {distance} from the stock, closer than d_s, in line {line} of \"{program}\""
-        remedy "elija una distancia de seguridad d_s mayor o, con method = published, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
+        remedy "elija una distancia de seguridad d_s mayor o, con method = publicado, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
         why "La distancia de seguridad cubre lo que el bruto y el amarre midan de más.",
             "The safety distance covers stock and clamping that are larger than given.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.269 Z9.517" };
     "V0124" ToolMayBeNearStock Caution { distance: Size, line: usize, program: Text }
         es "solo está demostrado que la herramienta pasa a {distance} del bruto o más, menos que d_s, en la línea {line} de «{program}»"
         en "it is only proved that the tool passes {distance} or more from the stock, which is less than d_s, in line {line} of \"{program}\""
-        remedy "elija una distancia de seguridad d_s mayor o, con method = published, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
+        remedy "elija una distancia de seguridad d_s mayor o, con method = publicado, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
         why "Si los dos límites no llegan a converger, rodete cuenta con el menor.",
             "If the bounds do not converge, rodete counts the lower one.";
         example Example::Never(t("los límites convergen antes de agotar el cálculo permitido", "the bounds converge before the limit of the computation"));
@@ -190,13 +190,13 @@ crate::finding::rule::rules! {
     "V0133" BladeCutsSplitter Caution { depth: Size, line: usize, program: Text }
         es "la pasada de un álabe corta {depth} de un álabe intermedio, a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "the pass of a blade cuts {depth} off a splitter, across the tool, in line {line} of \"{program}\""
-        remedy "ponga method = clear o splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set method = clear or splitters = no, or use fewer blades, thinner blades, or a smaller tool";
+        remedy "ponga method = canal o splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set method = clear or splitters = no, or use fewer blades, thinner blades, or a smaller tool";
         why "El intermedio se corta después, y le faltará ese metal.", "The splitter is cut afterwards, and that metal will be missing.";
         example Example::Slip { kind: "impeller --case tfg-2021", cells: &[], program: "blade", from: "", to: "" };
     "V0134" BladeMayCutSplitter Caution { line: usize, program: Text }
         es "no está demostrado que la pasada de un álabe libre los intermedios: pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the pass of a blade clears the splitters: it comes nearest in line {line} of \"{program}\""
-        remedy "compruébelo en el visor, o ponga method = clear", "check it in the viewer, or set method = clear";
+        remedy "compruébelo en el visor, o ponga method = canal", "check it in the viewer, or set method = clear";
         why "rodete solo cuenta con la distancia que queda demostrada.", "rodete counts only on the distance that is proved.";
         example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
     "V0135" HolderNearBlank Caution { tool: Text, near: Size, enough: Size }
@@ -230,7 +230,7 @@ crate::finding::rule::rules! {
     "V0404" NoSpeedLimitAsPublished Caution {}
         es "el torno trabaja a velocidad de corte constante sin límite de giro: al refrentar, el husillo se acelera hasta su máximo"
         en "the lathe runs at constant surface speed without a speed limit: facing takes the spindle to its maximum speed"
-        remedy "limite el giro en el control antes de empezar, o elija style = full con S_m", "set a speed limit at the control before the start, or choose style = full with S_m";
+        remedy "limite el giro en el control antes de empezar, o elija style = completo con S_m", "set a speed limit at the control before the start, or choose style = full with S_m";
         why "A la velocidad máxima las garras pierden fuerza y la pieza puede salir despedida; el programa publicado no pone límite.",
             "At maximum speed the jaws lose their grip and may throw the work; the published program sets no limit.";
         example Example::Slip { kind: "impeller --case full", cells: &[("style", "annex")], program: "blank", from: "", to: "" };

@@ -154,20 +154,20 @@ fn comments(design: &Design, header: &mut Header) {
     let [es, en] = kerf_in_header(design.kerf);
     header.line(&format!("{es} - AVANCE {F} MM-MIN"), &format!("{en} - FEED {F} MM-MIN"));
     header.line(
-        "X0 EN EL EJE DEL INJERTO - Z0 EN EL EJE DEL TUBO",
+        "X0 EN EL EJE DEL INJERTO - Z0 EN EL EJE DEL TUBO BASE",
         "X0 ON THE AXIS OF THE BRANCH - Z0 ON THE AXIS OF THE PIPE",
     );
     header.line(
-        "A RODEA EL TUBO SEGUN ISO 841 - EL TUBO GIRA AL REVES",
+        "SENTIDO DE A SEGUN ISO 841 - EL TUBO GIRA AL REVES",
         "A GOES ROUND THE PIPE BY ISO 841 - PIPE TURNS BACKWARDS",
     );
-    header.line("X Y Z DE LA PUNTA DE LA ANTORCHA - Y SIEMPRE 0", "X Y Z OF THE TORCH TIP - Y ALWAYS 0");
+    header.line("X Y Z SON LA PUNTA DE LA ANTORCHA - Y SIEMPRE 0", "X Y Z OF THE TORCH TIP - Y ALWAYS 0");
     header.line("B INCLINA Y C GIRA LA ANTORCHA SOBRE SU PUNTA", "B TILTS AND C SWINGS THE TORCH ABOUT ITS TIP");
     match distance(design) {
         Distance::Incremental => {
             header.true_for_both();
             header.line(
-                "A B C DEBEN MARCAR 0 ANTES - AHI VUELVEN AL ACABAR",
+                "ANTES DE ARRANCAR A B C DEBEN MARCAR 0 - ACABAN EN 0",
                 "A B C MUST SHOW 0 BEFORE - THERE THEY END",
             );
         }

@@ -1,8 +1,10 @@
 //! The live form of the branch: its sizes, its closed limits, and the template on the development.
 
-use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
+use crate::gcode::program::Style;
+use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, holds};
 use crate::kinds::live_form::feed_needed;
 use crate::kinds::pipe::insert::enveloped;
+use crate::kinds::pipe::insert::parameters::Mode;
 use crate::kinds::pipe::live_form::{BRANCH, found, rows as pipes, sizes, thick};
 use crate::table::{Formula, Unit};
 use crate::text::t;
@@ -101,21 +103,25 @@ fn rows() -> Vec<LiveRow> {
         LiveRow::length("F", "live_F", t("Velocidad de corte", "Cutting speed"), "IF(ISNUMBER(feed_F),feed_F,\"\")")
             .unit(Unit::MillimetrePerMinute)
             .wrong(
-                "AND(TRIM(style)=\"full\",NOT(ISNUMBER(feed_F)))",
-                t("style = full necesita F", "style = full needs F"),
+                format!("AND({},NOT(ISNUMBER(feed_F)))", holds("style", Style::Full)),
+                t("style = completo necesita F", "style = full needs F"),
                 "feed_F",
             ),
         feed_needed(
             LiveRow::length("style", "live_style", t("Estilo del programa", "Style of the program"), "style&\"\"")
                 .unit(Unit::None)
                 .wrong(
-                    "AND(TRIM(style)=\"annex\",OR(TRIM(mode)=\"rotary\",TRIM(mode)=\"giratorio\"))",
-                    t("annex es en chapa plana", "annex is on flat sheet"),
+                    format!("AND({},{})", holds("style", Style::Annex), holds("mode", Mode::Rotary)),
+                    t("anexo es en chapa plana", "annex is on flat sheet"),
                     "style",
                 ),
         ),
         LiveRow::length("kerf", "live_kerf", t("Ancho de corte", "Kerf"), "IF(ISNUMBER(kerf),kerf,\"\")").wrong(
-            "AND(TRIM(style)=\"full\",OR(TRIM(mode)=\"rotary\",TRIM(mode)=\"giratorio\"),ISNUMBER(kerf),kerf>live_branch_D/2-live_branch_t)",
+            format!(
+                "AND({},{},ISNUMBER(kerf),kerf>live_branch_D/2-live_branch_t)",
+                holds("style", Style::Full),
+                holds("mode", Mode::Rotary)
+            ),
             t("mayor que el radio interior del injerto", "larger than the inside radius of the branch"),
             "kerf",
         ),

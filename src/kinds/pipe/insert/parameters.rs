@@ -144,7 +144,7 @@ pub(super) static F: Field<f64, Optional> = Field::real(
     [1.0, 50_000.0],
     t("Velocidad de corte", "Cutting speed"),
     t(
-        "Obligatorio con style = full; con annex puede quedar vacía",
+        "Obligatorio con style = completo; con anexo puede quedar vacía",
         "Required with style = full; with annex it may stay empty",
     ),
 );
@@ -180,7 +180,10 @@ pub(super) static STYLE: Field<Style, Required> = Field::choice(
     "style",
     "style",
     t("Estilo del programa", "Style of the program"),
-    t("annex: como el publicado; full: completo", "annex: as published; full: complete"),
+    t(
+        "anexo: como el publicado; completo: con avance, antorcha y fin de programa",
+        "annex: as published; full: complete",
+    ),
 );
 
 const PROGRAM: &[&Parameter] = &[

@@ -222,25 +222,25 @@ fn comments(design: &Design, header: &mut Header) {
         Mode::Flat => {
             let round = mm(design.outline().round());
             header.line(
-                &format!("CHAPA PLANA - X0 A X{round} ES UNA VUELTA - Y0 BORDE"),
+                &format!("CHAPA PLANA - DE X0 A X{round} UNA VUELTA - Y0 EN EL BORDE"),
                 &format!("FLAT SHEET - X0 TO X{round} IS ONCE ROUND - Y0 EDGE"),
             );
         }
         Mode::Rotary => {
-            header.line("A0 ES LA LINEA DE PHI 0", "A0 IS THE LINE OF PHI 0");
+            header.line("A0 EN LA LINEA DE PHI 0", "A0 IS THE LINE OF PHI 0");
             header.line(
-                "A RODEA EL TUBO SEGUN ISO 841 - EL TUBO GIRA AL REVES",
+                "SENTIDO DE A SEGUN ISO 841 - EL TUBO GIRA AL REVES",
                 "A GOES ROUND THE PIPE BY ISO 841 - PIPE TURNS BACKWARDS",
             );
             header.line(
-                "X A LO LARGO DEL TUBO - X0 BORDE - CRECE HACIA EL CORTE",
+                "X A LO LARGO - X0 EN EL BORDE - POSITIVO HACIA EL CORTE",
                 "X ALONG THE PIPE - X0 EDGE - GROWS TOWARDS THE CUT",
             );
             match distance(design) {
                 Distance::Incremental => {
                     header.true_for_both();
                     header.line(
-                        "A DEBE MARCAR 0 ANTES - ACABA MAS ALLA DE UNA VUELTA",
+                        "ANTES DE ARRANCAR A DEBE MARCAR 0 - ACABA PASADA LA VUELTA",
                         "A MUST SHOW 0 BEFORE - IT ENDS BEYOND A TURN",
                     );
                 }
@@ -250,5 +250,5 @@ fn comments(design: &Design, header: &mut Header) {
             }
         }
     }
-    header.line("ALTURA DE LA ANTORCHA - LA LLEVA SU CONTROL", "TORCH HEIGHT - BY ITS OWN CONTROL");
+    header.line("ALTURA DE LA ANTORCHA - LA MANTIENE SU CONTROL DE ALTURA", "TORCH HEIGHT - BY ITS OWN CONTROL");
 }

@@ -27,9 +27,9 @@ rules! {
             "The path parallel to the curve would cross itself and cut into the part.";
         example book!("pipe-insert", "kerf" = "20", "theta" = "35", "branch_size" = "1/2 in");
     "P2104" AnnexIsFlat Stop {}
-        es "style = annex es el programa publicado, en chapa plana"
+        es "style = anexo es el programa publicado, en chapa plana"
         en "style = annex is the published program, on flat sheet"
-        remedy "elija style = full, o mode = plano", "choose style = full, or mode = flat";
+        remedy "elija style = completo, o mode = plano", "choose style = full, or mode = flat";
         why "No hay programa publicado para un tubo que gira.", "There is no published program for a turning pipe.";
         example book!("pipe-insert", "style" = "annex");
     "P2105" FasterThanFWord Stop { F: Size, word: Size, greatest: Size, most: Size }
@@ -47,16 +47,16 @@ rules! {
             "The template would be for a thicker pipe and would not fit round this one.";
         example book!("pipe-insert", "contact" = "inside", "r" = "44.45");
     "P2107" AnnexAsPublished Caution {}
-        es "style = annex es el programa publicado: sin avance, sin antorcha y sin fin de programa"
+        es "style = anexo es el programa publicado: sin avance, sin antorcha y sin fin de programa"
         en "style = annex is the published program: no feed, no torch and no program end"
-        remedy "póngalo dentro de un programa suyo, o elija style = full", "put it into a program of your own, or choose style = full";
+        remedy "póngalo dentro de un programa suyo, o elija style = completo", "put it into a program of your own, or choose style = full";
         why "Tal cual, el control lo recorrería sin cortar, con el avance del programa anterior.",
             "As it is, the control would follow it without cutting, at the feed of the previous program.";
         example book!("pipe-insert", "dialect" = "fagor-8055", "style" = "annex", "mode" = "flat");
     "P2108" AnnexWithoutKerf Caution {}
-        es "style = annex no compensa el ancho de corte"
+        es "style = anexo no compensa el ancho de corte"
         en "style = annex does not compensate the kerf"
-        remedy "elija style = full", "choose style = full";
+        remedy "elija style = completo", "choose style = full";
         why "La antorcha iría por la propia curva y quitaría medio ancho de corte a la pieza.",
             "The torch would follow the curve itself and take half the kerf off the part.";
         example book!("pipe-insert", "dialect" = "fagor-8055", "style" = "annex", "mode" = "flat");
@@ -153,9 +153,9 @@ rules! {
             "With mode = rotary the template is wrapped round the outside of the pipe; the program does not depend on it.";
         example book!("pipe-insert", "sheet" = "inside");
     "P2124" DecimalsAsPublished Caution { most: usize }
-        es "style = annex escribe las cotas con seis decimales, como el programa publicado; el control admite {most}"
+        es "style = anexo escribe las cotas con seis decimales, como el programa publicado; el control admite {most}"
         en "style = annex writes the dimensions with six decimals, as the published program has them; the control takes {most}"
-        remedy "elija style = full, que escribe tres, o compruebe antes en el control que los admite",
+        remedy "elija style = completo, que escribe tres, o compruebe antes en el control que los admite",
             "choose style = full, which writes three, or check first at the control that it takes them";
         why "El manual no dice si el control da una alarma o corta los decimales que sobran.",
             "The manual does not say whether the control raises an alarm or drops the other decimals.";
