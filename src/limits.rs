@@ -47,6 +47,9 @@ pub const BLOCK_HOLES: i64 = 9_999;
 /// A feed per revolution, mm, above which F is taken for one per minute. Threads and taps have leads up to 6 mm; a face mill of ten
 /// teeth takes 5.
 pub const GREATEST_FEED_PER_TURN: f64 = 10.0;
+/// The rapid rates of X (of the radius) and Z, mm/min, that threads are held against where the lathe is not known: those of the example
+/// machine, as `simulate` takes them without a workbook.
+pub const EXAMPLE_RAPID: [f64; 2] = [8000.0, 10_000.0];
 /// A dwell, s, beyond which its word is asked for its unit. None that a tool needs is longer.
 pub const LONGEST_DWELL: f64 = 60.0;
 

@@ -19,6 +19,7 @@ use crate::gcode::interpreter::{DecimalPoint, HolePlane, RotaryMode};
 use crate::kind::Kind;
 use crate::machine::work_offset::System;
 use crate::parameter::field::Chosen;
+use crate::removal::turning::stock::Support;
 use crate::text::Language;
 
 /// From a workbook of design parameters to checked tables, ISO programs and a report: 5-axis impellers, branch pipes, bevelled holes, turning.
@@ -443,6 +444,10 @@ pub(super) struct View {
     /// workbook's, or stock that encloses the path]
     #[arg(long, value_name = "STOCK", value_parser = super::stock::parse)]
     pub(super) stock: Option<Stock>,
+    /// Whether a tailstock supports the bar: yes, no, auto where it sticks out by more than 3 diameters [default: the lathe workbook's,
+    /// else auto]
+    #[arg(long, value_name = "RULE", value_parser = chosen::<Support>())]
+    pub(super) tailstock: Option<Support>,
     /// How to read a program; a workbook itself says what its programs are.
     #[command(flatten)]
     pub(super) control: ControlOptions,
@@ -462,6 +467,10 @@ pub(super) struct Simulate {
     /// Diameter, length and bore of the stock, in mm: D50xL100, D50xL100xd20 [default: the workbook's, or stock that encloses the path]
     #[arg(long, value_name = "STOCK", value_parser = super::stock::parse)]
     pub(super) stock: Option<Stock>,
+    /// Whether a tailstock supports the bar: yes, no, auto where it sticks out by more than 3 diameters [default: the lathe workbook's,
+    /// else auto]
+    #[arg(long, value_name = "RULE", value_parser = chosen::<Support>())]
+    pub(super) tailstock: Option<Support>,
     /// Lathe workbook with machine, stock and tools
     #[arg(long, value_name = "FILE.xlsx")]
     pub(super) tools: Option<PathBuf>,

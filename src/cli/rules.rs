@@ -96,11 +96,11 @@ rules! {
         why "Puede ser un diseño; rodete solo sustituye una comparación anterior.",
             "It may be a design; rodete replaces nothing but an earlier comparison.";
         example made!("compare-over-book", "compare a.xlsx b.xlsx -o c.xlsx, y c.xlsx es de rodete new", "compare a.xlsx b.xlsx -o c.xlsx where c.xlsx is of rodete new");
-    "U0121" StockWithoutTurning Stop {}
-        es "--stock vale para un programa de torno, no para esta entrada"
-        en "--stock is for a turning program, not for this input"
-        remedy "quite --stock, o indique el control con --dialect; un libro da su bruto en la hoja DATOS",
-            "leave out --stock, or name the control with --dialect; a workbook gives its stock on the sheet DATA";
+    "U0121" StockWithoutTurning Stop { option: &'static str }
+        es "{option} vale para un programa de torno, no para esta entrada"
+        en "{option} is for a turning program, not for this input"
+        remedy "quite {option}, o indique el control con --dialect; un libro da su bruto en la hoja DATOS",
+            "leave out {option}, or name the control with --dialect; a workbook gives its stock on the sheet DATA";
         why "rodete simula el material que queda solo en el torno.", "rodete simulates the remaining metal only on the lathe.";
         example line!("view" "part.ngc" "--stock" "D50xL100"; "part.ngc" = "G0 X1|M30");
     "U0122" WorkbookInPlaceOfProgram Stop { path: String }
@@ -118,9 +118,9 @@ rules! {
         why "Con otro bruto cambian la profundidad de pasada y las alarmas.",
             "With other stock the depth of cut and the alarms change.";
         example line!("simulate" "part.nc"; "part.nc" = "G50 S2500|T0101|G97 S900 M3|G0 X54. Z2.|G1 X48. F0.2|Z-20.|X54.|G0 X100. Z50.|M30");
-    "U0124" ExampleMachine Note {}
-        es "sin --tools: rodete toma la máquina y la torreta del libro de ejemplo (rodete new lathe), y la barra ya refrentada, con la cara en Z0: la demasía de una barra aserrada va en L5 de un libro de torno (--tools)"
-        en "no --tools: rodete takes the machine and turret of the example workbook (rodete new lathe), and the bar already faced, its face at Z0: the allowance of a sawn bar goes into L5 of a lathe workbook (--tools)"
+    "U0124" ExampleMachine Note { tailstock: Text }
+        es "sin --tools: rodete toma la máquina y la torreta del libro de ejemplo (rodete new lathe), {tailstock}, y la barra ya refrentada, con la cara en Z0: la demasía de una barra aserrada va en L5 de un libro de torno (--tools)"
+        en "no --tools: rodete takes the machine and turret of the example workbook (rodete new lathe), {tailstock}, and the bar already faced, its face at Z0: the allowance of a sawn bar goes into L5 of a lathe workbook (--tools)"
         remedy "", "";
         why "Su máquina puede tener otros recorridos, otro plato y otras herramientas. Una barra aserrada sobresale de Z0: allí rodete no ve metal si no conoce L5.",
             "Your machine may have other travels, another chuck and other tools. A sawn bar stands proud of Z0: there rodete sees no metal unless it knows L5.";

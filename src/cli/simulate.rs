@@ -67,6 +67,7 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Verdict) ->
         hole_plane: arguments.hole_r,
         block_delete: arguments.block_delete,
         stock: arguments.stock,
+        tailstock: arguments.tailstock,
         tools: arguments.tools.as_deref(),
         language: spoken(arguments.lang, None),
     };

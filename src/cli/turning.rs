@@ -26,11 +26,15 @@ use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
 use crate::kinds::lathe::{self, Raised, Simulated};
 use crate::limits::{FOLLOWED_MOTIONS, SHEET_BLOCKS, STOCK_SIZE};
 use crate::machine::axis::Axis;
+use crate::number::shown;
 use crate::parameter::Values;
 use crate::parameter::field::{Field, Fields, Required, Stated};
 use crate::parameter::list::{Row, Rows};
+use crate::removal::turning::machine::Lathe;
+use crate::removal::turning::rules::{CutterHitsTailstock, HolderHitsTailstock, TurretHitsTailstock};
+use crate::removal::turning::stock::Support;
 use crate::store;
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 use crate::workbook;
 
 /// Held in the jaws, and faced off, where only the stock's size is given: mm.
@@ -59,6 +63,8 @@ pub(super) struct Wanted<'a> {
     pub(super) block_delete: bool,
     /// The stock; `None`: that of the workbook, or one that encloses the path.
     pub(super) stock: Option<Stock>,
+    /// Whether a tailstock supports it; `None`: what the workbook says.
+    pub(super) tailstock: Option<Support>,
     /// The lathe workbook; `None`: the example.
     pub(super) tools: Option<&'a Path>,
     /// The language of the example machine, where no workbook is named.
@@ -99,6 +105,7 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
         return Err(MillingProgram {}.refused(Exit::Refused, Place::File));
     }
     let (values, found) = given(wanted).map_err(|refusal| of_workbook(refusal, wanted.tools))?;
+    let before = verdict.findings.len();
     verdict.language = wanted.tools.map(|_| values.language);
     verdict.findings.extend(found.into_iter().map(|finding| told_of(finding, wanted.tools)));
     let dialect = wanted.dialect.unwrap_or_else(|| {
@@ -121,6 +128,11 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
         verdict.findings.push(StockAssumed { stock: stock.to_string() }.at(Place::File));
         put_stock(&mut values, stock, false);
     }
+    if wanted.tools.is_none() {
+        // First of the notes, as what all others rest on.
+        let told = ExampleMachine { tailstock: tailstock(&values, wanted.tailstock) }.at(Place::File);
+        verdict.findings.insert(before, told);
+    }
     let stock = stock_of(&values).to_string();
     let source = Provenance {
         workbook: printable(&path.file_name().unwrap_or_default().to_string_lossy()),
@@ -130,7 +142,8 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
     let Simulated { outcome, alarms, whole } =
         lathe::simulated(Fields::of(&FORM, values)?, source, Some(program), wants)
             .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
-    verdict.findings.extend(outcome.findings.iter().cloned());
+    let without_cell = |finding| if wanted.tools.is_none() { by_option(finding) } else { finding };
+    verdict.findings.extend(outcome.findings.iter().cloned().map(without_cell));
     gravest_first(&mut verdict.findings);
     verdict.quantities.clone_from(&outcome.quantities);
     verdict.exit = outcome.exit();
@@ -155,8 +168,7 @@ fn given(wanted: &Wanted<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
         values.values.extend(case.values(language));
     }
     values.lists.push(cases::turret(language));
-    let note = ExampleMachine {}.at(Place::File);
-    Ok((values, vec![note]))
+    Ok((values, Vec::new()))
 }
 
 /// The form with this program in place of its own.
@@ -173,6 +185,9 @@ fn for_program(
     }
     if wanted.hole_plane.is_some() {
         values.put(&form::HOLE_R, wanted.hole_plane);
+    }
+    if wanted.tailstock.is_some() {
+        values.put(&form::TAILSTOCK, wanted.tailstock);
     }
     if wanted.block_delete {
         values.put(&form::BLOCK_DELETE, Some(true));
@@ -232,6 +247,51 @@ fn put_stock(values: &mut Values, stock: Stock, of_workbook: bool) {
         values.put(field, Some(length));
     }
     values.put(&form::STOCK_BORE_D, stock.d);
+}
+
+/// What is assumed of the tailstock, and by which option it is said otherwise.
+fn tailstock(values: &Values, asked: Option<Support>) -> Text {
+    match asked {
+        Some(Support::Always) => return t("con contrapunto (--tailstock yes)", "with the tailstock (--tailstock yes)"),
+        Some(Support::Never) => return t("sin contrapunto (--tailstock no)", "without a tailstock (--tailstock no)"),
+        Some(Support::ByOverhang) | None => {}
+    }
+    let Stock { D, L, .. } = stock_of(values);
+    let overhang = L - values.found(&form::L4).unwrap_or_default();
+    let beyond = Lathe::default().tailstock.beyond;
+    let supported = overhang > beyond * D;
+    let [overhang, most, ratio] = [overhang, beyond * D, beyond].map(|number| shown(number, 3));
+    if supported {
+        Text::new(
+            format!(
+                "con contrapunto, porque la barra sobresale {overhang} mm de las garras, más de {ratio}·D = {most} mm (si no lo hay: --tailstock no)"
+            ),
+            format!(
+                "with a tailstock, because the bar sticks out of the jaws by {overhang} mm, more than {ratio}·D = {most} mm (if there is none: --tailstock no)"
+            ),
+        )
+    } else {
+        Text::new(
+            format!(
+                "sin contrapunto, porque la barra sobresale {overhang} mm de las garras, no más de {ratio}·D = {most} mm (si lo hay: --tailstock yes)"
+            ),
+            format!(
+                "without a tailstock, because the bar sticks out of the jaws by {overhang} mm, not more than {ratio}·D = {most} mm (if there is one: --tailstock yes)"
+            ),
+        )
+    }
+}
+
+/// An alarm of the tailstock whose remedy names the option: there is no workbook in whose cell it could be said.
+fn by_option(mut finding: Finding) -> Finding {
+    let rules = [CutterHitsTailstock::RULE, HolderHitsTailstock::RULE, TurretHitsTailstock::RULE];
+    if rules.iter().any(|rule| finding.is(rule)) {
+        finding.remedy = t(
+            "retire el contrapunto (--tailstock no), o limite el movimiento",
+            "withdraw the tailstock (--tailstock no), or limit the motion",
+        );
+    }
+    finding
 }
 
 fn stock_of(values: &Values) -> Stock {

@@ -80,8 +80,9 @@ fn shown(arguments: &View, kinds: &[&dyn Kind], verdict: &mut Verdict) -> Result
     let package = file.fill_buf().is_ok_and(|head| head.starts_with(PACKAGE));
     let title = printable(&input.file_name().unwrap_or_default().to_string_lossy());
     let turned = !package && is_turned(arguments, file.fill_buf().unwrap_or_default())?;
-    if arguments.stock.is_some() && !turned {
-        return Err(StockWithoutTurning {}.refused(Exit::CommandLine, Place::File));
+    let given = [(arguments.stock.is_some(), "--stock"), (arguments.tailstock.is_some(), "--tailstock")];
+    if let Some((_, option)) = given.into_iter().find(|(given, _)| *given && !turned) {
+        return Err(StockWithoutTurning { option }.refused(Exit::CommandLine, Place::File));
     }
     let scene = if package {
         drop(file);
@@ -141,6 +142,7 @@ fn of_turning(arguments: &View, title: String, verdict: &mut Verdict) -> Result<
         hole_plane: control.hole_r,
         block_delete: control.block_delete,
         stock: arguments.stock,
+        tailstock: arguments.tailstock,
         tools: control.tools.as_deref(),
         language: spoken(arguments.lang, None),
     };

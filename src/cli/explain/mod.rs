@@ -23,7 +23,7 @@ use super::terminal::Terminal;
 use crate::drawing;
 use crate::escape::printable;
 use crate::finding::{self, Exit, Place, Raise, Rule};
-use crate::gcode::rules::{codes, expressions, flow, geometry, lexis, modes, words};
+use crate::gcode::rules::{codes, expressions, flow, geometry, lexis, modes, turned, words};
 use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
 use crate::graft;
 use crate::kind::{self, Kind};
@@ -79,6 +79,7 @@ const RULES: &[&[&Rule]] = &[
     proof::rules::RULES,
     geometry::RULES,
     modes::RULES,
+    turned::RULES,
     words::RULES,
     codes::RULES,
 ];

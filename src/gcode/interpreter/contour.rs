@@ -15,24 +15,25 @@
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::in_force::Compensation;
-use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, Block, EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::library::Mark;
+use crate::gcode::interpreter::library::{Mark, Spot};
 use crate::gcode::interpreter::numbers::Numbered;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
+use crate::gcode::interpreter::{Interpreter, Reader};
 use crate::gcode::letters::Letters;
 use crate::gcode::rules::flow::ContourBlockMissing;
+use crate::gcode::rules::turned::ContourWithoutCut;
 use crate::gcode::turning::profile::{Element, Profile};
 use crate::gcode::turning::rules::{
     BlocksBeforeContour, ContourBegins, ContourBlockNotNamed, ContourDwellAndMotion, ContourEndsBeforeItBegins,
     ContourEndsWithCorner, ContourStandsStill, ContourTooLong, ContourToolChange, ContourWithoutEnd,
     ContourWordsPassedOver, CornerInContour, NoBlockNumber, NotInContour,
 };
-use crate::limits::CONTOUR_BLOCKS;
-use crate::machine::axis::Axis;
+use crate::limits::{CONTOUR_BLOCKS, REMARKS};
+use crate::machine::axis::{Axis, Pose};
 use crate::text::t;
 
 /// Letters that a block of a contour may have.
@@ -71,6 +72,20 @@ pub(super) struct Contour {
     behind: Position,
 }
 
+/// A contour as a cycle has read it, in machine coordinates of the tool in force at the cycle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TurnedContour {
+    /// The text that it stands in: 0 for the program, else as in [`InForce::file`](crate::gcode::in_force::InForce::file).
+    pub file: usize,
+    /// The numbers of its first and its last block.
+    pub ends: [u32; 2],
+    /// The turret's place at work.
+    pub tool: u32,
+    /// Its blocks at feed, each with its line and its two ends; the first block that moves, which leads to the contour, left out. An
+    /// arc is told by its ends.
+    pub legs: Vec<(usize, [Pose; 2])>,
+}
+
 /// The first and last block of a contour, with the columns of the words that name them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ends {
@@ -83,6 +98,14 @@ impl Ends {
     /// The line of the first block.
     pub(super) const fn first_line(&self) -> usize {
         self.first.line()
+    }
+}
+
+impl Interpreter<'_> {
+    /// The contours of a lathe's cycles that have been read so far, each once.
+    #[must_use]
+    pub fn contours(&self) -> &[TurnedContour] {
+        &self.memory.contours
     }
 }
 
@@ -130,11 +153,42 @@ impl Reader<'_, '_> {
         let (mut block, mut probe) = (Block::at(self.block.spot), self.state.clone());
         let mut reader = Reader { memory: &mut *self.memory, block: &mut block, state: &mut probe };
         let read = reader.read_contour(cycle, ends);
+        if let Ok(contour) = &read {
+            self.see_contour(contour, ends);
+        }
         self.memory.remarks.behind_contour();
         read.map_err(|mut fault| {
             fault.line = if fault.line == 0 { block.spot.line } else { fault.line };
             fault
         })
+    }
+
+    /// Keeps a contour for those who follow the program, and tells one that has no motion at feed. While it is told the cycle counts as the
+    /// contour's reader, so that G71 and G70 tell it once.
+    fn see_contour(&mut self, contour: &Contour, ends: Ends) {
+        let Contour { profile, blocks, .. } = contour;
+        let (file, line) = (self.block.spot.text, ends.first_line());
+        if profile.elements.iter().all(|element| element.rapid) {
+            let n = blocks.first().and_then(|block| block.words.spot.n);
+            self.memory.remarks.row(&ContourWithoutCut {}, Spot { text: file, line, n }, None);
+        }
+        let kept = &self.memory.contours;
+        // A file of nothing but contours must not fill the memory.
+        let full = kept.len() >= REMARKS
+            || kept.iter().map(|one| one.legs.len()).sum::<usize>() + profile.elements.len() > CONTOUR_BLOCKS;
+        if full || kept.iter().any(|known| known.file == file && known.ends == ends.numbers) {
+            return;
+        }
+        let machine = |[x, z]: [f64; 2]| {
+            let mut at = self.state.at;
+            at.set(Axis::X, x);
+            at.set(Axis::Z, z);
+            self.state.frame.to_machine(&at)
+        };
+        let legs = profile.elements.windows(2).filter(|pair| !pair[1].rapid);
+        let legs = legs.map(|pair| (pair[1].line, [machine(pair[0].to), machine(pair[1].to)])).collect();
+        let tool = self.state.modal.tool;
+        self.memory.contours.push(TurnedContour { file, ends: ends.numbers, tool, legs });
     }
 
     fn read_contour(&mut self, cycle: u8, ends: Ends) -> Result<Contour> {

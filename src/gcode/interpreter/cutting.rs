@@ -1,6 +1,6 @@
 //! What should be in force where a tool cuts: its length, a spindle that turns, a feed per revolution that can be one.
 //!
-//! A control asks for none of it, and cuts: each is a caution. Of a lathe the simulation of its workbook judges spindle and feed.
+//! A control asks for none of it, and cuts: each is a caution. What a lathe alone needs stands in `turned`.
 
 use crate::finding::Size;
 use crate::gcode::code::M;
@@ -24,7 +24,7 @@ pub(super) struct SpindleSeen {
     speed: bool,
     /// The first motion at feed before any of the three.
     cut_before: Option<Spot>,
-    /// The first motion at feed under M3 or M4 at a speed of 0.
+    /// The first motion at feed, or along a thread, under M3 or M4 at a speed of 0.
     cut_still: Option<Spot>,
     /// What turns at it is a spindle, and no torch that M3 lights.
     no_torch: bool,
@@ -36,6 +36,7 @@ impl Reader<'_, '_> {
     /// Sees the codes of the spindle in the block in hand.
     pub(super) fn see_spindle(&mut self) {
         let code = self.block.m(7).map(|(code, _)| code);
+        self.see_start_of_spindle(code);
         self.memory.spindle.speed |= self.state.modal.speed > 0.0;
         self.memory.spindle.off |= code == Some(M::SpindleOff);
         self.memory.spindle.no_torch |= self.block.has(letter::S);
@@ -59,14 +60,15 @@ impl Reader<'_, '_> {
             self.remark_cut_before_spindle();
         }
         self.remark_cut_still();
+        self.end_turned(self.memory.spindle.speed);
     }
 
     /// A cut under M3 or M4 without a speed. A torch or a laser is lit by M3 for its cuts alone and put out by M5: a program without any S that
-    /// makes no rapid motion with it on is one of those, and has no speed to say.
+    /// makes no rapid motion with it on is one of those, and has no speed to say. No lathe is.
     fn remark_cut_still(&mut self) {
         let SpindleSeen { cut_still, no_torch, off, speed, .. } = &self.memory.spindle;
         if let Some(spot) = *cut_still
-            && (*no_torch || *speed || !*off)
+            && (*no_torch || *speed || !*off || self.memory.control.turns())
         {
             self.memory.remarks.row(&CutsWithoutSpeed {}, spot, None);
         }
@@ -81,6 +83,14 @@ impl Reader<'_, '_> {
             && !self.in_doubt(doubt::SPINDLE | doubt::SPEED)
     }
 
+    /// Sees a cut for its speed.
+    fn see_cut_still(&mut self) {
+        if self.turns_without_speed() {
+            let spot = self.block.spot;
+            self.memory.spindle.cut_still.get_or_insert(spot);
+        }
+    }
+
     /// Sees whether what a motion at feed needs is in force.
     pub(super) fn see_cut(&mut self, kind: MotionKind, to: &Pose) {
         let feed = match kind {
@@ -89,21 +99,36 @@ impl Reader<'_, '_> {
                 self.memory.spindle.no_torch |= self.turns_without_speed();
                 return;
             }
-            MotionKind::Thread(_) | MotionKind::Dwell(_) => return,
+            MotionKind::Thread(thread) => {
+                self.see_cut_still();
+                self.see_thread(&thread, to);
+                return;
+            }
+            MotionKind::Dwell(_) => return,
         };
-        let along = |axis: &Axis| to.get(*axis) != self.state.at.get(*axis);
-        if !Axis::ALL.iter().filter(|axis| !axis.rotary()).any(along) {
+        let moves = |rotary: bool| {
+            let mut axes = Axis::ALL.iter().filter(|axis| axis.rotary() == rotary);
+            axes.any(|axis| to.get(*axis) != self.state.at.get(*axis))
+        };
+        // A whole circle ends where it began.
+        let along = moves(false) || matches!(kind, MotionKind::Arc(..));
+        let turns = self.memory.control.turns();
+        // The tool of a mill cuts the part that a rotary axis turns past it, too.
+        if !along && (turns || !moves(true)) {
             return;
         }
         let spot = self.block.spot;
-        if feed.mode == FeedMode::PerRevolution && feed.value > GREATEST_FEED_PER_TURN && !self.in_doubt(doubt::FEED) {
+        if along
+            && feed.mode == FeedMode::PerRevolution
+            && feed.value > GREATEST_FEED_PER_TURN
+            && !self.in_doubt(doubt::FEED)
+        {
             let row = GreatFeedPerTurn { feed: Size { value: feed.value, unit: "mm/rev", decimals: 3 } };
             self.memory.remarks.row(&row, spot, None);
         }
-        if self.turns_without_speed() {
-            self.memory.spindle.cut_still.get_or_insert(spot);
-        }
-        if self.memory.control.turns() {
+        self.see_cut_still();
+        if turns {
+            self.see_turned();
             return;
         }
         if self.state.modal.spindle == Spindle::Stopped && !self.in_doubt(doubt::SPINDLE) {
@@ -171,6 +196,7 @@ mod tests {
             ("T1 M6|M3|G0 Z5|G1 Z-2", &["G0528"]),
             ("T1 M6|M3|G43|G0 Z5|G49|G1 Z-2", &["G0528"]),
             ("T1 M6|M3|G0 Z5|G81 X9 R2 Z-3", &["G0528"]),
+            ("T1 M6|M3|G0 Z-2|G1 A90", &["G0528"]),
             ("T1 M6|M3|G43 H2|G0 Z5|G1 Z-2", &["G0529"]),
             ("T1 M6|M3|G43|G0 Z5|T2 M6|M3|G1 Z-2", &["G0529"]),
             ("T1 M6|M3|G43|G0 Z5|T2 M6|M3|G43|G1 Z-2", &[]),
@@ -215,14 +241,20 @@ mod tests {
             ("M4 S0|G1 X1|S900|G1 X2|M5", &["G0538"]),
             ("S900 M3|G1 X1|S0|G1 X2|M5", &["G0538"]),
             ("M3|S900|G1 X1", &[]),
-            ("M3|G0 X1|G1 A90", &[]),
+            // The tool may stand in the part that turns.
+            ("M3|G0 X1|G1 A90", &["G0538"]),
+            ("M3|S900|G0 Z-2|G1 A90", &[]),
+            ("S900|G0 Z-2|G1 A90|M3", &["G0530"]),
+            ("S900 M3|G95 F12|G1 A90", &[]),
+            ("M3|G0 X1|G2 I5", &["G0538"]),
             // A torch: lit for its cuts alone.
             ("G0 X1|M3|G4 P1|G1 X2|M5|G0 X9|M3|G1 X3|M5", &[]),
             ("G0 X1|M3|G4 P1|G1 X2|G0 X9|G1 X3|M5", &["G0538"]),
             ("S900 M3|G1 X1|M5|G1 X2", &["G0531"]),
             ("S900 M3|G1 X1|M19 R0|G1 X2", &["G0531"]),
             ("S900 M3|G1 X1|T1 M6|G43|G1 X2", &["G0531"]),
-            ("S900 M3|G1 X1|M5|G1 A90", &[]),
+            ("S900 M3|G1 X1|M5|G0 A90", &[]),
+            ("S900 M3|G1 X1|M5|G1 A90", &["G0531"]),
             ("S900 M3|G95 F12|G1 X1", &["G0532"]),
             ("S900 M3|G95 F6|G1 X1", &[]),
         ] {

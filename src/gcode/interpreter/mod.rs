@@ -73,6 +73,7 @@ mod system_parameters;
 mod tape;
 mod tool;
 pub mod tool_table;
+mod turned;
 mod turning;
 mod turret;
 mod units;
@@ -83,6 +84,7 @@ use std::collections::VecDeque;
 pub use self::arc::radii_tolerance;
 use self::block::Block;
 use self::compensation::Compensator;
+pub use self::contour::TurnedContour;
 use self::corner::Corner;
 use self::cursor::Cursor;
 pub use self::cursor::bare;
@@ -105,6 +107,7 @@ pub use self::source::{Bytes, decoded, line_feeds, wide};
 use self::standstill::Standing;
 pub use self::standstill::Standstill;
 use self::structure::Structure;
+use self::turned::TurnedSeen;
 use crate::finding::{Finding, Place, Raise};
 use crate::gcode::code::TurningCycle;
 use crate::gcode::control::{Control, RadiusRule};
@@ -172,6 +175,9 @@ struct Memory<'a> {
     referred: bool,
     in_machine: bool,
     spindle: SpindleSeen,
+    turned: TurnedSeen,
+    /// The contours that cycles have read.
+    contours: Vec<TurnedContour>,
     repeated: u64,
     /// An absolute motion has been made, and an incremental one.
     distances: [bool; 2],
@@ -276,6 +282,8 @@ impl<'a> Interpreter<'a> {
             referred: false,
             in_machine: false,
             spindle: SpindleSeen::default(),
+            turned: TurnedSeen::default(),
+            contours: Vec::new(),
             repeated: 0,
             distances: [false; 2],
             any_rotary: true,

@@ -98,6 +98,8 @@ pub struct Setting {
     pub places: Option<BTreeSet<u32>>,
     /// The letters of the axes that a lathe has; `None` where the machine is not known.
     pub axes: Option<Letters>,
+    /// Of a lathe the rapid rates of X (of the slide, so of the radius) and Z, mm/min; `None` where the machine is not known.
+    pub rapid: Option<[f64; 2]>,
     /// What a dimension without a decimal point is; where it is not known a lathe program that has one is refused.
     pub decimal_point: Option<DecimalPoint>,
     /// What R of a lathe's drilling cycles is; where it is not known it is taken as absolute, and said so.
@@ -129,6 +131,7 @@ impl Setting {
             headed: BTreeSet::new(),
             places: None,
             axes: None,
+            rapid: None,
             decimal_point: None,
             hole_plane: None,
             rotary: control.rotary.delivered,

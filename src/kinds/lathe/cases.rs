@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::kinds::lathe::catalogue;
 use crate::kinds::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SCHEMA, TOOLS_KEY};
+use crate::limits::EXAMPLE_RAPID;
 use crate::parameter::list::{Row, Rows};
 use crate::parameter::{Case, Value};
 use crate::text::{Language, t};
@@ -44,8 +45,8 @@ fn machine() -> Vec<(&'static str, Value)> {
         ("L2", Value::Real(40.0)),
         ("D_c", Value::Real(250.0)),
         ("tailstock", Value::Choice("auto")),
-        ("G_X", Value::Real(8000.0)),
-        ("G_Z", Value::Real(10_000.0)),
+        ("G_X", Value::Real(EXAMPLE_RAPID[0])),
+        ("G_Z", Value::Real(EXAMPLE_RAPID[1])),
         ("S_max", Value::Real(3000.0)),
         ("rapid", Value::Choice("bent")),
         ("turret", Value::Choice("front")),

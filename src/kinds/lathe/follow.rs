@@ -13,8 +13,8 @@ use super::setup::Given;
 use super::setup_sheet::CuttingConditions;
 use super::tables::Rows;
 use super::text::SheetProgram;
-use super::{Raised, Seen};
-use crate::finding::{Exit, Finding, Place, Raise, Size};
+use super::{Raised, Seen, outside};
+use crate::finding::{Exit, Finding, Place, Raise, Rule, Size};
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::Refused;
@@ -22,6 +22,9 @@ use crate::gcode::motion::{Arc, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::gcode::rules::lexis::MoreRefusals;
 use crate::gcode::rules::modes::GreatFeedPerTurn;
+use crate::gcode::rules::turned::{
+    CutsWithoutOffset, NoOffsetAnywhere, PassFarDeeper, SpindleNeverStarts, ThreadAtSurfaceSpeed, ThreadBeyondRapid,
+};
 use crate::gcode::word::NumberFormat;
 use crate::kind::{Duration, Proved};
 use crate::limits::FOLLOWED_MOTIONS;
@@ -212,6 +215,23 @@ fn greatest_part(arc: &Arc, motion: &Motion, axis: Axis) -> f64 {
     }
 }
 
+/// The remarks that alarms or findings of the simulation say with more of the machine, the tool or the part.
+fn told_apart(alarms: &[Raised], told: &[Finding]) -> Vec<&'static Rule> {
+    let raised = |cause: fn(Cause) -> bool| alarms.iter().any(|one| cause(one.alarm.cause));
+    let offset = raised(|cause| matches!(cause, Cause::OtherOffset { .. }));
+    let said = [
+        // Alarm 172 says it with the tool's own limits.
+        (true, GreatFeedPerTurn::RULE),
+        (told.iter().any(|one| one.is(FeedBeyondRapid::RULE)), ThreadBeyondRapid::RULE),
+        (raised(|cause| matches!(cause, Cause::ThreadSpeed { .. })), ThreadAtSurfaceSpeed::RULE),
+        (raised(|cause| matches!(cause, Cause::SpindleStopped | Cause::FeedStands)), SpindleNeverStarts::RULE),
+        (offset, CutsWithoutOffset::RULE),
+        (offset, NoOffsetAnywhere::RULE),
+        (raised(|cause| matches!(cause, Cause::ThreadPassTooDeep { .. })), PassFarDeeper::RULE),
+    ];
+    said.into_iter().filter(|(said, _)| *said).map(|(_, rule)| rule).collect()
+}
+
 impl<'a> Following<'_, 'a> {
     /// What blocks without a motion have put in force.
     fn stood(&mut self, interpreter: &mut Interpreter<'_>, watch: &mut dyn FnMut(Seen<'_>)) {
@@ -344,13 +364,21 @@ impl<'a> Following<'_, 'a> {
         one.account.from_start = interpreter.from_start();
         one.files = (1..).map_while(|number| interpreter.file(number)).map(str::to_owned).collect();
         one.program.parts = source.whole(one.files.iter().map(String::as_str));
-        // Alarm 172 says it with the tool's own limits.
-        let told_apart = |one: &Finding| one.is(GreatFeedPerTurn::RULE);
-        faults.told.extend(interpreter.remarks().into_iter().filter(|one| !told_apart(one)));
+        let apart = told_apart(&one.alarms, &faults.told);
+        faults.told.extend(interpreter.remarks().into_iter().filter(|one| !apart.iter().any(|rule| one.is(rule))));
         faults.told.extend(assumed(given, &Reached::by(interpreter)));
         faults.told.extend(interpreter.in_inches().then(|| InInches {}.at(Place::File)));
         if one.account.program.is_none() && last.is_none() && !one.endless && !one.uncut {
             faults.told.push(NoMotion {}.at(Place::File));
+        }
+        if last.is_none() && !one.endless && !one.uncut {
+            let along = one
+                .drawn
+                .stock
+                .iter()
+                .flatten()
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], at| [left.min(at[0]), right.max(at[0])]);
+            faults.told.extend(outside::contours(interpreter, &one.simulation, given, along));
         }
         let all = one.simulation.totals().all;
         let in_air = all.volume + all.parted <= 0.0 && all.seconds > all.rapid_seconds;

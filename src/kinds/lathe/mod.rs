@@ -13,6 +13,7 @@ mod form_sketch;
 mod hold;
 mod live_form;
 mod measures;
+mod outside;
 pub mod parameters;
 mod part_view;
 mod profile;

@@ -59,6 +59,8 @@ pub struct Given {
     zeros: [[f64; 2]; 5],
     /// The cells of the ends of the travel, of X and of Z, least and greatest; none without a workbook.
     travel: [[Option<CellPlace>; 2]; 2],
+    /// The cell of the bar's diameter; none without a workbook.
+    bar: Option<CellPlace>,
     /// The empty cells of each zero without a Z; none without a workbook.
     empty: BTreeMap<u8, Vec<CellPlace>>,
 }
@@ -221,6 +223,7 @@ impl Given {
             first_offset,
             zeros,
             travel: TRAVELS.map(|ends| ends.map(|end| fields.values().cells.get(&end.key()).cloned())),
+            bar: fields.values().cells.get(&form::D.key()).cloned(),
             empty,
         })
     }
@@ -245,6 +248,11 @@ impl Given {
         }
         let names: Vec<String> = cells.iter().map(|cell| format!("{}!{}", cell.sheet, cell.cell)).collect();
         Some(ZeroIsEmpty { code, zero, cells: names.join(", ") }.at(place))
+    }
+
+    /// The cell of the bar's diameter, as ` (SHEET!C30)`; empty without a workbook.
+    pub(super) fn bar_cell(&self) -> String {
+        self.bar.as_ref().map_or_else(String::new, |cell| format!(" ({}!{})", cell.sheet, cell.cell))
     }
 
     /// The cell of an end of an axis' travel, as `SHEET!C30`.
@@ -286,6 +294,7 @@ impl Given {
         setting.tools = Some(self.offsets.clone());
         setting.places = Some(self.setup.turret.tools.keys().copied().collect());
         setting.axes = Some(Letters::of("XZ"));
+        setting.rapid = Some(self.setup.lathe.rapid);
         setting.decimal_point = setting.decimal_point.or(self.decimal_point);
         setting.hole_plane = setting.hole_plane.or(self.hole_plane);
         setting.block_delete |= self.block_delete;

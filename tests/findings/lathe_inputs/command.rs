@@ -146,6 +146,34 @@ fn without_a_workbook_the_bar_is_faced_and_the_note_says_so_and_names_the_cell_o
 }
 
 #[test]
+fn the_note_names_the_tailstock_that_is_assumed_and_an_alarm_of_it_the_option() {
+    let folder = bench("G0 X22.|G0 Z.5|X-1.|Z5.");
+    let note = |said: &Said| said.out.lines().find(|line| line.contains("U0124")).unwrap().to_owned();
+    let on = |more: &[&str]| simulate(folder.path(), &[&["--stock", "D20xL100", "--lang", "en"], more].concat());
+    let said = on(&[]);
+    assert!(
+        note(&said)
+            .contains("with a tailstock, because the bar sticks out of the jaws by 75 mm, more than 3·D = 60 mm")
+    );
+    assert!(
+        said.exit == 3 && said.err.contains("L0113") && said.err.contains("withdraw the tailstock (--tailstock no)")
+    );
+    assert!(!said.err.contains("in the workbook"), "{}", said.err);
+    let said = on(&["--tailstock", "no"]);
+    assert!(note(&said).contains("without a tailstock (--tailstock no)"), "{}", said.out);
+    assert!(!said.err.contains("L0113") && !said.err.contains("L0116"), "{}", said.err);
+    let said = simulate(folder.path(), &["--stock", "D50xL100", "--lang", "en"]);
+    assert!(note(&said).contains("without a tailstock, because") && !said.err.contains("L0113"), "{}", said.out);
+    let said = simulate(folder.path(), &["--stock", "D50xL100", "--tailstock", "yes", "--lang", "en"]);
+    assert!(note(&said).contains("with the tailstock (--tailstock yes)") && said.err.contains("L0113"), "{}", said.err);
+    // The workbook's own word is in its cell, and the option goes before it.
+    fs::write(folder.path().join("t.xlsx"), Book::of(Language::En).bytes()).unwrap();
+    let tools = ["--tools", "t.xlsx", "--tailstock", "yes", "--stock", "D50xL120", "--lang", "en"];
+    let said = simulate(folder.path(), &tools);
+    assert!(said.err.contains("L0113") && said.err.contains("in the workbook, tailstock: no"), "{}", said.err);
+}
+
+#[test]
 fn a_chamfer_without_its_comma_is_told_with_it_and_any_other_c_is_not() {
     let remedy = |blocks: &str| {
         let folder = bench(blocks);

@@ -268,3 +268,26 @@ fn a_travel_that_ends_too_early_is_told_first_and_once_and_makes_no_collision() 
     let travel = |one: &String| one.contains(" 121 Axis Z leaves its travel");
     assert!(found.iter().take(2).all(travel) && !found.iter().skip(2).any(travel), "{found:?}");
 }
+
+#[test]
+fn a_contour_outside_the_bar_is_told_with_its_diameter_and_the_cell_of_the_bar() {
+    let bar = |D: f64| {
+        let (found, exit) = told(&Book::of(Language::En).put("D", Value::Real(D)));
+        assert_eq!(exit, 0, "{D}");
+        found.into_iter().filter(|one| one.contains("the contour from")).collect::<Vec<_>>()
+    };
+    for D in [25.0, 30.0, 43.0] {
+        let wanted = format!(
+            "caution PROGRAM!A26 the contour from N55 to N100 goes to X48, outside the bar: D is {D} mm (DATA!C17) [48 mm] [≤ {D} mm]"
+        );
+        assert_eq!(bar(D), [wanted]);
+    }
+    // The last chamfer leads out of the bar.
+    for D in [44.0, 46.0, 48.0, 50.0] {
+        assert!(bar(D).is_empty(), "{D}: {:?}", bar(D));
+    }
+    // Internal turning ends far inside the bar.
+    let bore = "G0 X60. Z30.|T0505|G97 S900|G0 X0. Z5.|G1 Z-30. F.1|G0 Z30.|X60.|T0606|G0 X9. Z2.|G71 U1. R.5|G71 P10 Q20 U-.2 W.1 F.1|N10 G0 X20.|G1 Z-5.|X16.|N20 Z-20.|G70 P10 Q20|G0 Z30.";
+    let (found, _) = of(bore);
+    assert!(!found.iter().any(|one| one.contains("the contour from")), "{found:?}");
+}

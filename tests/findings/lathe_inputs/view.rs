@@ -144,9 +144,11 @@ fn a_stock_for_what_is_not_turned_is_refused() {
     fs::write(folder.path().join("p.nc"), "G21 G90\nG0 X1\nM2\n").unwrap();
     fs::write(folder.path().join("part.xlsx"), Book::of(Language::En).bytes()).unwrap();
     for input in ["p.nc", "part.xlsx"] {
-        let said = run(folder.path(), &["view", input, "--stock", "D50xL120"]);
-        assert_eq!((said.exit, said.out.as_str()), (2, ""), "{input}");
-        assert!(said.err.contains("--stock is for a turning program"), "{}", said.err);
+        for [option, value] in [["--stock", "D50xL120"], ["--tailstock", "no"]] {
+            let said = run(folder.path(), &["view", input, option, value]);
+            assert_eq!((said.exit, said.out.as_str()), (2, ""), "{input}");
+            assert!(said.err.contains(&format!("{option} is for a turning program")), "{}", said.err);
+        }
     }
     assert!(!folder.path().join("p.html").exists() && !folder.path().join("part.html").exists());
 }

@@ -1,0 +1,221 @@
+//! What the cuts of a lathe need: a spindle that is started, a tool with its offset, a thread that the axis can follow.
+//!
+//! A control asks for none of it, and cuts: each is a caution.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::finding::Size;
+use crate::gcode::code::M;
+use crate::gcode::control::ToolCall;
+use crate::gcode::interpreter::library::Spot;
+use crate::gcode::interpreter::{Reader, doubt};
+use crate::gcode::motion::Thread;
+use crate::gcode::rules::turned::{
+    CutsWithoutOffset, NoOffsetAnywhere, PassFarDeeper, SpindleNeverStarts, ThreadAtSurfaceSpeed, ThreadBeyondRapid,
+};
+use crate::limits::EXAMPLE_RAPID;
+use crate::machine::axis::{Axis, Pose};
+use crate::text::t;
+
+/// What a lathe's program has said of its spindle and its tools, and where it cut.
+#[derive(Debug, Default)]
+pub(super) struct TurnedSeen {
+    /// A code has started a spindle, or may have: one of the machine's builder may start that of a live tool.
+    pub(super) started: bool,
+    /// A T has put an offset into force.
+    pub(super) offset: bool,
+    /// The first cut.
+    cut: Option<Spot>,
+    /// The first cut under each T whose offset is 0.
+    without: BTreeMap<u32, Spot>,
+    /// The places of the turret whose thread has been told to be too fast.
+    fast: BTreeSet<u32>,
+}
+
+impl Reader<'_, '_> {
+    /// Sees the code of the spindle in the block in hand.
+    pub(super) fn see_start_of_spindle(&mut self, code: Option<M>) {
+        self.memory.turned.started |= matches!(code, Some(M::Spindle(_))) || self.in_doubt(doubt::SPINDLE);
+    }
+
+    /// Sees a cut of a lathe.
+    pub(super) fn see_turned(&mut self) {
+        let spot = self.block.spot;
+        self.memory.turned.started |= self.in_doubt(doubt::SPINDLE);
+        self.memory.turned.cut.get_or_insert(spot);
+        let modal = &self.state.modal;
+        let called = modal.selected.is_some() && matches!(self.memory.control.tool, ToolCall::Digits);
+        if called && modal.offset == 0 && !self.in_doubt(doubt::TOOL) {
+            let tool = modal.tool;
+            self.memory.turned.without.entry(tool).or_insert(spot);
+        }
+    }
+
+    /// Sees a pass of a thread.
+    pub(super) fn see_thread(&mut self, thread: &Thread, to: &Pose) {
+        self.see_turned();
+        if self.in_doubt(doubt::SPEED | doubt::SPINDLE | doubt::FEED) {
+            return;
+        }
+        let spot = self.block.spot;
+        if self.state.modal.constant_surface_speed {
+            self.memory.remarks.row(&ThreadAtSurfaceSpeed {}, spot, None);
+        }
+        let Some(seconds) = self.thread_seconds(to, thread).filter(|&seconds| seconds > 0.0) else { return };
+        let known = self.memory.setting.rapid;
+        let [x, z] = known.unwrap_or(EXAMPLE_RAPID);
+        let beyond = [(Axis::X, x), (Axis::Z, z)].into_iter().find_map(|(axis, rapid)| {
+            let feed = (to.get(axis) - self.state.at.get(axis)).abs() * 60.0 / seconds;
+            (feed > rapid * (1.0 + 1e-9)).then_some((axis, feed, rapid))
+        });
+        if let Some((axis, feed, rapid)) = beyond
+            && self.memory.turned.fast.insert(self.state.modal.tool)
+        {
+            let whose = match known {
+                Some(_) => t("del libro de torno", "of the lathe workbook"),
+                None => t("de la máquina de ejemplo", "of the example machine"),
+            };
+            let [feed, rapid] = [feed, rapid].map(|rate| Size::feed(rate, 0));
+            self.memory.remarks.row(&ThreadBeyondRapid { feed, axis: axis.letter(), rapid, whose }, spot, None);
+        }
+    }
+
+    /// A pass of G92 behind another of the same thread, from `start` to the two radii, mm. A whole thread is less deep than its lead.
+    pub(super) fn remark_far_deeper(&mut self, start: f64, [before, now]: [f64; 2], lead: f64) {
+        let by = (now - start).abs() - (before - start).abs();
+        if by > lead {
+            let row = PassFarDeeper { by: Size::mm(by), lead: Size::mm(lead) };
+            self.memory.remarks.row(&row, self.block.spot, None);
+        }
+    }
+
+    /// The program has ended.
+    pub(super) fn end_turned(&mut self, speed: bool) {
+        if let Some(spot) = self.memory.turned.cut
+            && speed
+            && !self.memory.turned.started
+        {
+            self.memory.remarks.row(&SpindleNeverStarts {}, spot, None);
+        }
+        let mut without = std::mem::take(&mut self.memory.turned.without);
+        let word = |tool: u32| format!("T{tool:02}00");
+        if self.memory.turned.offset {
+            for (tool, spot) in without {
+                self.memory.remarks.row(&CutsWithoutOffset { word: word(tool) }, spot, None);
+            }
+        } else if let Some((tool, spot)) =
+            without.iter().min_by_key(|(_, spot)| spot.line).map(|(&tool, &spot)| (tool, spot))
+        {
+            without.clear();
+            self.memory.remarks.row(&NoOffsetAnywhere { word: word(tool) }, spot, None);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::control::{Control, FAGOR_8055_T, FANUC_LATHE_A};
+    use crate::gcode::interpreter::{Interpreter, Setting};
+
+    /// The codes G0530 to G0599 of what is remarked of a program for a lathe.
+    fn remarked(control: &'static Control, blocks: &str, rapid: Option<[f64; 2]>) -> Vec<&'static str> {
+        let program = format!("{}\nM30\n", blocks.replace('|', "\n"));
+        let mut setting = Setting::new(control);
+        setting.rapid = rapid;
+        let mut interpreter = Interpreter::over(program.as_bytes(), setting);
+        assert!(interpreter.by_ref().all(|motion| motion.is_ok()), "{blocks}");
+        let codes = interpreter.remarks().into_iter().map(|finding| finding.code());
+        codes.filter(|code| ("G0530".."G0600").contains(code) && *code != "G0534").collect()
+    }
+
+    fn fanuc(blocks: &str) -> Vec<&'static str> {
+        remarked(&FANUC_LATHE_A, &format!("G21 G99 G97|{blocks}"), None)
+    }
+
+    #[test]
+    fn a_lathe_that_cuts_starts_its_spindle() {
+        for (blocks, told) in [
+            ("S800|T0101|G0 X48. Z2.|G1 Z-20. F.2", &["G0583"][..]),
+            ("S800|T0101|G98 G0 X48. Z2.|G1 Z-20. F200.|M5", &["G0583"]),
+            ("S800|T0404|G0 X49. Z6.|G32 Z-20. F2.", &["G0583"]),
+            ("S800 M4|T0101|G0 X48. Z2.|G1 Z-20. F.2", &[]),
+            // A bar is drawn out before the spindle is started.
+            ("S800|T0101|G98 G0 X0. Z2.|G1 Z0. F200.|M3|G0 X48.|G1 Z-20.", &[]),
+            // A code of the builder may start a live tool; without S the program speaks of no spindle.
+            ("S800 M43|T0101|G98 G0 X48. Z2.|G1 X40. F200.", &[]),
+            ("T0101|G98 G0 X48. Z2.|G1 Z-20. F200.", &[]),
+            ("S800|T0101|G0 X48. Z2.", &[]),
+        ] {
+            assert_eq!(fanuc(blocks), told, "{blocks}");
+        }
+        assert_eq!(remarked(&FAGOR_8055_T, "G71 G90 G95 S800|T1 D1|G0 X48 Z2|G1 Z-20 F0.2", None), ["G0583"]);
+    }
+
+    #[test]
+    fn a_cut_under_a_t_without_an_offset_is_told() {
+        for (blocks, told) in [
+            ("T0200|G0 X54. Z6.|G1 X40. F.1", &["G0585"][..]),
+            ("T0200|G0 X54. Z6.|G1 X40. F.1|T0300|G1 X39.", &["G0585"]),
+            ("T0101|G0 X54. Z6.|G1 X50. F.1|T0200|G1 X40.", &["G0584"]),
+            ("T0101|G0 X54. Z6.|T0100|G1 X40. F.1", &["G0584"]),
+            ("T0101|G0 X54. Z6.|T0|G1 X40. F.1", &["G0584"]),
+            ("T0200|G0 X54. Z6.|G92 X49. Z-9. F2.", &["G0585"]),
+            // The offset is taken back for the turret to index.
+            ("T0101|G0 X54. Z6.|G1 X40. F.1|G0 X100. Z100. T0100|T0202|G1 X40.", &[]),
+            ("G0 X54. Z6.|G1 X40. F.1", &[]),
+        ] {
+            assert_eq!(fanuc(&format!("S800 M3|{blocks}")), told, "{blocks}");
+        }
+        assert!(remarked(&FAGOR_8055_T, "G71 G90 G95 S800 M3|T1 D0|G0 X48 Z2|G1 Z-20 F0.2", None).is_empty());
+    }
+
+    #[test]
+    fn a_thread_has_a_speed_that_it_can_be_cut_at() {
+        for (blocks, told) in [
+            ("S800 M3|G0 X49. Z6.|G32 Z-20. F2.", &[][..]),
+            ("S800 M3|G0 X49. Z6.|G32 Z-20. F12.5", &[]),
+            ("S800 M3|G0 X49. Z6.|G32 Z-20. F12.6", &["G0580"]),
+            ("S800 M3|G0 X49. Z6.|G32 X20. F12.", &["G0580"]),
+            ("S800 M3|G0 X54. Z6.|G92 X49.5 Z-20. F200.|X49.", &["G0580"]),
+            ("S800 M3|G0 X54. Z6.|G76 P010060 Q100 R.05|G76 X47.4 Z-40. P1200 Q300 F20.", &["G0580"]),
+            ("S0 M3|G0 X49. Z6.|G32 Z-20. F2.", &["G0538"]),
+            ("M3|G0 X54. Z6.|G92 X49.5 Z-20. F2.|X49.", &["G0538"]),
+            ("M3|G0 X49. Z6.|G34 Z-20. F2. K.01", &["G0538"]),
+            ("M3|G0 X54. Z6.|G76 P010060 Q100 R.05|G76 X47.4 Z-20. P1200 Q300 F2.", &["G0538"]),
+            ("G50 S2000|G96 S200 M3|G0 X54. Z6.|G92 X49.5 Z-20. F2.|X49.", &["G0581"]),
+            ("G50 S2000|G96 S200 M3|G0 X54. Z6.|G76 P010060 Q100 R.05|G76 X47.4 Z-20. P1200 Q300 F2.", &["G0581"]),
+            ("G50 S2000|G96 S200 M3|G0 X49. Z6.|G32 Z-20. F2.", &["G0581"]),
+            ("G50 S2000|G96 S200 M3|G0 X49. Z6.|G97 S800|G32 Z-20. F2.", &[]),
+        ] {
+            assert_eq!(fanuc(&format!("T0404|{blocks}")), told, "{blocks}");
+        }
+        // The machine of a workbook says what it can.
+        let thread = "G21 G97 S800 M3|T0404|G0 X49. Z6.|G32 Z-20. F20.";
+        assert!(remarked(&FANUC_LATHE_A, thread, Some([8000.0, 20_000.0])).is_empty());
+        assert_eq!(remarked(&FANUC_LATHE_A, thread, Some([8000.0, 15_000.0])), ["G0580"]);
+    }
+
+    #[test]
+    fn a_pass_of_a_thread_is_not_deeper_by_a_lead_than_the_one_before() {
+        for (passes, told) in [
+            ("G92 X49.5 Z-20. F2.|X49.|X48.", &[][..]),
+            ("G92 X49.5 Z-20. F2.|X49.|X45.01", &[]),
+            ("G92 X49.5 Z-20. F2.|X49.|X4.8", &["G0586"]),
+            ("G92 X49.5 Z-20. F2.|X49.|X440.", &["G0586"]),
+            // Another thread.
+            ("G92 X49.5 Z-20. F2.|X49.|G0 X30.|G92 X20. Z-5. F2.|X19.", &[]),
+        ] {
+            assert_eq!(fanuc(&format!("S800 M3|T0404|G0 X54. Z6.|{passes}")), told, "{passes}");
+        }
+    }
+
+    #[test]
+    fn a_contour_without_a_cut_is_told_once() {
+        let cycle = |contour: &str| {
+            let blocks = "S800 M3|T0101|G0 X52. Z2.|G71 U1.5 R.5|G71 P10 Q20 U.6 W.1 F.25";
+            fanuc(&format!("{blocks}|{contour}|G70 P10 Q20 F.1"))
+        };
+        assert_eq!(cycle("N10 G0 X30.|Z-20.|X40. Z-25.|Z-40.|N20 X52."), ["G0582"]);
+        assert!(cycle("N10 G0 X30.|G1 Z-20.|X40. Z-25.|Z-40.|N20 X52.").is_empty());
+    }
+}
