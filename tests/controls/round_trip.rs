@@ -61,6 +61,7 @@ fn axes(control: &Control) -> &'static [Axis] {
 
 /// What another program may have left in force, which the safety block must end: the block that does so on a control, where the
 /// control knows the code.
+/// Numbers have a decimal point, for controls that count least increments without one.
 const SPOILT: [(G, &str); 10] = [
     (G::Inch, ""),
     (G::Incremental, ""),
@@ -71,7 +72,7 @@ const SPOILT: [(G, &str); 10] = [
     (G::Feed(FeedMode::InverseTime), ""),
     (G::Feed(FeedMode::Seconds), ""),
     (G::Compensation(Compensation::Left), " D1"),
-    (G::Cycle(Cycle::Drill), " X0 Y0 Z-1 R1 F100"),
+    (G::Cycle(Cycle::Drill), " X0. Y0. Z-1. R1. F100."),
 ];
 
 /// A mill whose programs begin with `%` and their number, and end with `%`.
