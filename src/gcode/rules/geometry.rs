@@ -42,7 +42,7 @@ rules! {
         remedy "quite {word}", "take {word} out";
         why "Un 0 no cambia el arco, pero el control puede pararse en él.",
             "A 0 does not change the arc, but the control may stop at it.";
-        example Example::program("fagor-8055-t", "G1 X20 Z0 F100|G2 X30 Z-5 I5 K0 J0|M30", "2:18");
+        example Example::program("fagor-8055-t", "G1 X20 Z0 F100|G2 X30 Z-5 I5 J0 K0|M30", "2:15");
     "G0406" CentreWordForeign Stop { word: char, plane: &'static str, first: char, second: char }
         es "{word} no pertenece al plano {plane}"
         en "{word} does not belong to the plane {plane}"

@@ -272,7 +272,7 @@ rules! {
             "do not take '=' out: the number would be another; write the block with axes of one letter, if the machine has them, or check the program at the control";
         why "X1=10 lleva el eje X1 a 10: sin «=» sería X110, otro eje y otra cota.",
             "X1=10 takes the axis X1 to 10: without '=' it would be X110, another axis and another position.";
-        example Example::program("fagor-8070", "%A|G71 G90 G94 F100|G1 X1=10|M30", "3:4");
+        example Example::program("fagor-8070", "%A|G71 G90 G94 F100|G1 X1=10|M30", "3:6");
     "G0138" ParameterNotFollowed Stop { what: Text }
         es "{what} en lugar de un número, que rodete no sigue"
         en "{what} in place of a number, which rodete does not follow"
