@@ -5,10 +5,10 @@ use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
-    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent,
-    PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
-    Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    FeedCodes, FeedLimit, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell,
+    LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order,
+    Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit,
+    SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -152,6 +152,7 @@ const FAGOR_8055_BASE: Control = Control {
         change: FeedChange::KeepsStale,
         path: FeedPath::AllAxes,
         unsaid: UnsaidFeed::Taken,
+        limit: FeedLimit::Format,
     },
     spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Code },
     tool: ToolCall::Change,

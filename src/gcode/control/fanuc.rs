@@ -12,10 +12,10 @@ use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark,
-    MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii,
-    RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
-    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    FeedCodes, FeedLimit, FeedPath, FeedRule, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
+    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent,
+    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
+    Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -97,6 +97,7 @@ pub static FANUC_LATHE_A: Control = Control {
         change: FeedChange::KeepsStale,
         path: FeedPath::AllAxes,
         unsaid: UnsaidFeed::Taken,
+        limit: FeedLimit::Format,
     },
     spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
     tool: ToolCall::Digits,

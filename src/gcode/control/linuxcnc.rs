@@ -5,10 +5,10 @@ use crate::gcode::control::codes::{BY_MODE, COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedCodes, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
-    MachineMove, Mark, MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords,
-    Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
-    ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    FeedCodes, FeedLimit, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell,
+    LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Opening, Order, Percent,
+    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
+    Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -81,6 +81,7 @@ pub static LINUXCNC: Control = Control {
         change: FeedChange::Forgets,
         path: FeedPath::LinearFirst,
         unsaid: UnsaidFeed::Taken,
+        limit: FeedLimit::Number,
     },
     spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Word },
     tool: ToolCall::Change,

@@ -5,10 +5,10 @@
 use super::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellWord, EmptyBlock, FeedChange,
-    FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark,
-    MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent, PolarWords, Radii,
-    RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm,
-    ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    FeedLimit, FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Lexis, LoneDwell, LoneReturn,
+    MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Opening, Order, Percent,
+    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, SpeedLimit, SpindleRule,
+    Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
@@ -135,7 +135,7 @@ impl Features {
     fn rates(&mut self, rotary: &RotaryRule, feed: &FeedRule, letters: Letters) {
         let RotaryRule { delivered, rollover } = rotary;
         // Codes have tables of their own, those of F among them.
-        let FeedRule { law, codes: _, missing, change, path, unsaid } = feed;
+        let FeedRule { law, codes: _, missing, change, path, unsaid, limit } = feed;
         let rotary_axes = ['A', 'B', 'C'].into_iter().any(|axis| letters.has(axis as u8 - b'A'));
         let turned = |does: Text| if rotary_axes { does } else { t("ningún eje giratorio", "no rotary axis") };
         self.row(t("ejes giratorios como se entrega", "rotary axes as delivered"), turned(delivered.told()));
@@ -148,6 +148,7 @@ impl Features {
         self.row(t("F cuando un código cambia lo que significa", "F where a code changes its meaning"), change.told());
         self.row(t("ejes a los que pertenece F", "axes that F belongs to"), path.told());
         self.row(t("F antes de decir lo que significa", "F before its meaning is said"), unsaid.told());
+        self.row(t("mayor F", "greatest F"), limit.told());
     }
 
     fn spindle(&mut self, spindle: &SpindleRule, codes: &Codes) {
@@ -326,6 +327,10 @@ macro_rules! told {
 }
 
 told! {
+    FeedLimit {
+        Self::Format => "99 999.999; la inversa del tiempo puede ser mayor", "99,999.999; an inverse time may be greater";
+        Self::Number => "la que quepa en un número", "what a number holds";
+    }
     Class {
         Self::Mill => "fresadora", "mill";
         Self::Lathe => "torno", "lathe";

@@ -343,4 +343,11 @@ rules! {
         why "El programa siguiente empezaría con la longitud de esta herramienta.",
             "The next program would begin with the length of this tool.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|T1 D0|M6|G43 G0 Z50|M30", "5");
+    "G0570" FeedWordInRapid Caution {}
+        es "el bloque da F sin código de movimiento y va en rápido hacia la pieza: sigue en vigor G0"
+        en "the block gives F without a motion code and moves in rapid towards the part: G0 is still in force"
+        remedy "escriba G1 si el movimiento es de avance; si no, G0, o quite F", "write G1 if the move is meant at feed; if not, G0, or take F out";
+        why "F no cambia el movimiento en vigor: la herramienta entraría en la pieza en rápido.",
+            "F does not change the motion in force: the tool would enter the part in rapid.";
+        example Example::program("linuxcnc", "G21 G90 S900 M3|G0 X10 Z2|Z-3 F100|M2", "3");
 }
