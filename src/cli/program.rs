@@ -12,10 +12,11 @@ use super::rules::*;
 use super::{plan, reading};
 use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
-use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
+use crate::gcode::control::{Control, foreign};
 use crate::gcode::interpreter::tool_table;
 use crate::gcode::interpreter::{Files, Interpreter, Setting, Tools};
+use crate::gcode::rules::lexis::OtherControlLikely;
 use crate::kinds::lathe::findings::{Reached, assumed};
 use crate::kinds::lathe::parameters::FORM;
 use crate::kinds::lathe::setup::Given;
@@ -240,4 +241,13 @@ pub(super) fn told_of(finding: Finding, tools: Option<&Path>) -> Finding {
 /// The note on a dialect that nobody named.
 pub(super) fn told_from(dialect: &Control) -> Finding {
     ControlGuessed { control: dialect.name }.at(Place::File)
+}
+
+/// The caution on a program of a guessed dialect that has a sign of a control that rodete does not read: the ending of its file's name, or
+/// a comment.
+pub(super) fn told_other(path: &Path, head: &[u8], dialect: &Control) -> Option<Finding> {
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    let found = String::from_utf8_lossy(head).lines().find_map(foreign::sign).or_else(|| foreign::of_ending(&ending));
+    let foreign::Foreign { control, sign } = found?;
+    Some(OtherControlLikely { control, sign, dialect: dialect.name }.at(Place::File))
 }

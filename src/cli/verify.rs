@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 use super::args::Verify;
 use super::locale::spoken;
 use super::made_from;
-use super::program::{Consulted, Shared, told_from};
+use super::program::{Consulted, Shared, told_from, told_other};
 use super::rules::NothingMoves;
 use super::terminal::Terminal;
 use super::turning::is_workbook;
@@ -161,6 +161,7 @@ fn follow(
     let head = file.fill_buf().unwrap_or_default();
     setting.headed = tools_headed(head);
     let made_from = made_from::compared(path, head);
+    let other = if named { None } else { told_other(path, head, dialect) };
     read.rotary = Some(setting.rotary);
     let sum = Sum::default();
     // A program may be far larger than memory, and only the document tells its sum.
@@ -183,6 +184,7 @@ fn follow(
     remarks.extend(made_from);
     if !named {
         remarks.push(told_from(dialect));
+        remarks.extend(other.filter(|_| total == 0));
     }
     if read.account.program.is_none() && total == 0 {
         remarks.push(NothingMoves {}.at(Place::File));

@@ -5,8 +5,8 @@ use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
-    FeedChange, FeedCodes, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord, Lexis,
-    LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule,
+    FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord,
+    Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule,
     OpeningLine, Order, Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode,
     RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange,
     UnsaidFeed, WordOrder, Writing,
@@ -167,6 +167,7 @@ const FAGOR_8055_BASE: Control = Control {
         change: FeedChange::KeepsStale,
         path: FeedPath::AllAxes,
         unsaid: UnsaidFeed::Taken,
+        limit: FeedLimit::Format,
     },
     spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Code },
     tool: ToolCall::Change,

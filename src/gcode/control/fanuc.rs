@@ -12,10 +12,11 @@ use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, CountedFeed, Counting, Decimals, DimensionPoint, Drilling, DwellUnit,
-    DwellWord, EmptyBlock, FeedChange, FeedCodes, FeedPath, FeedRule, FileName, Increments, Language, LeastIncrement,
-    LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind,
-    OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule,
-    Source, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    DwellWord, EmptyBlock, FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, Increments, Language,
+    LeastIncrement, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius,
+    NoseCorner, NumberBehind, OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover,
+    RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, UnitChange,
+    UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -113,6 +114,7 @@ pub static FANUC_LATHE_A: Control = Control {
         change: FeedChange::KeepsStale,
         path: FeedPath::AllAxes,
         unsaid: UnsaidFeed::Taken,
+        limit: FeedLimit::Format,
     },
     spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
     tool: ToolCall::Digits,

@@ -104,6 +104,26 @@ impl FeedCodes {
     }
 }
 
+/// The greatest F that is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FeedLimit {
+    /// 99 999.999, as a coordinate; an inverse time may be greater.
+    Format,
+    /// What a number holds: the control sets no limit.
+    Number,
+}
+
+impl FeedLimit {
+    /// True where F is refused beyond what a coordinate may be.
+    #[must_use]
+    pub const fn as_coordinate(self) -> bool {
+        match self {
+            Self::Format => true,
+            Self::Number => false,
+        }
+    }
+}
+
 /// How F is read.
 #[derive(Clone, Copy, Debug)]
 pub struct FeedRule {
@@ -119,4 +139,6 @@ pub struct FeedRule {
     pub path: FeedPath,
     /// Before a code has said what it means.
     pub unsaid: UnsaidFeed,
+    /// The greatest number.
+    pub limit: FeedLimit,
 }

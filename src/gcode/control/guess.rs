@@ -9,9 +9,12 @@ use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 /// The header of a program that rodete wrote names it. `.pim` is a Fagor 8055, `.pit` an 8055 T, `.ngc` LinuxCNC. A first line of a name
 /// and attributes, `%name,MX--,`, is a Fagor 8055, or 8055 T where a block has G96 with S, or where one has G95 and none as far as the end
 /// has Y; `%number-name` is a Fagor 8070. An M code from M10 to M18 or M20 to M29, which LinuxCNC does not have and a machine's builder gives
-/// a Fagor (clamps of rotary axes), is a Fagor 8055. So is a line that is a statement in parentheses, as `(CALL 1)` or `(P100=5)`: another
-/// control would pass over it as a comment, and make another part; and so is `(MSG "…")` in a text with G70 or G71. A line that begins with
-/// `#` and a word, as `#RTCP ON`, is a statement of a Fagor 8070: a parameter of another control has a number or a name in `<>`. A Fanuc lathe of system A is told by a T of place and offset, `T0101`, or `T101` in a text without M6; by `G50 S`; and by
+/// a Fagor (clamps of rotary axes), is a Fagor 8055, unless a line is written as for a Fanuc or a Haas, whose builders have such codes
+/// too: with an O number, a `%` alone, G43 H, G28 or G30, or a number that begins or ends with its decimal point. So is a line that is a
+/// statement in parentheses, as `(CALL 1)` or `(P100=5)`: another control would pass over it as a comment, and make another part; and so is
+/// `(MSG "…")` in a text with G70 or G71. A line that begins with `#` and a word, as `#RTCP ON`, is a statement of a Fagor 8070: a parameter
+/// of another control has a number or a name in `<>`. A Fanuc lathe of system A is told by a T of place and offset, `T0101`, or `T101` in a
+/// text without M6; by `G50 S`; and by
 /// G71, G72 or G73 with P, Q and U or W; by G28 or G30 with U or W; and by G92 with F, a thread. U and W alone tell nothing: they are
 /// axes of LinuxCNC. Everything else is LinuxCNC.
 ///
@@ -55,7 +58,7 @@ pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
     if text.lines().any(statement) || text.lines().any(message) && text.lines().any(fagor_unit) {
         return fagor_8055();
     }
-    if text.lines().any(builders_code) { &FAGOR_8055 } else { &LINUXCNC }
+    if text.lines().any(builders_code) && !text.lines().any(of_fanuc) { &FAGOR_8055 } else { &LINUXCNC }
 }
 
 /// The same of a turning program. A line of a name and attributes, `%name,MX--,`, a statement in parentheses, or a tool with its offset
@@ -242,6 +245,21 @@ fn tool_and_offset(line: &str) -> bool {
     })
 }
 
+/// True where a line is written as for a Fanuc or a Haas, whose builders have M codes of those numbers too: an O number, a `%` alone, G43
+/// with H, G28 or G30, a number with a decimal point at its end or its beginning.
+fn of_fanuc(line: &str) -> bool {
+    let code = code(line);
+    let numbered = code.strip_prefix('O').is_some_and(|rest| rest.starts_with(|one: char| one.is_ascii_digit()));
+    let bytes = code.as_bytes();
+    let digit = |at: Option<usize>| at.and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_digit);
+    let open = |at: usize| bytes[at] == b'.' && digit(at.checked_sub(1)) != digit(Some(at + 1));
+    numbered
+        || code == "%"
+        || has(&code, "G", "43") && word(&code, 'H')
+        || ["28", "30"].into_iter().any(|number| has(&code, "G", number))
+        || (0..bytes.len()).any(open)
+}
+
 /// True where a line has an M code that a machine's builder gave a Fagor.
 fn builders_code(line: &str) -> bool {
     code(line).split('M').skip(1).any(|rest| {
@@ -280,6 +298,14 @@ mod tests {
             ("G21\nG0 X1\nM2\n", "nc", "linuxcnc"),
             ("N10 G91 M3 M11 M13\n", "nc", "fagor-8055"),
             ("N10 G91 M3 M11 M13\n", "ngc", "linuxcnc"),
+            // The builders of other controls have such codes too.
+            ("O1000\nG90 G54 G94\nT1 M6\nM10\nG1 Z-1 F100\nM11\n", "nc", "linuxcnc"),
+            ("G90 G54 G94\nT1 M6\nM10\nG1 Z-1. F100.\nM11\n", "nc", "linuxcnc"),
+            ("G90 G54\nM29 S500\nG1 Z-1 F.2\n", "nc", "linuxcnc"),
+            ("%\nG90 G54\nM10\nG0 A90\n%\n", "nc", "linuxcnc"),
+            ("G90 G43 H1 Z50\nM17\n", "nc", "linuxcnc"),
+            ("G91 G28 Z0\nM10\n", "nc", "linuxcnc"),
+            ("G90 G1 X1.5 Z-0.25\nM10\n", "nc", "fagor-8055"),
             ("%PLATE,X,\r\nG71\r\n", "nc", "fagor-8055"),
             ("%PLATE,XM,\r\nG71\r\n", "nc", "fagor-8055"),
             ("%PLATE, MX,\r\nG71\r\n", "nc", "fagor-8055"),

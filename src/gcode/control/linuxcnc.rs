@@ -5,9 +5,9 @@ use crate::gcode::control::codes::{BY_MODE, COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
-    FeedChange, FeedCodes, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord, Lexis,
-    LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Order, Percent,
-    PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, Source, SpeedLimit,
+    FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord,
+    Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Order,
+    Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, Source, SpeedLimit,
     SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
@@ -84,6 +84,7 @@ pub static LINUXCNC: Control = Control {
         change: FeedChange::Forgets,
         path: FeedPath::LinearFirst,
         unsaid: UnsaidFeed::Taken,
+        limit: FeedLimit::Number,
     },
     spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Word },
     tool: ToolCall::Change,

@@ -10,6 +10,7 @@ mod dwell;
 mod fagor;
 mod fanuc;
 mod feed;
+pub mod foreign;
 pub mod guess;
 mod lexis;
 mod linuxcnc;
@@ -30,7 +31,7 @@ pub use self::codes::{CODE_LIMIT, Codes, code_name};
 pub use self::dwell::{DwellUnit, DwellWord, LoneDwell};
 pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, POST_8055_T};
 pub use self::fanuc::FANUC_LATHE_A;
-pub use self::feed::{FeedChange, FeedCodes, FeedPath, FeedRule, MissingFeed, UnsaidFeed};
+pub use self::feed::{FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, MissingFeed, UnsaidFeed};
 pub use self::lexis::{
     BlockDelete, BuilderCodes, Comments, Decimals, EmptyBlock, Language, Lexis, LoneReturn, Mark, NumberBehind,
     Percent, PolarWords,

@@ -163,7 +163,7 @@ impl Features {
     fn rates(&mut self, rotary: &RotaryRule, feed: &FeedRule, letters: Letters) {
         let RotaryRule { delivered, rollover } = rotary;
         // Codes have tables of their own, those of F among them.
-        let FeedRule { law, codes: _, missing, change, path, unsaid } = feed;
+        let FeedRule { law, codes: _, missing, change, path, unsaid, limit } = feed;
         let rotary_axes = ['A', 'B', 'C'].into_iter().any(|axis| letters.has(axis as u8 - b'A'));
         let turned = |does: Text| if rotary_axes { does } else { t("ningún eje giratorio", "no rotary axis") };
         self.row(t("ejes giratorios como se entrega", "rotary axes as delivered"), turned(delivered.told()));
@@ -176,6 +176,7 @@ impl Features {
         self.row(t("F cuando un código cambia lo que significa", "F where a code changes its meaning"), change.told());
         self.row(t("ejes a los que pertenece F", "axes that F belongs to"), path.told());
         self.row(t("F antes de decir lo que significa", "F before its meaning is said"), unsaid.told());
+        self.row(t("mayor F", "greatest F"), limit.told());
     }
 
     fn spindle(&mut self, spindle: &SpindleRule, codes: &Codes) {

@@ -1,6 +1,7 @@
 //! The characters of a line as the control sees them: blanks and comments passed over, letters alike in both cases.
 
 use crate::gcode::control::Comments;
+use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::rules::lexis::{
     BlockAfterEnd, Comma, CommentInWord, CommentNested, CommentNotOpened, CommentOpen, EdgeNotSupported, Exponent,
@@ -165,6 +166,25 @@ impl<'l> Cursor<'l> {
             column += 1;
         }
         if self.parentheses && self.line.get(column) == Some(&b'(') { Err(comment_inside(column)) } else { Ok(()) }
+    }
+
+    /// True where the line is not too long for a control, and no comment of it is nested, left open or closed without being open.
+    pub(super) fn line_fits(&self, longest: usize, form: Comments) -> bool {
+        if self.line.len() > longest {
+            return false;
+        }
+        memchr::memchr3(b'(', b')', b';', self.line).is_none() || comments(self.line, form).is_ok()
+    }
+
+    /// Passes a whole number in brackets and gives it; passes nothing of any other expression.
+    pub(super) fn bracketed_number(&mut self) -> Option<u32> {
+        let start = self.at;
+        let number = if self.accept(b'[') { block_number(self).ok() } else { None };
+        let found = number.filter(|_| self.accept(b']'));
+        if found.is_none() {
+            self.at = start;
+        }
+        found
     }
 
     /// The column of the first comment in parentheses before a column.

@@ -3,17 +3,21 @@
 //! A control asks for none of it, and cuts: each is a caution. What a lathe alone needs stands in `turned`.
 
 use crate::finding::Size;
-use crate::gcode::code::M;
+use crate::gcode::code::{G, Group, M};
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{FeedMode, MotionKind};
 use crate::gcode::rules::modes::{
-    CutsBeforeSpindle, CutsWithoutSpeed, GreatFeedPerTurn, LengthNotInForce, LengthOfAnother, SpindleStopped,
+    CutsBeforeSpindle, CutsWithoutSpeed, FeedWordInRapid, GreatFeedPerTurn, LengthNotInForce, LengthOfAnother,
+    SpindleStopped,
 };
 use crate::limits::GREATEST_FEED_PER_TURN;
 use crate::machine::axis::{Axis, Pose};
+
+/// A height that is the machine's 0, mm.
+const SAME: f64 = 1e-9;
 
 /// What a program has said of its spindle.
 #[derive(Debug, Default)]
@@ -91,12 +95,48 @@ impl Reader<'_, '_> {
         }
     }
 
+    /// A block that gives F and goes in rapid because of a code of an earlier block may be meant at feed. It is told where it goes towards
+    /// the part: away from it, or beside it, F is often set for the next block.
+    fn see_feed_word(&mut self, to: &Pose) {
+        let block = &self.block;
+        let bare = block.g(Group::Motion).is_none() && block.g(Group::NonModal).is_none();
+        if !bare || !block.has(letter::F) || self.state.modal.motion != G::Rapid || self.in_doubt(doubt::MOTION) {
+            return;
+        }
+        let towards = |axis: Axis| to.get(axis) < self.state.at.get(axis);
+        if towards(Axis::Z) || self.memory.control.turns() && towards(Axis::X) {
+            self.memory.remarks.row(&FeedWordInRapid {}, self.block.spot, None);
+        }
+    }
+
+    /// Sees whether Z comes to stand at the machine's 0, or leaves it.
+    fn see_home(&mut self, kind: MotionKind, to: &Pose) {
+        let goes_home = kind == MotionKind::Rapid
+            && matches!(self.block.g(Group::NonModal), Some(G::MachineCoordinates | G::Reference(_)))
+            && (self.block.has(letter::Z) || !self.has_axes());
+        if goes_home {
+            self.state.modal.z_home = self.state.frame.to_machine(to).get(Axis::Z).abs() < SAME;
+        } else if to.get(Axis::Z) != self.state.at.get(Axis::Z) {
+            self.state.modal.z_home = false;
+        }
+    }
+
+    /// True for a line in X and Y alone with Z at the machine's 0: the tool goes to its place there, and cuts nothing.
+    fn goes_to_place(&self, kind: MotionKind, to: &Pose) -> bool {
+        let across = |axis: &Axis| !matches!(axis, Axis::X | Axis::Y);
+        matches!(kind, MotionKind::Feed(_))
+            && self.state.modal.z_home
+            && Axis::ALL.iter().filter(|axis| across(axis)).all(|axis| to.get(*axis) == self.state.at.get(*axis))
+    }
+
     /// Sees whether what a motion at feed needs is in force.
     pub(super) fn see_cut(&mut self, kind: MotionKind, to: &Pose) {
+        self.see_home(kind, to);
         let feed = match kind {
             MotionKind::Feed(feed) | MotionKind::Arc(_, feed) => feed,
             MotionKind::Rapid => {
                 self.memory.spindle.no_torch |= self.turns_without_speed();
+                self.see_feed_word(to);
                 return;
             }
             MotionKind::Thread(thread) => {
@@ -138,7 +178,7 @@ impl Reader<'_, '_> {
                 self.memory.remarks.row(&SpindleStopped {}, spot, None);
             }
         }
-        if self.in_doubt(doubt::TOOL | doubt::LENGTH) {
+        if self.in_doubt(doubt::TOOL | doubt::LENGTH) || self.goes_to_place(kind, to) {
             return;
         }
         if self.length_waits() {
@@ -194,6 +234,16 @@ mod tests {
             ("T3 M6|M3|G0 Z5|G1 Z-2", &[]),
             ("T1 M6|M3|G43.1 Z12|G0 Z5|G1 Z-2", &[]),
             ("T1 M6|M3|G0 Z5|G1 Z-2", &["G0528"]),
+            // At the machine's 0 of Z a feed in X and Y is on its way to the part.
+            ("G53 G0 Z0|T1 M6|M3|G1 X50 Y5|G0 G43 Z5 H1|G1 Z-2", &[]),
+            ("G91 G28 Z0|G90|T1 M6|M3|G1 X50|Y5|G43 H1|G0 Z5|G1 Z-2|G53 G0 Z0|T2 M6|M3|G1 X9|G0 G43 H2 Z5|G1 Z-2", &[]),
+            ("G28|T1 M6|M3|G1 X50", &[]),
+            ("G53 G0 Z0|T1 M6|M3|G1 X50 Z-1", &["G0528"]),
+            ("G53 G0 Z0|T1 M6|M3|G2 X2 Y0 I1 J0", &["G0528"]),
+            ("G53 G0 Z0|T1 M6|M3|G0 Z5|G1 X50", &["G0528"]),
+            ("G53 G0 Z-1|T1 M6|M3|G1 X50", &["G0528"]),
+            ("G53 G0 X0|T1 M6|M3|G1 X50", &["G0528"]),
+            ("G0 Z0|T1 M6|M3|G1 X50", &["G0528"]),
             ("T1 M6|M3|G43|G0 Z5|G49|G1 Z-2", &["G0528"]),
             ("T1 M6|M3|G0 Z5|G81 X9 R2 Z-3", &["G0528"]),
             ("T1 M6|M3|G0 Z-2|G1 A90", &["G0528"]),
@@ -207,6 +257,24 @@ mod tests {
             ("T1 M6|M3|M70|G43 H1|G0 Z50|M72|G1 Z-2", &["G0528"]),
             ("T1 M6|M3|G43|M70|G49|M72|G1 Z-2", &[]),
             ("T1 M6|M3|G43|M70|G49|M72|T2 M6|M3|G1 Z-2", &["G0529"]),
+        ] {
+            let program = format!("G21 G90 G98 S900 F100\n{}\nM2\n", blocks.replace('|', "\n"));
+            assert_eq!(remarked(&program), told, "{blocks}");
+        }
+    }
+
+    #[test]
+    fn a_block_with_f_that_goes_in_rapid_towards_the_part_is_told() {
+        for (blocks, told) in [
+            ("G0 X5 Z2|Z-3 F50", &["G0570"][..]),
+            ("G0 X5 Z2 F50|Z-3", &[]),
+            ("G0 X5 Z2|G0 Z-3 F50", &[]),
+            ("G0 X5 Z2|X9 F50|Z4 F50", &[]),
+            ("G0 X5 Z2|F50|Z-3", &[]),
+            ("G0 X5 Z2|G91 Z-3 F50", &["G0570"]),
+            ("G0 X5 Z2|G53 G0 Z-3 F50", &[]),
+            ("S900 M3|G0 Z2|G81 X1 Z-3 R1 F50|X2 F60", &[]),
+            ("S900 M3|G1 X5 Z2|Z-3 F50", &[]),
         ] {
             let program = format!("G21 G90 G98 S900 F100\n{}\nM2\n", blocks.replace('|', "\n"));
             assert_eq!(remarked(&program), told, "{blocks}");

@@ -175,7 +175,7 @@ impl Reader<'_, '_> {
         match self.block.m(4) {
             Some((M::End, _)) => {
                 self.finish_run()?;
-                self.see_unreached();
+                self.see_unreached(false);
                 self.end()
             }
             Some((M::Call | M::CallBlock | M::Return, _)) => {

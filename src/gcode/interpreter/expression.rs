@@ -279,10 +279,13 @@ impl Reader<'_, '_> {
             if OF_THE_MACHINE.contains(&name.as_str()) {
                 return Err(Refused::of(&NameOfMachine { name }, &[column]));
             }
-            return self.memory.parameters.named(&name).or_else(|| self.system_name(&name)).ok_or_else(|| {
-                let doubt = self.doubt_of(&format!("<{name}>"));
-                Refused::of(&NameUnset { name }, &[column]).hanging_on(doubt)
-            });
+            let unset = self.memory.flow.defining.then_some(0.0);
+            return self.memory.parameters.named(&name).or_else(|| self.system_name(&name)).or(unset).ok_or_else(
+                || {
+                    let doubt = self.doubt_of(&format!("<{name}>"));
+                    Refused::of(&NameUnset { name }, &[column]).hanging_on(doubt)
+                },
+            );
         }
         let number = self.parameter_number(cursor)?;
         if !(1..COUNT).contains(&number) {

@@ -16,9 +16,8 @@ use crate::gcode::interpreter::source::Position;
 use crate::gcode::interpreter::structure::{OWord, Structure, Word, label, shown, word};
 use crate::gcode::rules::flow::{
     ArgumentsTooMany, BehindOWord, CallNotFirst, CallWithWords, CallWithoutP, CallsTooDeep, DefinedBehindCall,
-    LabelNotWhole, MainReturns, NotCalled, OWordUnknown, ProgramMissing, RepeatsTooMany, ReturnInsideSub,
-    SubprogramBefore, SubprogramMissing, SubprogramOutside, SubprogramTooLarge, SubprogramUnreadable,
-    WithoutCounterpart,
+    MainReturns, NotCalled, OWordUnknown, ProgramMissing, RepeatsTooMany, ReturnInsideSub, SubprogramBefore,
+    SubprogramMissing, SubprogramOutside, SubprogramTooLarge, SubprogramUnreadable, WithoutCounterpart,
 };
 use crate::limits::{CALL_REPEATS, SUBPROGRAM_BYTES};
 
@@ -65,6 +64,8 @@ pub(super) struct Flow {
     clause: bool,
     /// The line in hand ends the SUB that the control has just passed over.
     passed: bool,
+    /// A SUB is passed over: to the control a name that nothing has set is 0 there.
+    pub(super) defining: bool,
     /// The subprograms that the control has met, by text and O-word.
     met: BTreeSet<(usize, usize)>,
     /// What M70 or M73 has kept outside of all calls.
@@ -117,10 +118,7 @@ impl Reader<'_, '_> {
         cursor.pass();
         let name = match label(cursor)? {
             Some(name) => name,
-            None => {
-                let value = self.value(cursor)?.value;
-                whole(value).ok_or_else(|| Refused::of(&LabelNotWhole { label: value }, &[column]))?.to_string()
-            }
+            None => self.computed_label(cursor, column)?,
         };
         let place = cursor.column();
         let Some(kind) = word(cursor) else {
@@ -196,8 +194,10 @@ impl Reader<'_, '_> {
         }
         // The control reads what the end gives back even here.
         self.memory.flow.passed = true;
-        self.go_to(end.at);
-        Ok(())
+        self.memory.flow.defining = true;
+        let result = self.pass_to(end.at);
+        self.memory.flow.defining = false;
+        result
     }
 
     /// ENDSUB of a SUB that is passed over: the control keeps its value like that of a call. Computed from what the call would
@@ -238,7 +238,7 @@ impl Reader<'_, '_> {
             (Some(_), false) | (None, true) => {}
             (None, false) => {
                 let end = self.mark(mark.next)?;
-                self.go_to(end.after);
+                self.pass_to(end.after)?;
             }
         }
         Ok(())
@@ -259,22 +259,15 @@ impl Reader<'_, '_> {
 
     fn next_clause(&mut self, mark: &OWord) -> Result<()> {
         let next = self.mark(mark.next)?;
-        if next.word == Word::EndIf {
-            self.go_to(next.after);
-            Ok(())
-        } else {
-            self.memory.flow.clause = true;
-            self.go_to(next.at);
-            Ok(())
-        }
+        self.memory.flow.clause = next.word != Word::EndIf;
+        self.pass_to(if next.word == Word::EndIf { next.after } else { next.at })
     }
 
     fn leave_clauses(&mut self, index: Option<usize>) -> Result<()> {
         let structure = self.structure()?;
         let end = index.and_then(|index| structure.end_of_clauses(index));
         let end = self.mark(end)?;
-        self.go_to(end.after);
-        Ok(())
+        self.pass_to(end.after)
     }
 
     fn repeat(&mut self, cursor: &mut Cursor<'_>, mark: &OWord, index: Option<usize>) -> Result<()> {
@@ -292,8 +285,7 @@ impl Reader<'_, '_> {
         }
         self.memory.flow.rounds.remove(&place);
         let end = self.mark(mark.next)?;
-        self.go_to(end.after);
-        Ok(())
+        self.pass_to(end.after)
     }
 
     /// BREAK and CONTINUE of a WHILE or DO.
@@ -304,15 +296,9 @@ impl Reader<'_, '_> {
             self.round_again()?;
         }
         match (leave, opens.word) {
-            (true, _) => {
-                self.go_to(closes.after);
-                Ok(())
-            }
+            (true, _) => self.pass_to(closes.after),
             // The condition of a DO stands at its end, that of a WHILE at its beginning.
-            (false, Word::Do) => {
-                self.go_to(closes.at);
-                Ok(())
-            }
+            (false, Word::Do) => self.pass_to(closes.at),
             (false, _) => {
                 self.go_to(opens.at);
                 Ok(())
@@ -465,7 +451,9 @@ impl Reader<'_, '_> {
         if mark.at.lines < back.line.lines && !self.memory.flow.met.contains(&(back.text, index)) {
             return Err(Refused::of(&SubprogramBefore { label: shown(&mark.label), line: mark.at.lines + 1 }, &[]));
         }
-        self.memory.flow.met.insert((back.text, index));
+        if self.memory.flow.met.insert((back.text, index)) {
+            self.read_passed(back, mark.after)?;
+        }
         Ok(Mark { line: mark.after, ..back })
     }
 

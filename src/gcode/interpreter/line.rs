@@ -6,12 +6,12 @@ use crate::gcode::interpreter::cursor::{Cursor, comments};
 use crate::gcode::interpreter::library::{Mark, Spot};
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
-use crate::gcode::interpreter::tape::{has_code, titled};
+use crate::gcode::interpreter::tape::{has_code, numbers_program, titled};
 use crate::gcode::interpreter::{Reader, Stage, block_number, pass_fraction, without_end};
 use crate::gcode::rules::flow::{BlockEmpty, BlockNumberTooGreat, SwitchUnknown};
 use crate::gcode::rules::lexis::{
     Aborts, ActiveComment, BeforePercent, EndsWithoutCode, HeaderInvalid, HeaderNotExecutable, HighLevel, LineTooLong,
-    Percent, PercentAgain, ProgramNumber,
+    NoProgramNumbers, Percent, PercentAgain, ProgramNumber,
 };
 use crate::gcode::rules::words::LocalSubroutine;
 use crate::limits::LEADER_LINES;
@@ -156,6 +156,7 @@ impl Reader<'_, '_> {
                 if self.memory.control.lexis.percent.leader() {
                     self.remark_no_end();
                 }
+                self.see_unreached(true);
                 return self.end();
             }
         }
@@ -186,23 +187,24 @@ impl Reader<'_, '_> {
         self.memory.remarks.row(&EndsWithoutCode {}, self.block.spot, None);
     }
 
-    /// Passes over what stands before the first `%`, as a Fanuc does: text that is no block, with a program behind it.
+    /// Passes over what stands before the first `%`, as a Fanuc does: text that is no block, or the number of a program alone, with a
+    /// program behind it.
     pub(super) fn pass_leader(&mut self) -> Result<()> {
+        let comments = self.memory.control.lexis.comments;
         let mut line = Vec::new();
         let (mut text, mut at) = (false, self.memory.flow.next);
         while at.line.lines < LEADER_LINES {
             let Some(behind) = self.memory.library.line(at, &mut line)? else { break };
             let words = line.trim_ascii().to_ascii_uppercase();
             if titled(&words) {
-                let more = text && self.memory.library.line(behind, &mut line)?.is_some();
-                if more && !line.trim_ascii().is_empty() {
+                if text && self.goes_on(behind)? {
                     let first = Spot { line: 1, ..self.block.spot };
                     self.memory.remarks.row(&BeforePercent {}, first, None);
                     self.memory.flow.next = at;
                 }
                 break;
             }
-            if has_code(&words) {
+            if has_code(&words) && !numbers_program(&words, comments) {
                 break;
             }
             text |= !words.is_empty() && words != b"\xEF\xBB\xBF";
@@ -211,9 +213,26 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
+    /// True where the next line behind a place that is not blank is no `%`.
+    fn goes_on(&mut self, mut at: Mark) -> Result<bool> {
+        let mut line = Vec::new();
+        while at.line.lines < LEADER_LINES {
+            let Some(behind) = self.memory.library.line(at, &mut line)? else { break };
+            if !line.trim_ascii().is_empty() {
+                return Ok(!titled(&line));
+            }
+            at = behind;
+        }
+        Ok(false)
+    }
+
     /// The number and name of a program without O-words.
     fn program_number(&mut self, cursor: &mut Cursor<'_>, opening: bool) -> Result<()> {
         let column = cursor.column();
+        if self.memory.control.lexis.percent.named() {
+            let dialect = self.memory.setting.control.name;
+            return Err(Refused::of(&NoProgramNumbers { dialect }, &[column]));
+        }
         cursor.pass();
         block_number(cursor)?;
         if opening && cursor.peek() == 0 {

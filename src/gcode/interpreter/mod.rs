@@ -45,6 +45,7 @@ mod execute;
 mod expression;
 mod fagor;
 mod flow;
+mod foreign;
 mod from_start;
 mod inputs;
 mod lathe;
@@ -57,6 +58,7 @@ mod numbers;
 mod offsets;
 mod out;
 mod parameters;
+mod passed;
 mod point;
 mod polar;
 mod read;
@@ -160,6 +162,8 @@ struct Memory<'a> {
     percent: bool,
     /// M66 has read an input.
     input_read: bool,
+    /// A sign of another control has been looked for.
+    foreign_sought: bool,
     /// First blocks of turning cycles of two that no second one has followed yet.
     first_blocks: Vec<(TurningCycle, Spot)>,
     /// A comment has ended the program.
@@ -273,6 +277,7 @@ impl<'a> Interpreter<'a> {
             stage: Stage::Opening,
             percent: false,
             input_read: false,
+            foreign_sought: false,
             first_blocks: Vec::new(),
             aborted: false,
             uncut: false,
@@ -556,6 +561,7 @@ impl Iterator for Interpreter<'_> {
                 reader.step(line)
             };
             let Err(fault) = result else { continue };
+            let fault = reader.or_foreign(fault);
             let lost = reader.loses_cycle(line);
             reader.memory.uncut |= lost || fault.uncut;
             if let Some(mut fault) = reader.told_once(fault, line) {

@@ -56,6 +56,8 @@ pub(super) struct Modal {
     pub(super) length_left: Left,
     /// The tool whose length it is, where G43 took it from the tool table; where G43 waits, the offset taken up.
     pub(super) length_of: Option<u32>,
+    /// Z stands at the machine's 0, where G53 or G28 has brought it.
+    pub(super) z_home: bool,
     pub(super) coolant: bool,
     pub(super) compensation: Compensation,
     /// The motion in hand goes to the intermediate point of a return to reference.
@@ -108,6 +110,7 @@ impl Modal {
             lengthened: false,
             length_left: Left::Whole,
             length_of: None,
+            z_home: false,
             coolant: false,
             compensation: Compensation::Off,
             to_intermediate: false,

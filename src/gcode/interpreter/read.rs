@@ -119,7 +119,7 @@ impl Reader<'_, '_> {
         self.feed_and_speed_in_bounds()
     }
 
-    /// Refuses an F or S beyond what a coordinate may be; an F that is an inverse time may be greater.
+    /// Refuses an F or S beyond what a coordinate may be; an F may be greater that is an inverse time, or whose control sets no limit.
     fn feed_and_speed_in_bounds(&self) -> Result<()> {
         for index in [letter::F, letter::S] {
             let Some(value) = self.block.get(index).filter(|value| *value > f64::from(LIMIT) / 1000.0) else {
@@ -129,7 +129,8 @@ impl Reader<'_, '_> {
                 Some(G::Feed(mode)) => mode,
                 _ => self.state.modal.feed_mode,
             };
-            if index == letter::F && mode == FeedMode::InverseTime {
+            if index == letter::F && (mode == FeedMode::InverseTime || !self.memory.control.feed.limit.as_coordinate())
+            {
                 continue;
             }
             let name = if index == letter::F { 'F' } else { 'S' };
@@ -377,5 +378,44 @@ impl Reader<'_, '_> {
             format!("para un chaflán escriba ,C{size} con coma; "),
             format!("for a chamfer write ,C{size} with a comma; "),
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::control::{Control, FAGOR_8055, FANUC_LATHE_A, LINUXCNC};
+    use crate::gcode::interpreter::{Interpreter, Setting};
+
+    /// The codes of the refusals.
+    fn refused(control: &'static Control, program: &str) -> Vec<&'static str> {
+        let read = Interpreter::over(program.as_bytes(), Setting::new(control));
+        read.filter_map(|item| item.err()).map(|fault| fault.rule.code).collect()
+    }
+
+    #[test]
+    fn a_feed_is_as_great_as_its_control_takes_it() {
+        let program = |feed: &str| format!("G21 G90 S900 M3\nG1 X1 F{feed}\nM2\n");
+        assert_eq!(refused(&LINUXCNC, &program("9991300.0")), [""; 0]);
+        assert_eq!(refused(&LINUXCNC, &program("9999999999")), [""; 0]);
+        assert_eq!(refused(&LINUXCNC, &program("10000000000")), ["G0116"]);
+        assert_eq!(refused(&FAGOR_8055, "G71 G90 G94\nG1 X1 F100000\nM30\n"), ["G0105"]);
+        assert_eq!(refused(&FANUC_LATHE_A, "G21 G98\nG1 X1. F100000.\nM30\n"), ["G0105"]);
+        assert_eq!(refused(&LINUXCNC, "G21 G90\nS100000\nM2\n"), ["G0105"]);
+    }
+
+    #[test]
+    fn a_parameter_whose_number_is_a_function_is_no_macro() {
+        assert_eq!(refused(&LINUXCNC, "G21 G90\n#atan[1]/[1]=3\nG0 X#45\nM2\n"), [""; 0]);
+        assert_eq!(refused(&LINUXCNC, "G21 G90\n#foo=3\nM2\n").len(), 1);
+        assert!(!refused(&LINUXCNC, "G21 G90\n#foo=3\nM2\n").contains(&"G0129"));
+        assert_eq!(refused(&LINUXCNC, "G21 G90\nIF [#1 EQ 1] GOTO 10\nM2\n"), ["G0129"]);
+    }
+
+    #[test]
+    fn an_o_number_is_refused_by_a_control_that_has_none() {
+        for program in ["O1000\nG71 G90\nG0 X1\nM30\n", "%A,MX,\nO1000\nG71 G90\nG0 X1\nM30\n"] {
+            assert_eq!(refused(&FAGOR_8055, program), ["G0851"], "{program}");
+        }
+        assert_eq!(refused(&FANUC_LATHE_A, "O1000\nG21 G98\nG0 X1. Z1.\nM30\n"), [""; 0]);
     }
 }

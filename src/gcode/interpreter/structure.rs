@@ -134,14 +134,17 @@ pub(super) struct Structure {
     opening: BTreeMap<(Option<usize>, String), usize>,
     /// The last number of a program.
     program: Option<usize>,
+    /// Where lines begin that the control cannot pass over, or whose label must be computed even there, in the order of the text.
+    unread: Vec<Position>,
 }
 
-/// A label: a number, or a name in `<` and `>`. `None` where it is computed, as only calls may have it.
+/// A label: a number, also in brackets, or a name in `<` and `>`. `None` where it is computed, as only calls may have it.
 pub(super) fn label(cursor: &mut Cursor<'_>) -> Result<Option<String>> {
     match cursor.peek() {
+        b'[' => Ok(cursor.bracketed_number().map(|number| number.to_string())),
         b'<' => cursor.name().map(Some),
         b'0'..=b'9' => block_number(cursor).map(|number| Some(number.to_string())),
-        b'#' | b'[' => Ok(None),
+        b'#' => Ok(None),
         _ => Err(Refused::of(&LabelMissing {}, &[cursor.column()])),
     }
 }
@@ -207,19 +210,26 @@ impl Structure {
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();
         lines(source, lexis, |at, behind, mut cursor| {
+            if !cursor.line_fits(lexis.longest_line, lexis.comments) {
+                structure.unread.push(at);
+            }
             cursor.accept_delete(false);
             if cursor.accept(b'n') {
                 if block_number(&mut cursor).is_err() {
-                    return Ok(());
+                    structure.unread.push(at);
+                    return structure.in_bounds();
                 }
                 pass_fraction(&mut cursor);
             }
             if !cursor.accept(b'o') {
-                return Ok(());
+                return structure.in_bounds();
             }
             let place = cursor.column();
-            // What else is wrong inside a line is refused when it is executed.
-            let Ok(Some(label)) = label(&mut cursor) else { return Ok(()) };
+            // What else is wrong inside a line is refused when it is executed, or passed over.
+            let Ok(Some(label)) = label(&mut cursor) else {
+                structure.unread.push(at);
+                return structure.in_bounds();
+            };
             let behind_label = cursor.column();
             let Some(word) = word(&mut cursor) else {
                 return Err(refused_at(behind.lines, &[behind_label], &OWordUnknown {}));
@@ -231,16 +241,20 @@ impl Structure {
             }
             let mark = OWord { word, label, at, after: behind, next: None, opens: None };
             structure.add(mark, &mut open)?;
-            if structure.words.len() > O_WORDS {
-                return Err(Refused::ended(&OWordsTooMany { most: O_WORDS }));
-            }
-            Ok(())
+            structure.in_bounds()
         })?;
         if let Some(mark) = open.last().and_then(|&index| structure.words.get(index)) {
             let (label, word, close) = (shown(&mark.label), mark.word.name(), mark.word.closed_by());
             return Err(refused(mark.at.lines + 1, &NotClosed { label, word, close }));
         }
         Ok(structure)
+    }
+
+    fn in_bounds(&self) -> Result<()> {
+        if self.words.len().max(self.unread.len()) > O_WORDS {
+            return Err(Refused::ended(&OWordsTooMany { most: O_WORDS }));
+        }
+        Ok(())
     }
 
     fn add(&mut self, mut mark: OWord, open: &mut Vec<usize>) -> Result<()> {
@@ -355,6 +369,12 @@ impl Structure {
             }
         }
         Ok(())
+    }
+
+    /// Where lines begin, of those between two places, that are not passed over unread.
+    pub(super) fn unread_between(&self, from: Position, to: Position) -> &[Position] {
+        let place = |position: Position| self.unread.partition_point(|one| one.lines < position.lines);
+        self.unread.get(place(from)..place(to)).unwrap_or_default()
     }
 
     /// The SUB that an O-word stands in.

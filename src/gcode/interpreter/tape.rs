@@ -1,6 +1,7 @@
 //! Where the text of a file ends for a control: at the second `%`. What stands behind it is neither run nor looked through.
 
 use crate::gcode::control::{Comments, Lexis, Percent};
+use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::refused::Result;
 use crate::gcode::interpreter::source::{Position, SourceText};
@@ -20,6 +21,12 @@ struct Tape {
 pub(super) fn has_code(line: &[u8]) -> bool {
     let code = |two: &[u8]| b"GMOTN".contains(&two[0].to_ascii_uppercase()) && two[1].is_ascii_digit();
     line.windows(2).any(code)
+}
+
+/// True for a line of an O number and nothing but a comment behind it.
+pub(super) fn numbers_program(line: &[u8], comments: Comments) -> bool {
+    let mut cursor = Cursor::new(line, comments);
+    cursor.accept(b'o') && block_number(&mut cursor).is_ok() && cursor.peek() == 0
 }
 
 /// True for a line of a `%` alone, or with a title in letters and no code behind it: a Fanuc passes over what stands there up to the
@@ -72,7 +79,8 @@ impl Tape {
             // A `%` that none has opened is refused where it is executed.
             Percent::Pair if percent && self.begun && !self.opened => return false,
             Percent::Pair => !line.trim_ascii().is_empty(),
-            Percent::Leader => has_code(line),
+            // The number of a program before the first `%` is passed over like a text.
+            Percent::Leader => has_code(line) && !numbers_program(line, self.comments),
         };
         if percent && (self.begun || self.opened) {
             return true;
@@ -114,6 +122,15 @@ mod tests {
             let missed = motions(&format!("{head}O0001\nM98 P1000\nM30\n%\n{behind}"), &FANUC_LATHE_A);
             assert_eq!(missed, Err("PS0078: there is no subprogram O1000".to_owned()), "{head}");
         }
+        // A program's number before the first `%` is passed over with what else stands there.
+        let program = "O0001\nM98 P1000\nM30\n";
+        for head in ["O0090 (CONE)\n%\n", "O0090\n\n%\n\n", "CONE\nO0090\n%\n"] {
+            assert_eq!(motions(&format!("{head}{program}{behind}%\n"), &FANUC_LATHE_A), Ok(1), "{head}");
+        }
+        assert_eq!(motions("O0090 (CONE)\n%\nG21 G98\nG0 X10. Z1.\nM30\n%\n", &FANUC_LATHE_A), Ok(1));
+        // Where nothing stands behind that `%`, it is the end.
+        assert_eq!(motions("O0090\n%\n%\n", &FANUC_LATHE_A), Ok(0));
+        assert_eq!(motions("O0090\nG0 X10. Z1.\n%\n", &FANUC_LATHE_A), Ok(1));
         let once = format!("%\nO0001\nM98 P1000\nM30\n{behind}%\n{behind}");
         assert_eq!(motions(&once, &FANUC_LATHE_A), Ok(1), "one of the two is not read");
     }

@@ -13,18 +13,21 @@ use crate::gcode::rules::flow::BlocksNeverRun;
 enum Behind {
     /// Nothing to run: a comment, a block number alone, a `%`.
     Nothing,
+    /// The `%` that ends the text of the program.
+    Closed,
     /// A block.
     Block,
-    /// The text of the program ends here, or something begins that is run where it is called.
+    /// Something begins that is run where it is called.
     Other,
 }
 
 impl Reader<'_, '_> {
-    /// M2 or M30 has ended the program: says where the blocks behind it begin that are never run.
+    /// M2, M30 or the closing `%` has ended the program: says where the blocks behind it begin that are never run. `closed` for the `%`,
+    /// behind which nothing can be called.
     ///
     /// Nothing is said where the end stands in a subprogram or a clause, or behind `/`: another run may go past it. Nor is it where
     /// a block was refused, as that one may be a jump.
-    pub(super) fn see_unreached(&mut self) {
+    pub(super) fn see_unreached(&mut self, mut closed: bool) {
         let Spot { text, line: end, .. } = self.block.spot;
         let mut at = self.memory.flow.next;
         let within = self.memory.library.known_structure().is_some_and(|structure| structure.is_open(end));
@@ -36,8 +39,9 @@ impl Reader<'_, '_> {
         let numbered = self.memory.library.text(0).furthest() > end;
         let mut line = Vec::new();
         while let Ok(Some(next)) = self.memory.library.line(at, &mut line) {
-            match self.behind_end(&line, numbered) {
+            match self.behind_end(&line, closed, numbered) {
                 Behind::Nothing => at = next,
+                Behind::Closed => (at, closed) = (next, true),
                 Behind::Block => {
                     let row = BlocksNeverRun { line: next.line.lines, end };
                     let spot = Spot { line: next.line.lines, ..self.block.spot };
@@ -48,19 +52,26 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// What a line behind the end is; `numbered` where a block number may be one that is called.
-    fn behind_end(&self, line: &[u8], numbered: bool) -> Behind {
+    /// What a line behind the end is; `closed` behind the last `%`, `numbered` where a block number may be one that is called.
+    fn behind_end(&self, line: &[u8], closed: bool, numbered: bool) -> Behind {
         let lexis = &self.memory.control.lexis;
         let mut cursor = Cursor::new(line, lexis.comments);
         if cursor.peek() == b'%' {
             let ends = lexis.percent.leader() && titled(line) || lexis.percent.bare() && self.memory.percent;
-            return if ends { Behind::Other } else { Behind::Nothing };
+            return if ends { Behind::Closed } else { Behind::Nothing };
         }
         cursor.accept_delete(lexis.delete.switches() > 0);
-        if cursor.accept(b'n') && (numbered || block_number(&mut cursor).is_err()) {
-            return Behind::Other;
+        if cursor.accept(b'n') && (block_number(&mut cursor).is_err() || numbered && !closed) {
+            return if closed { Behind::Nothing } else { Behind::Other };
         }
         match cursor.peek() {
+            b'a'..=b'z' | b'#' if closed => {
+                if line.iter().any(u8::is_ascii_digit) {
+                    Behind::Block
+                } else {
+                    Behind::Nothing
+                }
+            }
             // A subprogram, or another program; the high-level language has subprograms too.
             b'o' => Behind::Other,
             b'(' | b'$' | b'#' if lexis.language.has_words_alone() => Behind::Other,
@@ -101,11 +112,14 @@ mod tests {
         let mill = "G21 G90 S900 M3|G1 X1 F100|";
         let fagor = "%A,MX,|G71 G90 G94 S900 M3|G1 X1 F100|";
         let lathe = "O0001|G21 G98|G0 X40. Z2.|";
-        let cases: [Case; 24] = [
+        let cases: [Case; 30] = [
             (&LINUXCNC, format!("{mill}M2"), None),
             (&LINUXCNC, format!("{mill}M2||(end)|; end||N90|"), None),
             (&LINUXCNC, format!("{mill}M2||(end)|G0 Z50|M2"), Some((6, 3))),
-            (&LINUXCNC, format!("%|{mill}M2|%|G0 Z50"), None),
+            (&LINUXCNC, format!("%|{mill}M2|%|G0 Z50"), Some((6, 4))),
+            (&LINUXCNC, format!("%|{mill}M2|%||(end)|%"), None),
+            (&LINUXCNC, format!("%|{mill}%|G0 Z50|M2"), Some((5, 4))),
+            (&LINUXCNC, format!("%|{mill}M2|%|%|O2|G0 X2"), Some((7, 4))),
             (&LINUXCNC, format!("{mill}M98 P7|M2|O7|G1 X2|M99"), None),
             (&LINUXCNC, format!("{mill}O<s> CALL|M2|O<s> SUB|G1 X2|O<s> ENDSUB"), None),
             (&LINUXCNC, format!("{mill}M98 P7|M2|G0 Z50|O7|G1 X2|M99"), Some((5, 4))),
@@ -125,7 +139,10 @@ mod tests {
             (&FANUC_LATHE_A, format!("{lathe}M30|G0 X50."), Some((5, 4))),
             (&FANUC_LATHE_A, format!("{lathe}M98 P2|M30|O0002|G1 X30. F100.|M99"), None),
             (&FANUC_LATHE_A, format!("{lathe}M30|O0002|G0 X1.|M30"), None),
-            (&FANUC_LATHE_A, format!("{lathe}M30|%|G0 X50."), None),
+            (&FANUC_LATHE_A, format!("{lathe}M30|%|G0 X50."), Some((6, 4))),
+            (&FANUC_LATHE_A, format!("%|{lathe}M30|%|thank you for reading"), None),
+            (&FANUC_LATHE_A, format!("{lathe}%|G0 X50.|M30"), Some((5, 4))),
+            (&FANUC_LATHE_A, format!("%|{lathe}M30|%|%|O0002|G0 X50.|M30|%"), Some((8, 5))),
             (
                 &FANUC_LATHE_A,
                 format!("{lathe}S500 M3|G71 U2. R1.|G71 P10 Q20 U1. W.1 F100.|M30|N10 G0 X20.|N20 G1 Z-20."),

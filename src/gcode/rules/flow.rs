@@ -81,10 +81,10 @@ rules! {
     "G0311" WithoutCounterpart Stop {}
         es "palabra O sin pareja"
         en "O-word without its partner"
-        remedy "compruebe los pares de palabras O", "check that the O-words pair up";
+        remedy "escriba la etiqueta con un número o un <nombre>, igual en cada palabra O de la pareja", "write the label as a number or a <name>, the same in each O-word of the pair";
         why "Una etiqueta calculada no se puede emparejar antes de ejecutar el bloque.",
             "A computed label cannot be matched before the block runs.";
-        example Example::program("linuxcnc", "G21 G90 F100|O[1] ENDIF|M2", "2");
+        example Example::program("linuxcnc", "G21 G90 F100|O#1 ENDIF|M2", "2");
     "G0312" LabelNotWhole Stop { label: f64 }
         es "O{label} no es una etiqueta"
         en "O{label} is not a label"

@@ -171,7 +171,7 @@ rules! {
             "keep each program in its own file; write what follows the number in the next block";
         why "Un número en medio puede empezar otro programa: lo que se ejecuta depende del control.",
             "A number in the middle may begin another program: the control decides what runs.";
-        example Example::program("fagor-8055", "G0 X1|O5|M30", "2:1");
+        example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.|O5 G0 X50.|M30", "3:1");
     "G0024" Aborts Caution { comment: String }
         es "el programa termina aquí: {comment}"
         en "the program ends here: {comment}"
@@ -236,4 +236,25 @@ rules! {
         why "La letra O y la cifra 0 se parecen, y el control se para en la letra.",
             "The letter O and the digit 0 look alike, and the control stops at the letter.";
         example Example::program("linuxcnc", "G21 G90 F100|GO X1|M2", "2:2");
+    "G0850" OtherControl Stop { control: Text, sign: String }
+        es "el programa está escrito para {control}, que rodete no lee: lo dice «{sign}»"
+        en "the program is written for {control}, which rodete does not read: '{sign}' says so"
+        remedy "compruebe el programa en su control, o genérelo con el posprocesador de un control que rodete lea", "verify the program at its control, or post it for a control that rodete reads";
+        why "Ninguno de los controles de rodete tiene esta palabra, y los demás bloques tampoco significan lo mismo en ellos.",
+            "None of rodete's controls has this word, and the other blocks do not mean the same on them either.";
+        example Example::program("linuxcnc", "0 BEGIN PGM PLATE MM|1 L X+5 R0 FMAX|2 END PGM PLATE MM", "1");
+    "G0851" NoProgramNumbers Stop { dialect: &'static str }
+        es "O no es una letra del dialecto {dialect}: el nombre del programa va detrás de «%», en la primera línea"
+        en "O is not a letter of the dialect {dialect}: a program's name stands behind '%', in the first line"
+        remedy "si el programa es de otro control, indíquelo con --dialect; si no, borre el bloque", "if the program is for another control, name it with --dialect; if not, delete the block";
+        why "El control da error ante la O; un número O es de un Fanuc o un Haas, que leen otros códigos de otra manera.",
+            "The control gives an error at the O; an O number is of a Fanuc or a Haas, which read other codes differently.";
+        example Example::program("fagor-8055", "O1000|G71 G90 G94 F100|G1 X10|M30", "1:1");
+    "G0852" OtherControlLikely Caution { control: Text, sign: String, dialect: &'static str }
+        es "«{sign}» es propio de programas para {control}, que rodete no lee: ha leído el programa como {dialect}"
+        en "'{sign}' belongs to programs for {control}, which rodete does not read: it has read the program as {dialect}"
+        remedy "si es de otro control, indíquelo con --dialect", "if it is for another control, name it with --dialect";
+        why "Los bloques sencillos se parecen en todos los controles, y arcos, longitudes y unidades no siempre significan lo mismo.",
+            "Plain blocks look alike on all controls, and arcs, lengths and units do not always mean the same.";
+        example Example::Command { files: &[("shaft.mpf", "G54 S900 M3|G0 X0 Y0 Z5|G1 Z-2 F200|M30")], words: &["verify", "shaft.mpf"] };
 }

@@ -365,4 +365,11 @@ rules! {
         remedy "indique los ejes, para fijar la posición, o S, para el límite de giro", "name the axes, to set the position, or give S, the speed limit";
         why "El código solo no dice qué hay que fijar.", "The code alone does not say what to set.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|G92|M30", "2:1");
+    "G0570" FeedWordInRapid Caution {}
+        es "el bloque da F sin código de movimiento y va en rápido hacia la pieza: sigue en vigor G0"
+        en "the block gives F without a motion code and moves in rapid towards the part: G0 is still in force"
+        remedy "escriba G1 en el bloque si es de avance; si va en rápido, escriba G0 en él", "write G1 into the block if it is meant at feed; if it is meant in rapid, write G0 into it";
+        why "F no cambia el movimiento en vigor: la herramienta entraría en la pieza en rápido.",
+            "F does not change the motion in force: the tool would enter the part in rapid.";
+        example Example::program("linuxcnc", "G21 G90 S900 M3|G0 X10 Z2|Z-3 F100|M2", "3");
 }

@@ -2,7 +2,7 @@
 
 use crate::gcode::control::{
     Across, AcrossWord, BlockDelete, BuilderCodes, CallBy, Cancel, Class, CommentForm, Comments, Corners, CountedFeed,
-    Decimals, DimensionPoint, Drilling, DwellUnit, EmptyBlock, FeedChange, FeedPath, Increments, Language,
+    Decimals, DimensionPoint, Drilling, DwellUnit, EmptyBlock, FeedChange, FeedLimit, FeedPath, Increments, Language,
     LeastIncrement, LengthWord, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner,
     NumberBehind, OffsetRule, OpeningLine, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover,
     RotaryMode, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
@@ -22,6 +22,10 @@ macro_rules! told {
 }
 
 told! {
+    FeedLimit {
+        Self::Format => "99 999.999; la inversa del tiempo puede ser mayor", "99,999.999; an inverse time may be greater";
+        Self::Number => "la que quepa en un número", "what a number holds";
+    }
     Class {
         Self::Mill => "fresadora", "mill";
         Self::Lathe => "torno", "lathe";
