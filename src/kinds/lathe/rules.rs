@@ -346,6 +346,6 @@ rules! {
             "take a bar of {X} mm or more (D of the workbook, or --stock), or correct the contour";
         why "Lo que la barra no tiene no se puede tornear: la pieza sale sin ese escalón, y la herramienta pasa allí por el aire.",
             "What the bar does not have cannot be turned: the part comes out without that shoulder, and the tool passes through air there.";
-        example Example::Turning { control: "fanuc-lathe-a", stock: "D30xL100",
-            program: "G21 G99 G50 S2500|T0101|G97 S900 M3|M8|G0 X52. Z2.|G71 U2. R.5|G71 P10 Q20 U.5 W.1 F.25|N10 G0 X20.|G1 Z-20. F.1|X40.|Z-40.|N20 X50.|G70 P10 Q20|G0 X100. Z50.|M30", machine: &[] };
+        example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120",
+            program: "G21 G99 G50 S2500|T0101|G97 S900 M3|M8|G0 X64. Z2.|G71 U2. R.5|G71 P10 Q20 U.5 W.1 F.25|N10 G0 X44.|G1 Z-20. F.1|X60.|Z-40.|N20 X64.|G70 P10 Q20|G0 X100. Z50.|M30", machine: &[] };
 }

@@ -276,9 +276,9 @@ fn a_contour_outside_the_bar_is_told_with_its_diameter_and_the_cell_of_the_bar()
         assert_eq!(exit, 0, "{D}");
         found.into_iter().filter(|one| one.contains("the contour from")).collect::<Vec<_>>()
     };
-    for D in [25.0, 30.0, 43.0] {
+    for D in [30.0, 36.0, 43.0] {
         let wanted = format!(
-            "caution PROGRAM!A26 the contour from N55 to N100 goes to X48, outside the bar: D is {D} mm (DATA!C17) [48 mm] [≤ {D} mm]"
+            "caution PROGRAM!A26 the contour from N55 to N100 goes to X48, outside the bar: D is {D} mm (DATA!C16) [48 mm] [≤ {D} mm]"
         );
         assert_eq!(bar(D), [wanted]);
     }
