@@ -31,7 +31,6 @@ use crate::parameter::Values;
 use crate::parameter::field::{Field, Fields, Required, Stated};
 use crate::parameter::list::{Row, Rows};
 use crate::removal::turning::machine::Lathe;
-use crate::removal::turning::rules::{CutterHitsTailstock, HolderHitsTailstock, TurretHitsTailstock};
 use crate::removal::turning::stock::Support;
 use crate::store;
 use crate::text::{Language, Text, t};
@@ -142,8 +141,7 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
     let Simulated { outcome, alarms, whole } =
         lathe::simulated(Fields::of(&FORM, values)?, source, Some(program), wants)
             .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
-    let without_cell = |finding| if wanted.tools.is_none() { by_option(finding) } else { finding };
-    verdict.findings.extend(outcome.findings.iter().cloned().map(without_cell));
+    verdict.findings.extend(outcome.findings.iter().cloned());
     gravest_first(&mut verdict.findings);
     verdict.quantities.clone_from(&outcome.quantities);
     verdict.exit = outcome.exit();
@@ -280,18 +278,6 @@ fn tailstock(values: &Values, asked: Option<Support>) -> Text {
             ),
         )
     }
-}
-
-/// An alarm of the tailstock whose remedy names the option: there is no workbook in whose cell it could be said.
-fn by_option(mut finding: Finding) -> Finding {
-    let rules = [CutterHitsTailstock::RULE, HolderHitsTailstock::RULE, TurretHitsTailstock::RULE];
-    if rules.iter().any(|rule| finding.is(rule)) {
-        finding.remedy = t(
-            "retire el contrapunto (--tailstock no), o limite el movimiento",
-            "withdraw the tailstock (--tailstock no), or limit the motion",
-        );
-    }
-    finding
 }
 
 fn stock_of(values: &Values) -> Stock {

@@ -165,7 +165,7 @@ fn what_was_changed_since_is_neither_replaced_nor_removed() {
     // A workbook of the user's that has the name of the results; before any design is worked out.
     fs::write(at.join("a-sweep.xlsx"), "mine").unwrap();
     refused("-o . --top 1", "./a-sweep.xlsx");
-    assert!(!fs::read_dir(at.join("chunks")).unwrap().any(|one| one.unwrap().path().extension().is_some()));
+    assert!(!at.join("chunks").exists(), "nothing is worked out");
     fs::remove_file(at.join("a-sweep.xlsx")).unwrap();
     done(at, "-o s --top 1");
     // The same again replaces what it wrote.
@@ -263,7 +263,7 @@ fn what_a_chunk_took_stands_beside_its_rows_and_goes_with_them() {
     assert_eq!(took["designs"].as_u64().unwrap(), plan["plan"]["count"].as_u64().unwrap().div_ceil(2));
     assert!(took["seconds"].as_f64().unwrap() > 0.0 && took["host"].is_string(), "{took}");
     assert!(!cfg!(target_os = "linux") || took["peak_memory_kib"].as_u64().unwrap() > 1000, "{took}");
-    done(at, "-o . --fresh --chunks 1 --top 1");
+    done(at, "-o s --fresh --chunks 1");
     assert!(!log.exists());
 }
 

@@ -90,8 +90,8 @@ impl<'l> Cursor<'l> {
 
     /// The first word of a statement of a macro language, where one is next: no word of a block has two letters.
     pub(super) fn macro_statement(&mut self) -> Option<&'static str> {
-        self.peek();
-        self.line.get(self.at + 1).filter(|next| next.is_ascii_alphabetic())?;
+        let first = self.peek();
+        self.line.get(self.at + 1).filter(|next| first.is_ascii_alphabetic() && next.is_ascii_alphabetic())?;
         self.next_macro()
     }
 

@@ -107,8 +107,8 @@ rules! {
     "L0113" CutterHitsTailstock Stop alarm Lathe 113 {}
         es "La placa o broca choca con el contrapunto"
         en "The insert or drill hits the tailstock"
-        remedy "retire el contrapunto (en el libro, tailstock: no), o limite el movimiento",
-            "withdraw the tailstock (in the workbook, tailstock: no), or limit the motion";
+        remedy "retire el contrapunto (en el libro, tailstock: no; sin libro, --tailstock no), o limite el movimiento",
+            "withdraw the tailstock (in the workbook, tailstock: no; without one, --tailstock no), or limit the motion";
         why "El contrapunto ocupa el sitio donde se refrenta y se taladra.", "The tailstock is where facing and drilling take place.";
         example program!("T0101|G97 S900 M3|M8|G0 X100. Z30.|X20.|X100. Z50.|M30", [("tailstock", "yes")]);
     "L0114" HolderHitsChuck Stop alarm Lathe 114 {}
@@ -128,8 +128,8 @@ rules! {
     "L0116" HolderHitsTailstock Stop alarm Lathe 116 {}
         es "El portaherramientas choca con el contrapunto"
         en "The holder hits the tailstock"
-        remedy "retire el contrapunto (en el libro, tailstock: no), o limite el movimiento",
-            "withdraw the tailstock (in the workbook, tailstock: no), or limit the motion";
+        remedy "retire el contrapunto (en el libro, tailstock: no; sin libro, --tailstock no), o limite el movimiento",
+            "withdraw the tailstock (in the workbook, tailstock: no; without one, --tailstock no), or limit the motion";
         why "Al refrentar cerca del eje el mango pasa donde está el contrapunto.",
             "When facing near the axis the shank passes where the tailstock is.";
         example program!("T0101|G97 S900 M3|M8|G0 X200. Z2.|X10.|X100. Z50.|M30", [("tailstock", "yes")]);
@@ -152,8 +152,8 @@ rules! {
     "L0119" TurretHitsTailstock Stop alarm Lathe 119 {}
         es "La torreta choca con el contrapunto"
         en "The turret hits the tailstock"
-        remedy "retire el contrapunto (en el libro, tailstock: no), o limite el movimiento",
-            "withdraw the tailstock (in the workbook, tailstock: no), or limit the motion";
+        remedy "retire el contrapunto (en el libro, tailstock: no; sin libro, --tailstock no), o limite el movimiento",
+            "withdraw the tailstock (in the workbook, tailstock: no; without one, --tailstock no), or limit the motion";
         why "La caña del contrapunto queda por debajo de la torreta cuando una herramienta corta trabaja cerca del eje.",
             "The quill is below the turret when a short tool works near the axis.";
         example program!("T0101|G0 X64. Z2.|G0 X100. Z50.|M30", [("tailstock", "yes"), ("BX_min", "-63"), ("BX_max", "100"), ("BZ_min", "10"), ("BZ_max", "60")]);

@@ -156,7 +156,11 @@ fn the_note_names_the_tailstock_that_is_assumed_and_an_alarm_of_it_the_option() 
             .contains("with a tailstock, because the bar sticks out of the jaws by 75 mm, more than 3·D = 60 mm")
     );
     assert!(
-        said.exit == 3 && said.err.contains("L0113") && said.err.contains("withdraw the tailstock (--tailstock no)")
+        said.exit == 3
+            && said.err.contains("L0113")
+            && said
+                .err
+                .contains("withdraw the tailstock (in the workbook, tailstock: no; without one, --tailstock no)")
     );
     assert!(!said.err.contains("in the workbook"), "{}", said.err);
     let said = on(&["--tailstock", "no"]);
