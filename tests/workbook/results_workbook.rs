@@ -11,7 +11,7 @@ use rodete::finding::{Grade, Place, Raise};
 use rodete::kind::{Outcome, checks};
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::kinds::impeller::rules::NoRetract;
-use rodete::parameter::Value;
+use rodete::parameter::{FieldKind, Value};
 use rodete::table::{Column, Entry, Index, Law, Print, Table, Unit};
 use rodete::text::{Language, Text, t};
 use rodete::workbook::error::WriteError;
@@ -279,7 +279,11 @@ fn the_form_stands_behind_the_first_sheet_with_the_values() {
                 (Value::Whole(value), Data::Float(read)) => assert_eq!(f64::from(*value).to_bits(), read.to_bits()),
                 (Value::Line(line), Data::String(read)) => assert_eq!(*line, read),
                 (Value::Choice(choice), Data::String(read)) => {
-                    assert!(*choice == read || (*choice == "yes" && language == Language::Es && read == "sí"));
+                    let word = FORM.parameters().find_map(|(_, one)| match &one.kind {
+                        FieldKind::Choice(all) if one.key == *key => all.iter().find(|it| it.key == *choice),
+                        _ => None,
+                    });
+                    assert_eq!(word.map(|word| word.label.get(language)), Some(read.as_str()), "{key}");
                 }
                 (value, read) => panic!("{key}: {value:?} reads back as {read:?}"),
             }
@@ -315,7 +319,7 @@ fn the_first_sheet_says_what_came_out_what_to_look_at_and_where_the_files_are() 
         assert_eq!(names.first().map(String::as_str), Some(first));
         let [part, verdict, look, programs, delivered] = labels.map(|label| text(&range, row_of(&range, label), 1));
         assert!(part.contains(outcome.part()) && part.contains(outcome.material()), "{part}");
-        let style = t("fagor-8055, estilo full", "fagor-8055, style full");
+        let style = t("fagor-8055, estilo completo", "fagor-8055, style full");
         assert_eq!(text(&range, row_of(&range, "Control"), 1), style.get(language));
         let (words, _) = checks::verdict(false, &outcome.findings);
         let passed = checks::passed(&outcome.checks);
