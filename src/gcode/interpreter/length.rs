@@ -3,8 +3,9 @@
 //! # References
 //! Fagor CNC 8055 M, programming manual, p. 144: G43 on, G44 off; the value is L + K of offset D, or of the offset bound to the tool
 //! where there is no D; it is applied when the longitudinal axis next moves; the axis is the one across the plane. P. 109: a lone G4
-//! cancels the length in force; whether the next motion takes it up again no page says, and G4 of a time of 0 is taken alike. CNC 8070, programming manual (Ref. 1709),
-//! p. 240: the length is the selected tool's, of its offset D, or of D1 where none is selected. Of an increment
+//! cancels the length in force; whether the next motion takes it up again no page says, and G4 of a time of 0 is taken alike. CNC
+//! 8070, programming manual (Ref. 1709), p. 240: the length is the selected tool's, of its offset D, or of D1 where none is selected.
+//! Of an increment
 //! that meets a change of the length, of G53 under G43, and of the moment at which the offset of a T without D counts no page was
 //! at hand: they are refused or told.
 
@@ -146,8 +147,8 @@ impl Reader<'_, '_> {
     /// Takes up the length before a motion with Z; other motions leave it waiting.
     ///
     /// # Errors
-    /// Of Z in machine coordinates under G43, and of Z behind a lone G4 that has cancelled the length; and where a length is to be taken up, of an offset that the table does not hold and of
-    /// a Z whose end hangs on the length.
+    /// Of Z in machine coordinates under G43, and of Z behind a lone G4 that has cancelled the length; and where a length is to be taken
+    /// up, of an offset that the table does not hold and of a Z whose end hangs on the length.
     pub(super) fn take_up_length(&mut self, motion: G) -> Result<()> {
         if !self.length_waits() || !self.block.has(letter::Z) {
             return Ok(());
