@@ -33,7 +33,7 @@ static WITHOUT_ALARMS: Control = Control { alarms: None, ..FANUC_LATHE_A };
 /// A mill whose dwells count parts of a second.
 static IN_PARTS: Control = Control {
     lexis: Lexis {
-        dwell: &[DwellWord { letter: 'P', unit: DwellUnit::Hundredth }],
+        dwell: &[DwellWord { letter: 'P', unit: DwellUnit::Hundredth, shared: false }],
         cycle_dwell: DwellUnit::Millisecond,
         ..LINUXCNC.lexis
     },

@@ -10,6 +10,9 @@ pub struct DwellWord {
     pub letter: char,
     /// What its number counts.
     pub unit: DwellUnit,
+    /// True where another code of the block may read the same word, as the P of LinuxCNC, which one check of its interpreter
+    /// allows where any of the codes that use P stands.
+    pub shared: bool,
 }
 
 /// What the number of a dwell counts.

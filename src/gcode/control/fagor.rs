@@ -99,7 +99,7 @@ pub static FAGOR_8070: Control = Control {
     codes: &CODES_8070,
     lexis: Lexis {
         comments: Comments::Either,
-        dwell: &[DwellWord { letter: 'K', unit: DwellUnit::Second }],
+        dwell: &[DwellWord { letter: 'K', unit: DwellUnit::Second, shared: false }],
         delete: BlockDelete::Numbered,
         words: WordOrder::Free,
         empty: EmptyBlock::Passed,
@@ -212,7 +212,7 @@ const LEXIS: Lexis = Lexis {
     refused: Letters::of("P"),
     free: Letters::of("DFST"),
     negative: Letters::of(""),
-    dwell: &[DwellWord { letter: 'K', unit: DwellUnit::Hundredth }],
+    dwell: &[DwellWord { letter: 'K', unit: DwellUnit::Hundredth, shared: false }],
     cycle_dwell: DwellUnit::Hundredth,
     lone_dwell: LoneDwell::Rejected,
     language: Language::Words,

@@ -61,9 +61,9 @@ pub static FANUC_LATHE_A: Control = Control {
         free: Letters::of("FST"),
         negative: Letters::of("Q"),
         dwell: &[
-            DwellWord { letter: 'X', unit: DwellUnit::Second },
-            DwellWord { letter: 'U', unit: DwellUnit::Second },
-            DwellWord { letter: 'P', unit: DwellUnit::Millisecond },
+            DwellWord { letter: 'X', unit: DwellUnit::Second, shared: false },
+            DwellWord { letter: 'U', unit: DwellUnit::Second, shared: false },
+            DwellWord { letter: 'P', unit: DwellUnit::Millisecond, shared: false },
         ],
         cycle_dwell: DwellUnit::Millisecond,
         language: Language::Macros,

@@ -38,7 +38,7 @@ pub static LINUXCNC: Control = Control {
         refused: Letters::of(""),
         free: Letters::of("FST"),
         negative: Letters::of("D"),
-        dwell: &[DwellWord { letter: 'P', unit: DwellUnit::Second }],
+        dwell: &[DwellWord { letter: 'P', unit: DwellUnit::Second, shared: true }],
         cycle_dwell: DwellUnit::Second,
         language: Language::OWords,
         comments: Comments::ParenthesesAndSemicolon,

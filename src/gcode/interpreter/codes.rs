@@ -175,7 +175,7 @@ impl Reader<'_, '_> {
             // No page at hand parts it from a lone G4, and it is no dwell.
             self.end_length_by_dwell();
         }
-        if letter != super::block::letter::P || self.memory.control.lexis.dwell.len() > 1 {
+        if !word.shared {
             self.block.take(letter);
         }
         self.see_dwell(word.letter, word.unit, seconds);
@@ -211,7 +211,7 @@ impl Reader<'_, '_> {
             Some((dwell, number)) if number < 0.0 => {
                 Err(Refused::of(&DwellNegative {}, &[self.block.column(dwell.index())]))
             }
-            Some((dwell @ DwellWord { letter, unit }, value)) if unit.whole() && value.fract() != 0.0 => {
+            Some((dwell @ DwellWord { letter, unit, .. }, value)) if unit.whole() && value.fract() != 0.0 => {
                 let at = self.block.column(dwell.index());
                 Err(Refused::of(&DwellNotWhole { letter, value, unit: unit.seconds(), number: 4 }, &[at]))
             }

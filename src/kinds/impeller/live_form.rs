@@ -1,7 +1,9 @@
 //! The live form of the impeller: its closed limits, and the blades in plan.
 
+use crate::gcode::control::{MILLING, RotaryMode};
 use crate::gcode::program::Style;
-use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, Wrong, holds};
+use crate::gcode::word::Distance;
+use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, Wrong, holds, says};
 use crate::kinds::live_form::feed_needed;
 use crate::table::{Formula, Unit};
 use crate::text::t;
@@ -182,6 +184,16 @@ fn machine() -> Vec<LiveRow> {
     ]
 }
 
+/// True as a formula where the dialect is a control that is delivered with rollover axes.
+fn delivered_rolling() -> String {
+    let named: Vec<String> = MILLING
+        .into_iter()
+        .filter(|control| control.rotary.delivered.rolls_over())
+        .map(|control| says("dialect", control.name))
+        .collect();
+    format!("OR({})", if named.is_empty() { "FALSE".into() } else { named.join(",") })
+}
+
 /// What the style of the programs asks for.
 fn program() -> Vec<LiveRow> {
     let given = |symbol, name, meaning, input: &'static str| {
@@ -211,8 +223,11 @@ fn program() -> Vec<LiveRow> {
         // Left empty, the axes count as those of the control do.
         .wrong(
             format!(
-                "AND({},TRIM(distance)=\"G90\",OR(TRIM(rotary_axes)=\"rollover\",AND(LEN(TRIM(rotary_axes))=0,LEFT(TRIM(dialect),10)=\"fagor-8055\")))",
-                holds("style", Style::Full)
+                "AND({},{},OR({},AND(LEN(TRIM(rotary_axes))=0,{})))",
+                holds("style", Style::Full),
+                holds("distance", Distance::Absolute),
+                holds("rotary_axes", RotaryMode::Rollover),
+                delivered_rolling()
             ),
             t("con G90 y ejes rollover B y C darían la vuelta", "G90 with rollover axes turns B and C the long way"),
             "distance",
@@ -413,14 +428,5 @@ mod tests {
     #[test]
     fn the_clear_cut_is_known_by_its_words() {
         assert_eq!(CLEAR, holds("method", Method::Clear));
-    }
-
-    use crate::gcode::control::{MILLING, RotaryMode};
-
-    #[test]
-    fn the_name_in_the_limit_of_rollover_axes_is_that_of_the_controls_that_have_them() {
-        let named = MILLING.map(|control| control.name).into_iter().filter(|name| name.starts_with("fagor-8055"));
-        let rollover = MILLING.into_iter().filter(|control| control.rotary.delivered == RotaryMode::Rollover);
-        assert_eq!(named.collect::<Vec<_>>(), rollover.map(|control| control.name).collect::<Vec<_>>());
     }
 }
