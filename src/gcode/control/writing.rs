@@ -55,6 +55,18 @@ impl OpeningLine {
         }
     }
 
+    /// The program's number in a line that has this form; `None` in any other, or where the form has none.
+    #[must_use]
+    pub fn number(self, line: &str) -> Option<u32> {
+        let numbered = match self {
+            Self::Percent => None,
+            Self::Number => line.strip_prefix('O'),
+            Self::Name | Self::NameAndAttributes => line.strip_prefix('%'),
+        };
+        let digits = numbered.filter(|_| self.is(line))?;
+        digits.split('-').next()?.parse().ok()
+    }
+
     /// True of a line that has this form, whatever the number and the name.
     #[must_use]
     pub fn is(self, line: &str) -> bool {
@@ -209,6 +221,8 @@ mod tests {
         let all = [Percent, Number, Name, NameAndAttributes];
         let texts = all.map(|line| line.text(42, "hole"));
         assert_eq!(texts, ["%", "O0042", "%0042-HOLE", "%0042-HOLE,MX--,"]);
+        assert_eq!([0, 1, 2, 3].map(|at| all[at].number(&texts[at])), [None, Some(42), Some(42), Some(42)]);
+        assert_eq!(all.map(|line| line.number("G0 X42")), [None; 4]);
         for (line, own) in all.iter().zip(&texts) {
             for text in &texts {
                 assert_eq!(line.is(text), text == own, "{line:?}: {text}");
