@@ -178,6 +178,26 @@ impl Post {
     }
 }
 
+/// Whether it has been read that G53 counts from machine zero whatever tool offset is in force, as a block that takes the tool away needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MachineZero {
+    /// It has been read.
+    Read,
+    /// No page was at hand: it is taken so, and told.
+    Assumed,
+}
+
+impl MachineZero {
+    /// True where a block that takes the tool away by it is told.
+    #[must_use]
+    pub const fn told_of(self) -> bool {
+        match self {
+            Self::Read => false,
+            Self::Assumed => true,
+        }
+    }
+}
+
 /// How rodete writes for a control.
 #[derive(Clone, Copy, Debug)]
 pub struct Writing {
@@ -187,6 +207,11 @@ pub struct Writing {
     pub tool: ToolBlocks,
     /// The height control of a torch.
     pub height: HeightHold,
+    /// The M codes by which published programs for this control release the clamps of the rotary axes, the builder's of that machine;
+    /// none where no such program was published.
+    pub clamps: &'static [u32],
+    /// What a retract by G53 counts from.
+    pub zero: MachineZero,
 }
 
 impl Writing {
