@@ -3,7 +3,7 @@
 use crate::gcode::control::{Control, MILLING};
 use crate::gcode::program::Style;
 use crate::kind::live_form::{LiveRow, holds, says};
-use crate::text::t;
+use crate::text::Text;
 
 /// The controls that do not move at feed without F.
 fn needing_feed() -> impl Iterator<Item = &'static Control> {
@@ -15,7 +15,10 @@ pub(crate) fn feed_needed(style: LiveRow) -> LiveRow {
     needing_feed().fold(style, |row, control| {
         row.wrong(
             format!("AND({},{})", holds("style", Style::Annex), says("dialect", control.name)),
-            t("anexo no lleva avance, y LinuxCNC lo necesita", "annex has no feed, and LinuxCNC needs one"),
+            Text::new(
+                format!("anexo no lleva avance, y {} lo necesita", control.name),
+                format!("annex has no feed, and {} needs one", control.name),
+            ),
             "style",
         )
     })
@@ -23,10 +26,16 @@ pub(crate) fn feed_needed(style: LiveRow) -> LiveRow {
 
 #[cfg(test)]
 mod tests {
-    use super::needing_feed;
+    use super::{feed_needed, needing_feed};
+    use crate::kind::live_form::LiveRow;
+    use crate::text::t;
 
     #[test]
-    fn the_control_that_needs_a_feed_is_the_one_that_the_words_name() {
-        assert_eq!(needing_feed().map(|control| control.name).collect::<Vec<_>>(), ["linuxcnc"]);
+    fn the_words_name_the_control_that_needs_a_feed() {
+        let row = feed_needed(LiveRow::length("style", "live_style", t("a", "a"), "style&\"\""));
+        assert!(needing_feed().count() > 0 && row.wrong.len() == needing_feed().count());
+        for (wrong, control) in row.wrong.iter().zip(needing_feed()) {
+            assert!([&wrong.words.es, &wrong.words.en].iter().all(|words| words.contains(control.name)), "{wrong:?}");
+        }
     }
 }
