@@ -399,9 +399,9 @@ mod tests {
     #[test]
     fn a_length_is_taken_by_the_letter_of_its_control_alone() {
         assert_eq!(read(&BY_D, "T1 M6|G43 D2|G0 Z10", true), (vec![90.0], vec![]));
-        assert_eq!(read(&BY_D, "T1 M6|G43 H2|G0 Z10", true).1.first(), Some(&"G0431"));
-        assert_eq!(read(&BY_H, "T1 M6|G43 H2|G0 Z10", true), (vec![90.0], vec![]));
-        assert_eq!(read(&BY_H, "T1 M6|G43 D2|G0 Z10", true).1.first(), Some(&"G0431"));
+        assert_eq!(read(&BY_D, "T1 M6|G43 H2|G0 Z10", true).1.first(), Some(&"G0515"));
+        assert_eq!(read(&BY_H, "T1 M6|G43 H2|G0 Z10", true).0, [90.0]);
+        assert_eq!(read(&BY_H, "T1 M6|G43 D2|G0 Z10", true).1.first(), Some(&"G0515"));
     }
 
     #[test]
