@@ -26,12 +26,12 @@ impl FeedLaw {
         }
     }
 
-    /// The G codes before and behind moves that it holds for; `None` where it is that of every feed.
+    /// The G code before moves that it holds for; `None` where it is that of every feed.
     #[must_use]
-    pub const fn codes(self) -> Option<[u32; 2]> {
+    pub const fn code(self) -> Option<u32> {
         match self {
             Self::Resultant => None,
-            Self::Seconds | Self::InverseTime => Some([93, 94]),
+            Self::Seconds | Self::InverseTime => Some(93),
         }
     }
 

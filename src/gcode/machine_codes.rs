@@ -63,9 +63,6 @@ fn refused_block(control: &'static Control, words: &[Word], tooled: bool) -> Opt
     Interpreter::over(text.as_bytes(), setting).find_map(Result::err).map(|fault| fault.message())
 }
 
-/// G53, in tenths.
-const MACHINE_ZERO: usize = 530;
-
 /// The M codes that turn the spindle, stop it or hold it at an angle.
 const SPINDLE: [u32; 4] = [3, 4, 5, 19];
 
@@ -109,7 +106,7 @@ pub fn refused_retract(dialect: &Control, key: Key, retract: &Retract) -> Vec<Fi
     if moves && retract.z().is_none() {
         findings.push(RetractWithoutZ {}.at(place()));
     }
-    let has_machine_zero = matches!(dialect.codes.get(MACHINE_ZERO), Some(G::MachineCoordinates));
+    let has_machine_zero = dialect.codes.has(G::MachineCoordinates);
     if findings.is_empty() && moves && !retract.by_machine() && has_machine_zero {
         findings.push(RetractInProgram {}.at(place()));
     }

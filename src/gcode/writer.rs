@@ -107,15 +107,15 @@ impl Writer {
 
     /// What F is, before the first move at feed.
     pub fn begin_feed(&mut self) {
-        if let Some([before, _]) = self.law.codes() {
-            self.block([Word::whole('G', before)]);
+        if let Some(code) = self.law.code() {
+            self.block([Word::whole('G', code)]);
         }
     }
 
     /// F is a speed again, behind the last move at feed.
     pub fn end_feed(&mut self) {
-        if let Some([_, behind]) = self.law.codes() {
-            self.block([Word::whole('G', behind)]);
+        if self.law.code().is_some() {
+            self.block([Word::whole('G', self.post.control.feed.codes.per_minute())]);
         }
     }
 

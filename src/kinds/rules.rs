@@ -7,9 +7,6 @@ use crate::gcode::control::Control;
 use crate::gcode::fields::DIALECT;
 use crate::parameter::at;
 
-/// G64, in tenths.
-const PATH_TOLERANCE: usize = 640;
-
 rules! {
     /// The rows of what several kinds write.
     RULES;
@@ -39,6 +36,5 @@ rules! {
 /// The caution about corners between blocks, for a control that has a tolerance for them.
 #[must_use]
 pub fn corners_between_blocks(control: &Control) -> Option<Finding> {
-    let blends = matches!(control.codes.get(PATH_TOLERANCE), Some(G::PathTolerance));
-    blends.then(|| PathMayBeBlended {}.at(at([DIALECT.key()])))
+    control.codes.has(G::PathTolerance).then(|| PathMayBeBlended {}.at(at([DIALECT.key()])))
 }

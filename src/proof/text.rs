@@ -14,13 +14,11 @@ use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::CharactersRefused;
 use crate::text::{Text, t};
 
-/// The most characters of a line: LinuxCNC's limit, the least of the dialects'.
+/// The most characters of a line, where the control reads longer ones as well.
 pub const LONGEST: usize = 255;
 
 /// Addresses whose number is a size on the output grid.
 const SIZES: &str = "XYZABCIJKPQRF";
-/// Of these, addresses of dwells, which some controls count in whole hundredths.
-const DWELLS: &str = "KP";
 /// Addresses whose number is a whole one.
 const WHOLES: &str = "NGMSTD";
 
@@ -28,6 +26,8 @@ const WHOLES: &str = "NGMSTD";
 #[derive(Debug)]
 pub struct Characters<'a> {
     program: &'a Program,
+    /// The most characters of a line.
+    most: usize,
     lines: usize,
     number: u32,
     longest: usize,
@@ -42,8 +42,9 @@ pub struct Characters<'a> {
 impl<'a> Characters<'a> {
     /// The judge of a program's text.
     #[must_use]
-    pub const fn new(program: &'a Program) -> Self {
-        Self { program, lines: 0, number: 0, longest: 0, bytes: 0, opened: false, ended: 0, fault: None }
+    pub fn new(program: &'a Program) -> Self {
+        let most = LONGEST.min(program.control.lexis.longest_line);
+        Self { program, most, lines: 0, number: 0, longest: 0, bytes: 0, opened: false, ended: 0, fault: None }
     }
 
     /// The next line, without its end.
@@ -67,7 +68,7 @@ impl<'a> Characters<'a> {
 
     fn judge(&mut self, line: &str) -> Result<(), Text> {
         let dialect = self.program.control;
-        if line.len() > LONGEST {
+        if line.len() > self.most {
             return Err(t("la línea es demasiado larga", "the line is too long"));
         }
         if let Some(wrong) = line.chars().find(|letter| !matches!(letter, ' '..='~')) {
@@ -108,17 +109,23 @@ impl<'a> Characters<'a> {
                 return Err(quoted("número de bloque", "block number", first));
             }
         }
-        words.try_for_each(|word| self.word(word))
+        let dwells = words.clone().any(|word| word == "G4");
+        let outputs = words.clone().any(|word| matches!(word, "M62" | "M63"));
+        words.try_for_each(|word| self.word(word, dwells, outputs))
     }
 
-    fn word(&self, word: &str) -> Result<(), Text> {
+    /// A word of a block that dwells, or that sets an output.
+    fn word(&self, word: &str, dwells: bool, outputs: bool) -> Result<(), Text> {
         let wrong = || quoted("palabra", "word", word);
         let letter = word.chars().next().ok_or_else(wrong)?;
         let number = word.get(1..).ok_or_else(wrong)?;
-        let good = if SIZES.contains(letter) {
-            size(number, self.program.format)
-                || (DWELLS.contains(letter) && digits(number, 8))
-                || (letter == 'F' && timed(number, self.program.control.feed.law))
+        let dwell = self.program.control.lexis.dwell.first().filter(|dwell| dwells && dwell.letter == letter);
+        let good = if let Some(dwell) = dwell {
+            if dwell.unit.whole() { digits(number, 8) } else { size(number, self.program.format) }
+        } else if outputs && letter == 'P' {
+            digits(number, 8)
+        } else if SIZES.contains(letter) {
+            size(number, self.program.format) || (letter == 'F' && timed(number, self.program.control.feed.law))
         } else {
             // A block number inside the block would be a second one.
             letter != 'N' && WHOLES.contains(letter) && digits(number, 8)
@@ -130,7 +137,7 @@ impl<'a> Characters<'a> {
     #[must_use]
     pub fn check(self) -> Check {
         let name = t("Caracteres y números", "Characters and numbers");
-        let Self { lines, longest, program, opened, ended, mut fault, .. } = self;
+        let Self { lines, longest, most, program, opened, ended, mut fault, .. } = self;
         let ending = program.control.text.ending;
         if let Some(missing) = ending.get(ended).filter(|_| opened && fault.is_none()) {
             fault = Some((At::line(lines), quoted("falta la línea", "missing line", missing)));
@@ -140,8 +147,8 @@ impl<'a> Characters<'a> {
             format!("{lines} lines of up to {longest} characters"),
         );
         let limit = Text::new(
-            format!("{}: números ±99999.999, líneas de hasta {LONGEST}", program.control.name),
-            format!("{}: numbers ±99999.999, lines of up to {LONGEST}", program.control.name),
+            format!("{}: números ±99999.999, líneas de hasta {most}", program.control.name),
+            format!("{}: numbers ±99999.999, lines of up to {most}", program.control.name),
         );
         let asked = Question::new("characters", name, program).showing(value, limit).seen(lines);
         asked.at(fault.as_ref().map(|(at, _)| *at)).unless(fault.map(|(at, fault)| {
@@ -208,7 +215,7 @@ pub fn read(program: &Program) -> Characters<'_> {
 #[cfg(test)]
 mod tests {
     use super::{read, size, timed};
-    use crate::gcode::control::{Control, FeedLaw, LINUXCNC, OpeningLine, TextForm};
+    use crate::gcode::control::{Control, DwellUnit, DwellWord, FeedLaw, LINUXCNC, Lexis, OpeningLine, TextForm};
     use crate::gcode::program::{Part, Program};
     use crate::gcode::word::NumberFormat::{Fixed, Trimmed};
 
@@ -268,6 +275,37 @@ mod tests {
         }
         // Blocks for another program have neither.
         assert!(!fault(&framed(&lines(&["G0 X1.000"]))));
+    }
+
+    /// A control that dwells by one word, and whose lines have 30 characters.
+    const fn dwelling(dwell: &'static [DwellWord]) -> Control {
+        Control { lexis: Lexis { dwell, longest_line: 30, ..LINUXCNC.lexis }, ..LINUXCNC }
+    }
+
+    static BY_U: Control = dwelling(&[DwellWord { letter: 'U', unit: DwellUnit::Millisecond, shared: false }]);
+    static BY_K: Control = dwelling(&[DwellWord { letter: 'K', unit: DwellUnit::Hundredth, shared: false }]);
+    static BY_X: Control = dwelling(&[DwellWord { letter: 'X', unit: DwellUnit::Second, shared: false }]);
+
+    #[test]
+    fn a_dwell_has_the_word_of_its_control_and_a_line_its_length() {
+        for (control, line, good) in [
+            (&BY_U, "G4 U500", true),
+            (&BY_U, "G4 U0.500", false),
+            (&BY_U, "G4 P500", false),
+            (&BY_U, "G1 U500", false),
+            (&BY_K, "G4 K50", true),
+            (&BY_K, "G2 X1.000 K50", false),
+            (&BY_X, "G4 X0.500", true),
+            (&BY_X, "G4 X500", false),
+            (&LINUXCNC, "G4 P0.500", true),
+            (&LINUXCNC, "G4 P500", false),
+            (&LINUXCNC, "M62 P2", true),
+            (&BY_X, "(30 CHARACTERS OF COMMENT ....)", false),
+            (&BY_X, "(29 CHARACTERS OF COMMENT ...)", true),
+        ] {
+            let program = Program { control, parts: vec![Part::Line(line.to_owned())], ..Program::sample("a") };
+            assert_eq!(read(&program).check().finding().is_none(), good, "{line}");
+        }
     }
 
     #[test]

@@ -381,14 +381,15 @@ fn ends(program: &Program, words: &mut Words) -> io::Result<[Vec<String>; 2]> {
     Ok([first, last.into()].map(|lines: Vec<String>| lines.iter().map(|line| words.line(line)).collect()))
 }
 
-/// How the program's file is named at the control, by the number in the program's first line; `None` where any name will do.
+/// How the program's file is named at the control, by the number in the program's opening; `None` where any name will do.
 fn stored(program: &Program) -> Option<Text> {
-    let first = program.parts.iter().find_map(|part| match part {
+    let text = &program.control.text;
+    let lines = program.parts.iter().filter_map(|part| match part {
         Part::Opening(line) | Part::Line(line) => Some(line.as_str()),
         Part::Comment(_) | Part::Block(_) | Part::Away(_) | Part::Path(_) => None,
     });
-    let number: String = first?.strip_prefix('%')?.chars().take_while(char::is_ascii_digit).collect();
-    program.control.text.file.told(number.parse().ok())
+    let number = text.opening.iter().zip(lines).find_map(|(opening, line)| opening.number(line));
+    text.file.told(number)
 }
 
 /// The start position, in words, of a program that does not move there itself; empty for one that does.

@@ -3,7 +3,10 @@
 
 use std::collections::BTreeSet;
 
-use rodete::gcode::control::{ALL, Control, MILLING, TURNING};
+use rodete::gcode::comment::LONGEST;
+use rodete::gcode::control::{
+    ALL, AcrossWord, Class, Control, Corners, Drilling, Increments, MILLING, RadiusRule, TURNING, Turns,
+};
 use rodete::kinds::KINDS;
 use rodete::parameter::{DIALECTS, FieldKind};
 
@@ -35,4 +38,75 @@ fn every_list_of_controls_names_those_of_all_that_belong_to_it() {
         let (wanted, which) = if turns { (&lathes, turned) } else { (&mills, written) };
         holds(&format!("the list of {}", form.kind), list.iter().map(|choice| choice.key), wanted, which);
     }
+}
+
+/// The fields whose value is followed for one class of machine alone, with that class.
+fn of_one_class(control: &Control) -> Vec<(&'static str, Class)> {
+    let corners = match control.corners {
+        Corners::None => None,
+        // They lie between X and Z.
+        Corners::Drawing => Some(Class::Lathe),
+    };
+    let drilling = match control.drilling {
+        Drilling::None => None,
+        Drilling::Rs274 => Some(Class::Mill),
+        Drilling::Lathe => Some(Class::Lathe),
+    };
+    let radius = match control.radius {
+        RadiusRule::None => None,
+        RadiusRule::Cutter => Some(Class::Mill),
+        RadiusRule::Nose(_) => Some(Class::Lathe),
+    };
+    let increments = match control.axes.increments {
+        Increments::ByMode => None,
+        Increments::ByLetters => Some(Class::Lathe),
+    };
+    // Sheets and reports of a lathe say diameters.
+    let x = match control.axes.x {
+        AcrossWord::Radius => Some(Class::Mill),
+        AcrossWord::Diameter => Some(Class::Lathe),
+    };
+    let turns = match control.spindle.turns {
+        Turns::Tool => Some(Class::Mill),
+        Turns::Part => Some(Class::Lathe),
+    };
+    [
+        ("corners", corners),
+        ("drilling", drilling),
+        ("radius", radius),
+        ("axes.increments", increments),
+        ("axes.x", x),
+        ("spindle.turns", turns),
+    ]
+    .into_iter()
+    .filter_map(|(field, class)| Some((field, class?)))
+    .collect()
+}
+
+#[test]
+fn the_fields_of_every_control_agree_with_one_another() {
+    let mut wrong = Vec::new();
+    for control in ALL {
+        for (field, class) in of_one_class(control).into_iter().filter(|(_, class)| *class != control.class) {
+            wrong.push(format!("{}: its value of `{field}` is followed for the class {class:?} alone", control.name));
+        }
+        if control.written.is_none() {
+            continue;
+        }
+        let (text, lexis) = (&control.text, &control.lexis);
+        if !control.turns() && !b"ABCXYZ".iter().all(|letter| lexis.letters.has(letter - b'A')) {
+            wrong.push(format!("{}: a kind writes X, Y, Z, A, B or C, which `lexis.letters` lacks", control.name));
+        }
+        if !control.turns() && !control.arcs.letters.has(b'R' - b'A') {
+            wrong.push(format!("{}: arcs are written by R, which `arcs.letters` lacks", control.name));
+        }
+        if text.greatest_number > lexis.greatest_number {
+            wrong.push(format!("{}: `text.greatest_number` is more than `lexis.greatest_number`", control.name));
+        }
+        // A comment stands between two signs at most.
+        if lexis.longest_line < LONGEST + 2 {
+            wrong.push(format!("{}: a comment of {LONGEST} characters is beyond `lexis.longest_line`", control.name));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

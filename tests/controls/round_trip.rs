@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use rodete::gcode::code::{Cycle, G};
 use rodete::gcode::control::{
-    ALL, Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC, Language as Reads, Lexis, OpeningLine, Percent, Post,
-    RotaryMode, TextForm, Writing,
+    ALL, Codes, Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FeedCodes, FeedRule, HeightHold, LINUXCNC,
+    Language as Reads, Lexis, MachineZero, OpeningLine, Percent, Post, RotaryMode, TextForm, ToolBlocks, Writing,
 };
 use rodete::gcode::feed_word::FeedWord;
 use rodete::gcode::header::{Header, Named, Origin, Work};
@@ -71,7 +71,7 @@ const SPOILT: [(G, &str); 10] = [
     (G::Feed(FeedMode::PerRevolution), ""),
     (G::Feed(FeedMode::InverseTime), ""),
     (G::Feed(FeedMode::Seconds), ""),
-    (G::Compensation(Compensation::Left), " D1"),
+    (G::Compensation(Compensation::Left), " G17 D1"),
     (G::Cycle(Cycle::Drill), " X0. Y0. Z-1. R1. F100."),
 ];
 
@@ -83,6 +83,42 @@ static FRAMED: Control = Control {
     ..LINUXCNC
 };
 
+/// A mill that says a feed per minute by G98.
+static BY_G98: Control = Control {
+    name: "by-g98",
+    codes: &CODES_BY_G98,
+    feed: FeedRule { codes: FeedCodes::G98, ..LINUXCNC.feed },
+    written: Some(&WRITING_BY_G98),
+    ..LINUXCNC
+};
+static WRITING_BY_G98: Writing = Writing {
+    safety: &[('G', 17), ('G', 21), ('G', 40), ('G', 54), ('G', 90), ('G', 98)],
+    tool: ToolBlocks::Change,
+    height: HeightHold::Output(2),
+    clamps: &[],
+    zero: MachineZero::Read,
+};
+static CODES_BY_G98: Codes = Codes::new(&[&[
+    (&[0], G::Rapid),
+    (&[10], G::Linear),
+    (&[20], G::Arc(true)),
+    (&[30], G::Arc(false)),
+    (&[40], G::Dwell),
+    (&[170], G::Plane(Plane::XY)),
+    (&[180], G::Plane(Plane::ZX)),
+    (&[200], G::Inch),
+    (&[210], G::Millimetre),
+    (&[400], G::Compensation(Compensation::Off)),
+    (&[410], G::Compensation(Compensation::Left)),
+    (&[540], G::WorkOffset(1)),
+    (&[550], G::WorkOffset(2)),
+    (&[900], G::Absolute),
+    (&[910], G::Incremental),
+    (&[930], G::Feed(FeedMode::InverseTime)),
+    (&[980], G::Feed(FeedMode::PerMinute)),
+    (&[990], G::Feed(FeedMode::PerRevolution)),
+]]);
+
 /// The block that leaves something in force; `None` where the control does not know its code. Of a lathe's program the safety
 /// block says unit, dimensions and feed: zero, plane and nose are said with the tool.
 fn spoils(control: &Control, (code, words): (G, &str)) -> Option<String> {
@@ -92,6 +128,7 @@ fn spoils(control: &Control, (code, words): (G, &str)) -> Option<String> {
 }
 
 struct Text {
+    program: Program,
     text: String,
     /// The line of what was left in force, behind the header.
     left: usize,
@@ -148,6 +185,10 @@ fn write(post: Post, plan: &[Step], distance: Distance, before: Option<&String>)
                 let place = axes(control).iter().zip(at).map(|(_, at)| Milli::new(at).value()).collect();
                 if let Step::Feed(_, seconds) = *step {
                     let resultant = by.sqrt();
+                    if resultant == 0.0 {
+                        // No way has an F along it.
+                        continue;
+                    }
                     let F = FeedWord::lasting(writer.law(), seconds, resultant).expect("a word");
                     let lasts = writer.law().seconds(F.value(), resultant);
                     assert!(lasts >= seconds * (1.0 - 1e-9), "{seconds} s are written as {lasts} s");
@@ -180,7 +221,7 @@ fn write(post: Post, plan: &[Step], distance: Distance, before: Option<&String>)
     let program = Program { block_step: Some(1), ..writer.program("plan", title) };
     let text = program.text();
     let header = text.lines().position(|line| line.contains("BEHIND THE HEADER")).expect("the comment");
-    Text { text, left: header + 2, made, tool }
+    Text { program, text, left: header + 2, made, tool }
 }
 
 fn near(one: f64, other: f64) -> bool {
@@ -194,7 +235,7 @@ fn near(one: f64, other: f64) -> bool {
 fn reads_back(post: Post, plan: &[Step], distance: Distance, spoilt: (G, &str)) -> Result<(), String> {
     let control = post.control;
     let before = spoils(control, spoilt);
-    let Text { text, left, made, tool } = write(post, plan, distance, before.as_ref());
+    let Text { program, text, left, made, tool } = write(post, plan, distance, before.as_ref());
     let spoils = before.as_deref().unwrap_or("nothing");
     let wrong = |what: String| Err(format!("{} after {spoils}: {what}\n{text}", control.name));
     let named = Named::of(text.as_bytes());
@@ -203,9 +244,17 @@ fn reads_back(post: Post, plan: &[Step], distance: Distance, spoilt: (G, &str)) 
     }
     // Absolute words of a counting plan are true where the axes count.
     let rotary = if distance == Distance::Incremental { control.rotary.delivered } else { RotaryMode::Linear };
-    let tools = (1..=99).map(|T| (T, ToolOffset { diameter: 4.0, ..ToolOffset::default() }));
-    let setting = Setting { rotary, tools: Some(tools.collect()), ..Setting::new(control) };
-    let mut interpreter = Interpreter::over(text.as_bytes(), setting);
+    let setting = || {
+        let tools = (1..=99).map(|T| (T, ToolOffset { diameter: 4.0, ..ToolOffset::default() }));
+        Setting { rotary, tools: Some(tools.collect()), ..Setting::new(control) }
+    };
+    let mut interpreter = Interpreter::over(text.as_bytes(), setting());
+    // As `build` reads it: line by line as it is made.
+    let again: Vec<_> = program.read_back_with(setting()).collect();
+    let whole: Vec<_> = Interpreter::over(text.as_bytes(), setting()).collect();
+    if again != whole {
+        return wrong(format!("read back as it is made it is {again:?}, and not {whole:?}"));
+    }
     let mut motions = Vec::new();
     while let Some(motion) = interpreter.next() {
         let motion = match motion {
@@ -289,14 +338,14 @@ proptest! {
     ) {
         let distance = if incremental { Distance::Incremental } else { Distance::Absolute };
         let mut controls = 0;
-        for control in ALL.into_iter().chain([&FRAMED]) {
+        for control in ALL.into_iter().chain([&FRAMED, &BY_G98]) {
             let Some(post) = Post::of(control) else { continue };
             controls += 1;
             if let Err(why) = reads_back(post, &plan, distance, spoilt) {
                 return Err(TestCaseError::fail(why));
             }
         }
-        prop_assert!(controls >= 5, "{controls} controls are written for");
+        prop_assert!(controls >= 6, "{controls} controls are written for");
     }
 
     /// The turning of a blank, in either layout: every place, the feed, the speed and what turns it.

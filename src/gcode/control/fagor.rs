@@ -6,10 +6,10 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
     FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord,
-    Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner, NumberBehind, OffsetRule,
-    OpeningLine, Order, Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode,
-    RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange,
-    UnsaidFeed, WordOrder, Writing,
+    Lexis, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NegativeRadius, NoseCorner,
+    NumberBehind, OffsetRule, OpeningLine, Order, Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract,
+    Rollover, RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall,
+    ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -190,11 +190,18 @@ static WRITING_8055: Writing = Writing {
     safety: &[('G', 17), ('G', 40), ('G', 44), ('G', 54), ('G', 71), ('G', 90), ('G', 94)],
     tool: ToolBlocks::OffsetThenChange,
     height: HeightHold::Builder,
+    clamps: &[11, 13],
+    zero: MachineZero::Assumed,
 };
 
 /// How rodete writes for the 8055 T.
-static WRITING_8055_T: Writing =
-    Writing { safety: &[('G', 71), ('G', 90), ('G', 94)], tool: ToolBlocks::Turret, height: HeightHold::Builder };
+static WRITING_8055_T: Writing = Writing {
+    safety: &[('G', 71), ('G', 90), ('G', 94)],
+    tool: ToolBlocks::Turret,
+    height: HeightHold::Builder,
+    clamps: &[],
+    zero: MachineZero::Assumed,
+};
 
 /// The Fagor 8055 T, a lathe, as rodete writes for it.
 pub const POST_8055_T: Post = Post { control: &FAGOR_8055_T, writing: &WRITING_8055_T };
@@ -204,6 +211,8 @@ static WRITING_8070: Writing = Writing {
     safety: &[('G', 17), ('G', 40), ('G', 54), ('G', 71), ('G', 90), ('G', 94)],
     tool: ToolBlocks::OffsetAndChange,
     height: HeightHold::Builder,
+    clamps: &[],
+    zero: MachineZero::Assumed,
 };
 
 /// What the text of an 8055 M is made of.

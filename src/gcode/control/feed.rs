@@ -94,6 +94,15 @@ pub enum FeedCodes {
 }
 
 impl FeedCodes {
+    /// The number of the code of a feed per minute.
+    #[must_use]
+    pub const fn per_minute(self) -> u32 {
+        match self {
+            Self::G94 => 94,
+            Self::G98 => 98,
+        }
+    }
+
     /// The codes of a feed per minute, per revolution, and of the two times of G93.
     #[must_use]
     pub const fn names(self) -> [&'static str; 4] {

@@ -6,9 +6,10 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
     FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord,
-    Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NumberBehind, OffsetRule, Order,
-    Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, Source, SpeedLimit,
-    SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
+    Lexis, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NegativeRadius, NumberBehind,
+    OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule,
+    Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed,
+    WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -108,6 +109,8 @@ static WRITING: Writing = Writing {
     tool: ToolBlocks::Change,
     // QtPlasmaC, its plasma table, holds the height while output 2 is on.
     height: HeightHold::Output(2),
+    clamps: &[],
+    zero: MachineZero::Read,
 };
 
 const SPLINE: Name = ("curvas spline y NURBS", "spline and NURBS curves");

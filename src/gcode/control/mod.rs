@@ -49,7 +49,7 @@ pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
 pub use self::told::Feature;
 pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
 pub use self::word_order::{Disorder, WordOrder, WordsSeen};
-pub use self::writing::{CommentForm, FileName, OpeningLine, Post, TextForm, Writing};
+pub use self::writing::{CommentForm, FileName, MachineZero, OpeningLine, Post, TextForm, Writing};
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 pub use crate::gcode::feed_law::{FeedLaw, Slower};

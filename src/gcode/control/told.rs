@@ -202,22 +202,27 @@ impl Features {
     }
 
     fn written(&mut self, written: Option<&Writing>) {
-        let writing =
-            |told: fn(&Writing) -> Text| written.map_or_else(|| t("no se escribe", "nothing is written"), told);
-        self.row(
+        let nothing = || t("no se escribe", "nothing is written");
+        let told = written.map(|writing| {
+            let Writing { safety: _, tool, height, clamps, zero } = writing;
+            let codes = clamps.iter().map(|number| Text::same(format!("M{number}")));
+            [
+                Text::same(block(&writing.safety_block())),
+                Text::same(tool.blocks(1, 1).iter().map(|words| block(words)).collect::<Vec<_>>().join(", ")),
+                height.told(),
+                if clamps.is_empty() { t("ninguno", "none") } else { joined(codes) },
+                zero.told(),
+            ]
+        });
+        let rows = [
             t("se escribe: bloque de seguridad", "written: safety block"),
-            writing(|writing| Text::same(block(&writing.safety_block()))),
-        );
-        self.row(
             t("se escribe: llamada de la herramienta", "written: call of a tool"),
-            writing(|writing| {
-                Text::same(writing.tool.blocks(1, 1).iter().map(|words| block(words)).collect::<Vec<_>>().join(", "))
-            }),
-        );
-        self.row(
             t("se escribe: control de altura", "written: height control"),
-            writing(|writing| writing.height.told()),
-        );
+            t("frenos de los ejes giratorios en programas publicados", "clamps of rotary axes in published programs"),
+            t("retirada con G53", "retract by G53"),
+        ];
+        let told = told.unwrap_or_else(|| std::array::from_fn(|_| nothing()));
+        rows.into_iter().zip(told).for_each(|(of, does)| self.row(of, does));
     }
 }
 

@@ -1,5 +1,6 @@
 //! How a tool is called, read and written.
 
+use crate::gcode::letters::Letters;
 use crate::gcode::word::Word;
 
 /// How T is meant.
@@ -107,6 +108,15 @@ impl LengthWord {
         match self {
             Self::H => 'H',
             Self::D | Self::OfTool => 'D',
+        }
+    }
+
+    /// The same as a set.
+    #[must_use]
+    pub const fn letters(self) -> Letters {
+        match self {
+            Self::H => Letters::of("H"),
+            Self::D | Self::OfTool => Letters::of("D"),
         }
     }
 

@@ -55,6 +55,18 @@ impl OpeningLine {
         }
     }
 
+    /// The program's number in a line that has this form; `None` in any other, or where the form has none.
+    #[must_use]
+    pub fn number(self, line: &str) -> Option<u32> {
+        let numbered = match self {
+            Self::Percent => None,
+            Self::Number => line.strip_prefix('O'),
+            Self::Name | Self::NameAndAttributes => line.strip_prefix('%'),
+        };
+        let digits = numbered.filter(|_| self.is(line))?;
+        digits.split('-').next()?.parse().ok()
+    }
+
     /// True of a line that has this form, whatever the number and the name.
     #[must_use]
     pub fn is(self, line: &str) -> bool {
@@ -166,6 +178,26 @@ impl Post {
     }
 }
 
+/// Whether it has been read that G53 counts from machine zero whatever tool offset is in force, as a block that takes the tool away needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MachineZero {
+    /// It has been read.
+    Read,
+    /// No page was at hand: it is taken so, and told.
+    Assumed,
+}
+
+impl MachineZero {
+    /// True where a block that takes the tool away by it is told.
+    #[must_use]
+    pub const fn told_of(self) -> bool {
+        match self {
+            Self::Read => false,
+            Self::Assumed => true,
+        }
+    }
+}
+
 /// How rodete writes for a control.
 #[derive(Clone, Copy, Debug)]
 pub struct Writing {
@@ -175,6 +207,11 @@ pub struct Writing {
     pub tool: ToolBlocks,
     /// The height control of a torch.
     pub height: HeightHold,
+    /// The M codes by which published programs for this control release the clamps of the rotary axes, the builder's of that machine;
+    /// none where no such program was published.
+    pub clamps: &'static [u32],
+    /// What a retract by G53 counts from.
+    pub zero: MachineZero,
 }
 
 impl Writing {
@@ -209,6 +246,8 @@ mod tests {
         let all = [Percent, Number, Name, NameAndAttributes];
         let texts = all.map(|line| line.text(42, "hole"));
         assert_eq!(texts, ["%", "O0042", "%0042-HOLE", "%0042-HOLE,MX--,"]);
+        assert_eq!([0, 1, 2, 3].map(|at| all[at].number(&texts[at])), [None, Some(42), Some(42), Some(42)]);
+        assert_eq!(all.map(|line| line.number("G0 X42")), [None; 4]);
         for (line, own) in all.iter().zip(&texts) {
             for text in &texts {
                 assert_eq!(line.is(text), text == own, "{line:?}: {text}");

@@ -324,7 +324,7 @@ impl Reader<'_, '_> {
             _ => 0,
         };
         if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
-            used |= Letters::of("H").mask();
+            used |= self.memory.control.length.letters().mask();
         }
         used |= match self.block.g(Group::CutterCompensation) {
             Some(G::Compensation(side)) if self.memory.control.radius.cutter() && side != Compensation::Off => {

@@ -256,8 +256,9 @@ impl Reader<'_, '_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8070};
+    use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8070, LINUXCNC, LengthWord, Lexis};
     use crate::gcode::interpreter::{Interpreter, Setting, ToolOffset, Tools};
+    use crate::gcode::letters::Letters;
     use crate::machine::axis::Axis;
 
     /// Blocks parted by `|`, over offsets 1, 50 mm long, 2, 80 mm, and 3 without a length, or over no table: where the machine's Z goes, and
@@ -379,13 +380,28 @@ mod tests {
             (&FAGOR_8055, "T1 D1\nM6\nG43 G0 Z50\nM30\n", true),
             (&FAGOR_8055, "T1 D1\nM6\nG43 G0 Z50\nG44 Z100\nM30\n", false),
             (&FAGOR_8055, "T1 D1\nM6\nG0 Z50\nM30\n", false),
-            (&crate::gcode::control::LINUXCNC, "T1 M6\nG43 H1\nG0 Z50\nM30\n", false),
+            (&LINUXCNC, "T1 M6\nG43 H1\nG0 Z50\nM30\n", false),
         ] {
             let mut interpreter = Interpreter::over(blocks.as_bytes(), Setting::new(control));
             interpreter.by_ref().for_each(drop);
             let remarks = interpreter.remarks();
             assert_eq!(remarks.iter().any(|one| one.code() == "G0548"), told, "{} {blocks}", control.name);
         }
+    }
+
+    /// Controls that know both letters, of which one alone is that of a length.
+    static BY_D: Control = Control {
+        lexis: Lexis { letters: Letters::of("DHTXYZFS"), free: Letters::of("FST"), ..FAGOR_8055.lexis },
+        ..FAGOR_8055
+    };
+    static BY_H: Control = Control { length: LengthWord::H, ..BY_D };
+
+    #[test]
+    fn a_length_is_taken_by_the_letter_of_its_control_alone() {
+        assert_eq!(read(&BY_D, "T1 M6|G43 D2|G0 Z10", true), (vec![90.0], vec![]));
+        assert_eq!(read(&BY_D, "T1 M6|G43 H2|G0 Z10", true).1.first(), Some(&"G0515"));
+        assert_eq!(read(&BY_H, "T1 M6|G43 H2|G0 Z10", true).0, [90.0]);
+        assert_eq!(read(&BY_H, "T1 M6|G43 D2|G0 Z10", true).1.first(), Some(&"G0515"));
     }
 
     #[test]

@@ -12,9 +12,6 @@ use crate::kinds::impeller::rules::{
 use crate::kinds::rules::corners_between_blocks;
 use crate::parameter::at;
 
-/// The codes that the published programs release the clamps of the rotary axes with; the machine's builder defined them.
-const CLAMPS: [u32; 2] = [11, 13];
-
 fn holds(words: &[Word], letter: char, number: u32) -> bool {
     words.iter().any(|word| *word == Word::whole(letter, number))
 }
@@ -22,11 +19,7 @@ fn holds(words: &[Word], letter: char, number: u32) -> bool {
 /// The remarks on how the programs begin.
 pub(super) fn start(design: &Design) -> Vec<Finding> {
     let mut findings = vec![rotary_axes(design)];
-    // Of the clamps of other machines nothing was published.
-    match design.post.control.rotary.delivered {
-        RotaryMode::Rollover => findings.push(clamps(design)),
-        RotaryMode::Linear => {}
-    }
+    findings.extend(clamps(design));
     if !holds(&design.start_codes, 'M', 3) && !holds(&design.start_codes, 'M', 4) {
         findings.push(SpindleNotStarted {}.at(at([form::START_CODES.key()])));
     }
@@ -56,18 +49,21 @@ fn rotary_axes(design: &Design) -> Finding {
     }
 }
 
-fn clamps(design: &Design) -> Finding {
-    let missing: Vec<String> = CLAMPS
-        .into_iter()
-        .filter(|&number| !holds(&design.start_codes, 'M', number))
+/// What is to be known of the codes that release the clamps of the rotary axes in programs that were published for the control.
+fn clamps(design: &Design) -> Option<Finding> {
+    let published = design.post.writing.clamps;
+    let missing: Vec<String> = published
+        .iter()
+        .filter(|&&number| !holds(&design.start_codes, 'M', number))
         .map(|number| format!("M{number}"))
         .collect();
     let place = at([form::START_CODES.key()]);
-    if missing.is_empty() {
+    let told = if missing.is_empty() {
         ClampsOfBuilder {}.at(place)
     } else {
         ClampsMissing { missing: missing.join(", ") }.at(place)
-    }
+    };
+    (!published.is_empty()).then_some(told)
 }
 
 fn retract(design: &Design) -> Vec<Finding> {
@@ -80,9 +76,8 @@ fn retract(design: &Design) -> Vec<Finding> {
         return vec![RetractByProgram { z: Size::mm(z) }.at(place())];
     }
     let mut findings = Vec::new();
-    match design.post.control.rotary.delivered {
-        RotaryMode::Rollover => findings.push(RetractIsAssumed {}.at(place())),
-        RotaryMode::Linear => {}
+    if design.post.writing.zero.told_of() {
+        findings.push(RetractIsAssumed {}.at(place()));
     }
     if z != 0.0 {
         findings.push(RetractElsewhere { z: Size::mm(z) }.at(place()));

@@ -3,9 +3,9 @@
 use crate::gcode::control::{
     Across, AcrossWord, BlockDelete, BuilderCodes, CallBy, Cancel, Class, CommentForm, Comments, Corners, CountedFeed,
     Decimals, DimensionPoint, Drilling, DwellUnit, EmptyBlock, FeedChange, FeedLimit, FeedPath, Increments, Language,
-    LeastIncrement, LengthWord, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius, NoseCorner,
-    NumberBehind, OffsetRule, OpeningLine, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover,
-    RotaryMode, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    LeastIncrement, LengthWord, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NegativeRadius,
+    NoseCorner, NumberBehind, OffsetRule, OpeningLine, Order, Percent, PolarWords, Radii, RadiusRule, Reference,
+    Retract, Rollover, RotaryMode, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::text::{Text, t};
@@ -131,6 +131,10 @@ told! {
         Self::Fagor => "los códigos M antes del movimiento; no se sabe en qué unidad se leen F y S junto a G70 o G71", "M codes before the motion; it is not known in which unit F and S are read beside G70 or G71";
         Self::FagorLathe => "los códigos M antes del movimiento, M5 y M9 después; no se sabe en qué unidad se leen F y S junto a G70 o G71", "M codes before the motion, M5 and M9 after it; it is not known in which unit F and S are read beside G70 or G71";
         Self::Fanuc => "la unidad antes que toda palabra, M5 y M9 después del movimiento; junto a G28, G30 o G50 puede ir un código de movimiento", "the unit before every word, M5 and M9 after the motion; a motion code may be beside G28, G30 or G50";
+    }
+    MachineZero {
+        Self::Read => "G53 no cuenta correctores", "G53 ignores tool offsets";
+        Self::Assumed => "se supone que G53 no cuenta correctores; una precaución", "G53 is assumed to ignore tool offsets; a caution";
     }
     AcrossWord {
         Self::Radius => "la coordenada", "the coordinate";
