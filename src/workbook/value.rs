@@ -139,7 +139,7 @@ impl Reading<'_> {
                 }
                 Some((Content::Date(..), _)) => Box::new(ValueIsDate { name, cell }),
                 Some((Content::Number(number), percent)) => return self.number(*number, percent),
-                Some((Content::Text(text, characters), _)) => return self.text(text.trim(), *characters),
+                Some((Content::Text(text, characters), _)) => return self.text(text.trim_matches(' '), *characters),
             }
         };
         self.stop(&*row, String::new());
@@ -188,7 +188,8 @@ impl Reading<'_> {
         }
     }
 
-    fn text(&mut self, text: &str, characters: usize) -> Option<Value> {
+    fn text(&mut self, typed: &str, characters: usize) -> Option<Value> {
+        let text = typed.trim();
         let (name, shown) = (named(self.parameter), excerpt(text, SHOWN));
         match &self.parameter.kind {
             FieldKind::Real { .. } | FieldKind::Whole { .. } => {
@@ -196,7 +197,7 @@ impl Reading<'_> {
                 self.stop(&*row, shown);
                 None
             }
-            FieldKind::Choice(choices) => self.choice(choices, text),
+            FieldKind::Choice(choices) => self.choice(choices, typed),
             FieldKind::Line { max } => self.line(text, characters, *max),
             FieldKind::Date if calendar::never(text) => {
                 self.stop(&NoSuchDay { name, text: shown.clone(), cell: address::format(self.at) }, shown);
@@ -220,10 +221,20 @@ impl Reading<'_> {
         Some(Value::Line(text.to_owned()))
     }
 
-    fn choice(&mut self, choices: &'static [Choice], text: &str) -> Option<Value> {
-        let near = match words::choose(choices, text) {
-            Ok(key) => return Some(Value::Choice(key)),
-            Err(near) => near,
+    /// The choice of a word. The formulas of a workbook drop plain blanks around it and no others, such as the one that does
+    /// not break a line: they would take another value than what is read here.
+    fn choice(&mut self, choices: &'static [Choice], typed: &str) -> Option<Value> {
+        let text = typed.trim();
+        let odd = typed.chars().find(|one| one.is_whitespace() && *one != ' ');
+        let near = match (words::choose(choices, text), odd) {
+            (Ok(key), None) => return Some(Value::Choice(key)),
+            (Ok(_), Some(odd)) => {
+                let (name, cell) = (named(self.parameter), address::format(self.at));
+                let (text, character) = (excerpt(text, SHOWN), format!("U+{:04X}", u32::from(odd)));
+                self.stop(&ChoiceWithOddBlank { name, text: text.clone(), character, cell }, text);
+                return None;
+            }
+            (Err(near), _) => near,
         };
         let (name, text, choices) = (named(self.parameter), excerpt(text, SHOWN), expected(self.parameter));
         let value = text.clone();

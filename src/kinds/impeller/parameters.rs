@@ -169,8 +169,8 @@ pub(super) static ROTARY: Field<RotaryMode, Optional> = Field::choice(
     "rotary_axes",
     t("Cómo cuentan los ejes B y C de la máquina en G90", "How the machine's axes B and C count in G90"),
     t(
-        "rollover: de 0 a 360, el signo es el sentido (Fagor 8055 de fábrica; también si queda vacía); lineal: como un eje lineal",
-        "rollover: from 0 to 360, the sign is the direction (Fagor 8055 as delivered; also if empty); linear: like a linear axis",
+        "rollover: de 0 a 360, el signo es el sentido; lineal: como un eje lineal; vacía: como se entrega el control de dialect",
+        "rollover: from 0 to 360, the sign is the direction; linear: like a linear axis; empty: as the control of dialect is delivered",
     ),
 );
 pub(super) static B_MIN: Field<f64, Required> = Field::real(

@@ -25,7 +25,7 @@ pub(super) fn quantities(design: &Design, model: &Model, programs: &[Proved]) ->
     list.extend([true_gap(&model.limits), lean_of_end(model), pitch(design), end_of_turning(design)]);
     list.extend(true_limits(&model.limits));
     if let (Some(plan), Some(asked)) = (&model.clear, &design.clear) {
-        list.extend(clear::tables::quantities(asked, plan));
+        list.extend(clear::tables::quantities(design, asked, plan));
     }
     list.extend(model.splitter.as_ref().map(crossings).into_iter().flatten());
     list.extend(retract_height(programs));

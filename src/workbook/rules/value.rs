@@ -114,6 +114,13 @@ rules! {
         why "rodete sugiere lo que parece querer decir, pero nunca lo toma por el valor.",
             "rodete suggests what you probably mean, but never takes it for the value.";
         example book!("impeller", "dialect" = "Fagor 8055");
+    "W0545" ChoiceWithOddBlank Stop { name: Text, text: String, character: String, cell: String }
+        es "{name} es \"{text}\" con un carácter que parece un espacio y no lo es ({character})"
+        en "{name} is \"{text}\" with a character that looks like a blank and is none ({character})"
+        remedy "escriba la palabra de nuevo en {cell}", "type the word anew in {cell}";
+        why "Las fórmulas del libro no quitan ese carácter y calcularían otra cosa que rodete.",
+            "The workbook's formulas do not drop that character and would compute something else than rodete.";
+        example book!("impeller", "style" = "full\u{a0}");
     "W0416" WrongCode Stop { name: Text, wrong: String, cell: String, expected: Text }
         es "{name} lleva \"{wrong}\", que no es un código de máquina (M y un número entero)"
         en "{name} has \"{wrong}\", which is not a machine code (M and a whole number)"

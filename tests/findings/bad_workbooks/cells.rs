@@ -337,6 +337,20 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "did you mean fagor-8055?",
         ),
         value(
+            "choice and a blank that does not break",
+            "style",
+            &sound().string("style", "full\u{a0}"),
+            "is \"full\" with a character that looks like a blank and is none (U+00A0)",
+            "type the word anew in",
+        ),
+        value(
+            "choice and the end of a line",
+            "style",
+            &sound().string("style", "annex\n"),
+            "is \"annex\" with a character that looks like a blank and is none (U+000A)",
+            "type the word anew in",
+        ),
+        value(
             "codes",
             "start_codes",
             &sound().string("start_codes", "M3 X100"),

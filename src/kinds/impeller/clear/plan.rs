@@ -81,7 +81,7 @@ impl Plan {
             plan = Self::beginning(job, cut, begins)?;
         }
         engage(job, cut, &mut plan.passes);
-        if plan.told.finish_from > 0.0 {
+        if plan.told.finish_from > 0.0 || plan.told.unfinished.is_some() {
             plan.told.uncut = plan.uncut(job, cut);
         }
         Ok(plan)
@@ -406,6 +406,7 @@ fn face_error(ways: &[FlankWay]) -> FaceError {
 mod tests {
     use super::*;
     use crate::geometry::torus::Torus;
+    use crate::kinds::impeller::clear::told::Unfinished;
     use crate::machine::rotary::TiltingTable;
 
     fn job(r: f64, e: f64) -> Job {
@@ -454,6 +455,23 @@ mod tests {
         ];
         let by = |whole: bool| lost(all.clone(), &[], |_| whole).iter().map(|one| one.by).collect::<Vec<_>>();
         assert_eq!((by(false), by(true)), (vec![By::Blade, By::Ends], vec![By::Blade]));
+    }
+
+    #[test]
+    fn an_end_above_the_depth_leaves_the_faces_unfinished_flat_or_not() {
+        // The corner's height by the derivation of the root, at the rim.
+        let c_r = |r_f: f64, a: f64| r_f - (r_f * r_f - (2.0 * a).powi(2)).sqrt();
+        assert!(c_r(15.8, 3.0) > 0.8 && c_r(17.0, 3.0) < 2.0);
+        let told = |a_p: f64| {
+            let job = Job { part: Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, a_p), ..job(15.0, 2.0) };
+            Plan::new(&job, &Cut { s: 0.1, scallop: 0.02, ..Cut::usual(6.0, 6.0) }).expect("a plan").told
+        };
+        let shallow = told(0.8);
+        let Unfinished { left, .. } = shallow.unfinished.expect("unfinished");
+        // By a simulation of its own, of the shipped form at that depth: 0.093 mm at the top edge of the reverse.
+        assert!((0.08..0.11).contains(&left), "{left}");
+        assert_eq!(shallow.root.height, 0.8);
+        assert!(told(2.0).unfinished.is_none());
     }
 
     #[test]

@@ -10,13 +10,13 @@ use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::programs::title;
 use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
-use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, Told, ToolTold};
+use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, Told, ToolTold, Unfinished};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters::{self as form, NUMBERS};
 use crate::kinds::impeller::part::{HUB, RIM};
 use crate::limits::CLEAR_BLOCKS;
 use crate::number::shown;
-use crate::parameter::at;
+use crate::parameter::{FieldKind, at};
 use crate::text::{Language, Text, all_of, t};
 
 /// The least that must be left of ε beside the rounding, mm.
@@ -91,7 +91,10 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
 
 /// A tool that does not pass.
 pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
-    let largest = why.largest.map_or_else(
+    // One that the form does not take is none.
+    let taken = |d: &f64| matches!(form::D_T.row.kind, FieldKind::Real { min, .. } if *d >= min);
+    let passes = why.largest.filter(taken);
+    let largest = passes.map_or_else(
         || t("no se ha encontrado ninguna que quepa", "none was found that fits"),
         |d| {
             Text::new(
@@ -117,8 +120,7 @@ pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
     };
     let d = Size::mm(why.d);
     let told = ToolDoesNotFit { tool: tool_name(why.tool), d, largest, alone };
-    let passes = why.largest.map(|d| Size::length(d, 2));
-    let limit = passes.map(|passes| passes.said(Language::En).into_owned());
+    let limit = passes.map(|d| Size::length(d, 2)).map(|passes| passes.said(Language::En).into_owned());
     told.at(at([key, form::N.key(), form::E.key()])).with(d.said(Language::En), limit.unwrap_or_default())
 }
 
@@ -301,7 +303,8 @@ fn at_the_root(job: &Job, asked: &Asked, told: &Told) -> Vec<Finding> {
     let finishing = [fields::D_F.key()].into_iter().chain(Some(corner.1).filter(|_| corner.0.r_c > 0.0));
     let root = &told.root;
     let over = finely(root.over);
-    if root.height > 0.0 {
+    // What goes up to the tops is no corner: it is told of the faces.
+    if root.height > 0.0 && told.unfinished.is_none() {
         let (height, here, thick) = (at_most(root.height), share(root.v), at_most(root.thick));
         findings.push(RestAtTheRoot { over, height, here, thick }.at(Place::Parameters(finishing.clone().collect())));
     }
@@ -314,12 +317,14 @@ fn at_the_root(job: &Job, asked: &Asked, told: &Told) -> Vec<Finding> {
         let (left, flat) = (at_most(rounded), at_most(flat));
         findings.push(RoughEndLeaves { left, flat }.at(at([fields::CORNER.key(), fields::ALLOWANCE.key()])));
     }
-    if let Some(v) = told.unfinished {
-        findings.push(FacesUnfinished { share: share(v) }.at(at([
-            fields::CORNER.key(),
-            fields::CORNER_F.key(),
-            form::A_P.key(),
-        ])));
+    if let Some(Unfinished { v, left }) = told.unfinished {
+        let (left, share, uncut) = (at_most(left), share(v), percent(told.uncut));
+        findings.push(if asked.cut.finish.r_c > 0.0 {
+            let place = at([fields::CORNER.key(), fields::CORNER_F.key(), form::A_P.key()]);
+            FacesUnfinished { left, share, uncut }.at(place)
+        } else {
+            EndAboveDepth { left, share, uncut }.at(at([form::D_T.key(), fields::D_F.key(), form::A_P.key()]))
+        });
     }
     if let Some(allowed) = asked.root {
         let tool = largest_told(largest(job, &asked.cut, allowed));
@@ -357,9 +362,13 @@ fn largest_told(largest: LargestTool) -> Text {
     }
 }
 
+/// A part as a percentage, rounded up.
+fn percent(part: f64) -> Size {
+    Size::number((part * 1000.0).ceil() / 10.0, 1)
+}
+
 /// Of a cut that does not begin at the hub.
 fn cut_partly(told: &Told) -> Vec<Finding> {
-    let percent = |part: f64| Size::number((part * 1000.0).ceil() / 10.0, 1);
     let mut findings = Vec::new();
     if told.finish_from > 0.0 {
         let (from, uncut) = (percent(told.finish_from), percent(told.uncut));

@@ -10,7 +10,7 @@ use crate::kinds::impeller::clear::lane::v_at;
 use crate::kinds::impeller::clear::pass::Cutting;
 use crate::kinds::impeller::clear::poses::{Poses, cusp};
 use crate::kinds::impeller::clear::root::{Line, Root, face_lines, left_above, nose_lines, root};
-use crate::kinds::impeller::clear::told::FaceError;
+use crate::kinds::impeller::clear::told::{FaceError, Unfinished};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::part::{Face, HUB, RIM};
 
@@ -24,8 +24,8 @@ pub(super) struct Rests {
     pub(super) floor: Option<FloorLook>,
     /// In the corners, and above them.
     pub(super) root: Root,
-    /// v where the rounded end of the tool leaves a face that it runs along unfinished up to the tops.
-    pub(super) unfinished: Option<f64>,
+    /// Where the end of the tool leaves a face that it runs along unfinished up to the tops.
+    pub(super) unfinished: Option<Unfinished>,
     /// What roughing with a rounded end leaves of the blades' faces at the floor at most, and what a flat one would leave; 0 of a flat end.
     pub(super) rough: [f64; 2],
 }
@@ -54,7 +54,7 @@ impl Draft<'_> {
             root
         };
         let (floor, root) = rayon::join(floor, corner);
-        let unfinished = (tool.r_c > 0.0 && root.height >= part.a_p).then(|| self.unfinished(&poses, root)).flatten();
+        let unfinished = (root.height >= part.a_p).then(|| self.unfinished(&poses, root)).flatten();
         Rests { floor: Some(floor), root, unfinished, rough: self.rough_foot() }
     }
 
@@ -83,8 +83,12 @@ impl Draft<'_> {
         })
     }
 
-    /// v where the corner's rest goes up to the tops along a pass that is run. A face without one is left whatever the tool.
-    fn unfinished(&self, poses: &Poses, all: Root) -> Option<f64> {
+    /// Where the corner's rest goes up to the tops along a pass that is run, and the most that is left along those. A face without a
+    /// pass is left whatever the tool.
+    ///
+    /// A rounded end leaves that where its corner is as high as the face is deep, a flat one where it stands above the floor by
+    /// more: c_r > a_p, c_r being that of the root's derivation.
+    fn unfinished(&self, poses: &Poses, all: Root) -> Option<Unfinished> {
         let part = &self.job.part;
         let left = |of: Face, v: f64| {
             self.dropped.iter().any(|one| {
@@ -95,7 +99,10 @@ impl Draft<'_> {
         };
         let run = self.lines(|face, v| !left(face, v));
         let root = root(part, &run, poses, self.cut.finish, all.over);
-        (root.height >= part.a_p).then_some(root.v)
+        (root.height >= part.a_p).then(|| {
+            let left = left_above(part, &run, poses, self.cut.finish, [0.0, all.over]).unwrap_or(all.over);
+            Unfinished { v: root.v, left }
+        })
     }
 
     /// The lines along which the corners are looked at: those of the blades as far as they are wanted, and of the splitter.

@@ -128,15 +128,15 @@ rules! {
         remedy "escriba {half} para una fresa esférica, menos para una tórica, 0 para una frontal", "give {half} for a ball end mill, less for a bull-nose one, 0 for a flat one";
         why "El radio de esquina no cabe en la punta de la fresa.", "The corner radius does not fit into the end of the tool.";
         example book!("impeller --case full", "method" = "clear", "r_c" = "4");
-    "P1218" FacesUnfinished Caution { share: Size }
-        es "la punta redondeada de la fresa de acabado deja material en las caras hasta la cara torneada, por ejemplo al {share} % del camino del cubo al borde"
-        en "the rounded end of the finishing tool leaves material on the faces up to the turned surface, for example at {share} % of the way from hub to rim"
+    "P1218" FacesUnfinished Caution { left: Size, share: Size, uncut: Size }
+        es "la punta redondeada de la fresa de acabado deja hasta {left} en las caras, hasta la cara torneada, por ejemplo al {share} % del camino del cubo al borde; queda sin cortar el {uncut} % de la superficie torneada de los canales"
+        en "the rounded end of the finishing tool leaves up to {left} on the faces, up to the turned surface, for example at {share} % of the way from hub to rim; {uncut} % of the turned surface of the channels stays uncut"
         remedy "elija un radio de esquina bastante menor que la profundidad a_p", "choose a corner radius well below the depth a_p";
         why "La cara solo se acaba por encima del radio de esquina.", "A face is finished only above the corner radius.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "c_s" = "0.1", "r_c" = "3");
     "P1219" CutPartly Caution { from: Size, uncut: Size }
-        es "los canales se cortan del borde hasta el {from} % del camino desde el cubo; más adentro ninguna fresa llega al {uncut} % de su superficie torneada"
-        en "the channels are cut from the rim to {from} % of the way from the hub; farther in no tool reaches {uncut} % of their turned surface"
+        es "los canales se cortan del borde hasta el {from} % del camino desde el cubo; las fresas no llegan al {uncut} % de toda su superficie torneada"
+        en "the channels are cut from the rim to {from} % of the way from the hub; the tools do not reach {uncut} % of all their turned surface"
         remedy "corte el resto con una herramienta menor", "cut the rest with a smaller tool";
         why "Más cerca del cubo la herramienta no cabe entre los álabes.", "Nearer to the hub the tool does not fit between the blades.";
         example book!("impeller --case full", "method" = "clear", "splitters" = "no", "partly" = "yes", "d_t" = "8");
@@ -219,4 +219,10 @@ rules! {
         why "Junto a una cara la fresa se lleva como una frontal de su diámetro: su lado deja s_w, y bajo el radio de esquina queda más.",
             "Beside a face the tool is led like a flat one of its diameter: its side leaves s_w, and below the corner radius more stays.";
         example book!("impeller", "splitters" = "no", "r_c" = "3");
+    "P1232" EndAboveDepth Caution { left: Size, share: Size, uncut: Size }
+        es "el extremo de la fresa de acabado queda por encima de la profundidad a_p junto a las caras y deja en ellas hasta {left}, hasta la cara torneada, por ejemplo al {share} % del camino del cubo al borde; queda sin cortar el {uncut} % de la superficie torneada de los canales"
+        en "beside the faces the end of the finishing tool stands above the depth a_p and leaves up to {left} on them, up to the turned surface, for example at {share} % of the way from hub to rim; {uncut} % of the turned surface of the channels stays uncut"
+        remedy "use una fresa de acabado menor (d_f), o una profundidad a_p mayor", "use a smaller finishing tool (d_f), or a larger depth a_p";
+        why "Un disco no baja entre la cara y un fondo cóncavo más que su radio permite: cuanto más ancho, más alto queda.", "A disc comes down between a face and a hollow floor only as far as its radius allows: the wider it is, the higher it stands.";
+        example book!("impeller --case full", "method" = "clear", "splitters" = "no", "a_p" = "0.8", "s_w" = "0.1");
 }

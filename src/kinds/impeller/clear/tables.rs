@@ -160,7 +160,7 @@ pub const fn tool_name(which: Which) -> Text {
 /// What a plan comes to, its blocks being within the tolerance that is asked for.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<Quantity> {
+pub(in crate::kinds::impeller) fn quantities(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Quantity> {
     let (mm, count, told) = (Unit::Millimetre, Unit::Count, &plan.told);
     // The end of each tool stays in the ball of the floor: see `OwnNormal::below`.
     let one_tool = asked.cut.rough == asked.cut.finish;
@@ -291,7 +291,10 @@ pub(in crate::kinds::impeller) fn quantities(asked: &Asked, plan: &Plan) -> Vec<
         );
         list.push(Quantity { source, ..worded(symbol, es, en, error.rest + asked.cut.tolerance, mm, ["", ""]) });
     }
-    // Where a rounded end leaves the faces unfinished up to their tops, there is nothing above the corner.
+    // Where the end of the tool leaves the faces unfinished up to their tops, there is nothing above the corner.
+    if told.root.height >= design.a_p {
+        list.retain(|one| one.symbol != "rest_above");
+    }
     if told.unfinished.is_some() {
         list.retain(|one| !["rest_above", "rest_obverse", "rest_reverse"].contains(&one.symbol));
     }

@@ -81,6 +81,15 @@ impl Told {
     }
 }
 
+/// Faces that the end of the finishing tool leaves unfinished up to the turned surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unfinished {
+    /// v of the line on which it was found, radians.
+    pub v: f64,
+    /// The most that is left of any face, from the nearest pose, mm.
+    pub left: f64,
+}
+
 /// What a plan says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Told {
@@ -96,8 +105,8 @@ pub struct Told {
     pub floor: FloorRest,
     /// What is left in the corner of face and floor.
     pub root: Root,
-    /// v where the rounded end of the finishing tool leaves a face that it runs along unfinished up to the tops.
-    pub unfinished: Option<f64>,
+    /// Where the end of the finishing tool leaves a face that it runs along unfinished up to the tops.
+    pub unfinished: Option<Unfinished>,
     /// What the flank passes leave of obverse and reverse.
     pub faces: [FaceError; 2],
     /// v from which on splitters stand; `None` without them.
@@ -111,7 +120,8 @@ pub struct Told {
     /// How much a roughing tool with a rounded end leaves of the faces at the floor at most, and how much a flat one led the same way
     /// would, mm; 0 of a flat end.
     pub rough_foot: [f64; 2],
-    /// The share of the turned surface of the channels, from 0 to 1, that no pass reaches; 0 where the finishing tool fits all the way.
+    /// The share of the turned surface of the channels, from 0 to 1, that no pass reaches; looked at where the finishing tool does not fit
+    /// all the way, or leaves a face unfinished; else 0.
     pub uncut: f64,
     /// What is not run of the passes, and no other pass takes or tells of.
     pub dropped: Vec<Dropped>,

@@ -151,7 +151,7 @@ crate::finding::rule::rules! {
     "V0127" ClearCutsSplitter Stop { depth: Size, limit: Size, line: usize, program: Text }
         es "la herramienta entra {depth} en un álabe intermedio, en la línea {line} de «{program}»; la tolerancia admite {limit}"
         en "the tool enters a splitter by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
-        remedy "use álabes más delgados (e) o menos, y en fresas anchas una menor (d_t en el desbaste, d_f en el acabado)", "use thinner blades (e) or fewer, and of wide tools a smaller one (d_t in roughing, d_f in finishing)";
+        remedy "elija una c_s menor, u otros álabes (N, e), o splitters = no; y en fresas anchas una menor (d_t en el desbaste, d_f en el acabado)", "choose a smaller c_s, other blades (N, e), or splitters = no; and of wide tools a smaller one (d_t in roughing, d_f in finishing)";
         why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
         example Example::Slip { kind: "impeller", cells: &[("c_s", "0.02"), ("tol", "0.01"), ("delta", "")], program: "finish", from: "N50980 G1 X-3.520", to: "N50980 G1 X-3.820" };
     "V0128" ClearMayCut Stop { limit: Size, line: usize, program: Text }
