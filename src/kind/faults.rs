@@ -10,6 +10,7 @@ use crate::finding::{Finding, Place, Raise};
 use crate::gcode::control::Control;
 use crate::gcode::program::Program;
 use crate::parameter::Form;
+use crate::proof::due::Due;
 use crate::table::{Quantity, Table};
 
 /// The first table with columns of several lengths, or with a value that is no number.
@@ -37,7 +38,7 @@ pub(super) fn programs(
     form: &Form,
     control: &Control,
     programs: &[Program],
-    due: impl Fn(&Program) -> &'static [&'static str],
+    due: impl Fn(&Program) -> Vec<Due>,
 ) -> Vec<Finding> {
     let mut found = Vec::new();
     if programs.is_empty() {

@@ -20,6 +20,7 @@ use crate::machine::rapids::Rapids;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
 use crate::proof::account::Account;
+use crate::proof::due::Due;
 use crate::proof::step::{Judge, Plan};
 use crate::proof::verification::Verification;
 use crate::proof::{self, Judged};
@@ -151,8 +152,8 @@ pub trait Method: Send + Sync + 'static {
         program: &'a Program,
     ) -> Vec<Box<dyn Judge + 'a>>;
 
-    /// The keys of the checks that must be answered for a program; one that nobody answers stops the work.
-    fn due(design: &Self::Design, program: &Program) -> &'static [&'static str];
+    /// What must be answered for a program; what nobody answers stops the work.
+    fn due(design: &Self::Design, program: &Program) -> Vec<Due>;
 
     /// Derived limits, angles and lengths.
     fn quantities(design: &Self::Design, model: &Self::Model, programs: &[Proved]) -> Vec<Quantity>;
@@ -194,7 +195,7 @@ pub fn judged<M: Method>(
 ) -> Judged {
     let (setting, plan) = (M::setting(design, program), M::plan(design, model, program));
     let judges = M::judges(design, model, memo, program);
-    proof::of(text, setting, plan, judges, M::due(design, program), M::ANSWERED, M::rapids(design, program))
+    proof::of(text, setting, plan, judges, &M::due(design, program), M::ANSWERED, M::rapids(design, program))
 }
 
 /// True where the rates of rapid motions are known of a program, or where the rates of the form are not its machine's.

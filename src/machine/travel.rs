@@ -17,6 +17,14 @@ pub struct AxisTravel {
     pub keys: [Key; 2],
 }
 
+impl AxisTravel {
+    /// True where an end of it is known, so that it is checked.
+    #[must_use]
+    pub fn is_known(&self) -> bool {
+        self.ends.iter().any(Option::is_some)
+    }
+}
+
 /// Where an axis leaves its travel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Excess {

@@ -15,6 +15,7 @@ use crate::machine::rotary::TiltingTable;
 use crate::machine::tip_way::Ways;
 use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question};
+use crate::proof::due::Due;
 use crate::proof::rules::{AxisTooFast, CutWithoutFeed, DecimalsAssumed, FeedWordSlows, TipTooFast};
 use crate::proof::step::{Judge, Stage, Step};
 use crate::text::{Text, t};
@@ -24,13 +25,23 @@ const BLINK: f64 = 0.001;
 /// By what part rounding the F word may slow a motion before a person must judge it.
 const SLOWER: f64 = 0.05;
 
-/// The check of what rounding the F words costs: by what part it slows a motion the most, and where; nothing is asked of a
-/// program without F words.
+/// What must be answered of a program with [`Feeds::new`]: of a design without F, that it has none; of an axis, where its
+/// greatest speed is known.
 #[must_use]
-pub fn feed_word(program: &Program, worst: &Extreme) -> Check {
+pub fn due(F: Option<f64>, F_max: Option<f64>) -> Vec<Due> {
+    if F.is_none() {
+        return vec![Due::told("feed-tip")];
+    }
+    vec![Due::told_where(F_max.is_none(), "feed-axis"), Due::judged("feed-tip"), Due::judged("feed-word")]
+}
+
+/// The check of what rounding the F words costs: by what part it slows a motion the most, and where. Of a design that is
+/// `fed` with an F it must be seen; of one without, nothing is asked where there are no F words.
+#[must_use]
+pub fn feed_word(program: &Program, worst: &Extreme, fed: bool) -> Check {
     let name = t("Palabra F: pérdida máxima por redondeo", "F word: maximum loss by rounding");
     let asked = Question::new("feed-word", name, program);
-    if worst.seen() == 0 {
+    if worst.seen() == 0 && !fed {
         return asked.showing(t("sin palabra F", "no F word"), Text::same("")).informs();
     }
     let law = program.control.feed.law;
@@ -76,6 +87,8 @@ pub struct Feeds {
     fastest: Axis,
     tip: Extreme,
     rounded: Extreme,
+    /// The first motion that is over in a blink, whatever its word is.
+    blink: Option<At>,
     without: Option<At>,
     /// Passes whose name ends so are run at this part of F.
     slower: Option<(&'static str, f64)>,
@@ -96,6 +109,7 @@ impl Feeds {
             fastest: Axis::X,
             tip: nothing,
             rounded: nothing,
+            blink: None,
             without: None,
             slower: None,
             rounding: true,
@@ -154,6 +168,8 @@ impl Judge for Feeds {
             let wanted = (way * 60.0 / F).max(self.F_max.map_or(0.0, |F_max| greatest * 60.0 / F_max));
             if wanted > BLINK {
                 self.rounded.take(seconds / wanted - 1.0, at);
+            } else {
+                self.blink.get_or_insert(at);
             }
         }
         self.tip.take(way * 60.0 / seconds, at);
@@ -166,11 +182,16 @@ impl Judge for Feeds {
         let limit = |limit: Option<f64>, unit: &str| limit.map_or_else(|| Text::same(""), |limit| speed(limit, unit));
         let (axis, unit) = (self.fastest, if self.fastest.rotary() { "°/min" } else { "mm/min" });
         let none = t("sin palabra F", "no F word");
-        if self.tip.seen() == 0 {
-            // Of a program without F words nothing is asked.
-            let asked = Question::new("feed", tip_name, program).showing(none, Text::same(""));
+        if self.F.is_none() && self.tip.seen() == 0 && self.without.is_some() {
+            // Of a design without F nothing is asked: its cuts have no F word.
+            let asked = Question::new("feed-tip", tip_name, program).showing(none, Text::same(""));
             return vec![asked.at(self.without).informs()];
         }
+        let without = self.without.map(|at| {
+            let name = t("Movimiento de corte sin avance", "Cutting motion without feed");
+            let asked = Question::new("feed", name, program).showing(none, Text::same("")).at(Some(at)).seen(1);
+            asked.holds(false, |place| CutWithoutFeed { line: at.line, program: program.title.clone() }.at(place))
+        });
         let value = Text::same(format!("{} {} {unit}", axis.letter(), shown(self.axis.value(), 2)));
         let by_axis = Question::new("feed-axis", axis_name, program).showing(value, limit(self.F_max, unit));
         let by_axis = match self.F_max {
@@ -184,23 +205,58 @@ impl Judge for Feeds {
         let tip = Question::new("feed-tip", tip_name, program);
         let tip = tip.showing(speed(self.tip.value(), "mm/min"), limit(self.F, "mm/min"));
         let tip = match self.F {
+            // A program in which nothing cuts has nothing to be told of.
+            None if self.tip.seen() == 0 => tip.passes(),
             None => tip.of(&self.tip).informs(),
             Some(most) => tip.within(&self.tip, most * SLACK, |found, place| {
                 let (speed, limit) = (Size::feed(found.value(), 2), Size::number(most, 2));
                 TipTooFast { speed, line: found.line(), program: program.title.clone(), limit }.at(place)
             }),
         };
-        let mut checks = vec![by_axis, tip];
+        let mut checks: Vec<Check> = without.into_iter().chain([by_axis, tip]).collect();
         if self.rounding {
-            checks.push(feed_word(program, &self.rounded));
-        }
-        if let Some(at) = self.without {
-            let name = t("Movimiento de corte sin avance", "Cutting motion without feed");
-            let asked = Question::new("feed", name, program).showing(none, Text::same("")).at(Some(at)).seen(1);
-            checks.push(
-                asked.holds(false, |place| CutWithoutFeed { line: at.line, program: program.title.clone() }.at(place)),
-            );
+            let mut rounded = self.rounded;
+            if let (0, Some(at)) = (rounded.seen(), self.blink) {
+                // All are over in a blink: rounding costs nothing that a control would notice.
+                rounded.take(0.0, at);
+            }
+            checks.push(feed_word(program, &rounded, self.F.is_some()));
         }
         checks
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::finding::Grade;
+
+    /// The answers on a program of which nothing was seen: keys, grades and codes.
+    fn unseen(F: Option<f64>, F_max: Option<f64>) -> Vec<(&'static str, Option<Grade>, &'static str)> {
+        let judge = Box::new(Feeds::new(TiltingTable { L: 100.0 }, F, F_max));
+        let told = |check: Check| (check.key(), check.grade(), check.finding().map_or("", |one| one.rule().code));
+        judge.checks(&Program::sample("blade")).into_iter().map(told).collect()
+    }
+
+    #[test]
+    fn a_program_in_which_nothing_was_seen_is_stopped_whatever_its_feed() {
+        let (stop, note) = (Some(Grade::Stop), Some(Grade::Note));
+        let [axis, tip, word] = ["feed-axis", "feed-tip", "feed-word"];
+        assert_eq!(unseen(Some(300.0), Some(3000.0)), [axis, tip, word].map(|key| (key, stop, "V0001")));
+        assert_eq!(unseen(Some(300.0), None), [(axis, note, ""), (tip, stop, "V0001"), (word, stop, "V0001")]);
+        assert_eq!(unseen(None, None), [(axis, note, ""), (tip, stop, "V0001"), (word, note, "")]);
+    }
+
+    #[test]
+    fn a_loss_by_rounding_that_was_not_seen_is_told_of_a_design_without_feed_alone() {
+        let grade = |fed| feed_word(&Program::sample("hole"), &Extreme::nothing(), fed).grade();
+        assert_eq!((grade(true), grade(false)), (Some(Grade::Stop), Some(Grade::Note)));
+    }
+
+    #[test]
+    fn every_answer_on_the_feed_of_a_design_that_has_one_is_due() {
+        let keys = |F, F_max| due(F, F_max).iter().map(Due::key).collect::<Vec<_>>();
+        assert_eq!(keys(Some(300.0), None), ["feed-axis", "feed-tip", "feed-word"]);
+        assert_eq!(keys(None, Some(3000.0)), ["feed-tip"]);
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! [`of`] is the whole: a program is read back from its text once, motion by motion, and every judge of its kind sees each
 //! motion in turn ([`step`]), so that a program of any length takes no memory. A judge answers with [`check::Check`]s: the rows
-//! of the table of the verification, and the findings of those that failed. What a kind must ask is a list of its own; a key
-//! of it that nobody answered is a stop, so that a judge left out stops the build.
+//! of the table of the verification, and the findings of those that failed. What a kind must ask is a list of its own ([`due`]);
+//! a key of it that nobody answered is a stop, so that a judge left out stops the build.
 //!
 //! | judge | question |
 //! |---|---|
@@ -27,6 +27,7 @@ pub mod agreement;
 pub mod arcs;
 pub mod check;
 pub mod closure;
+pub mod due;
 pub mod enclosed;
 pub mod feed;
 pub mod rollover;
@@ -47,6 +48,7 @@ use crate::gcode::program::Program;
 use crate::machine::rapids::Rapids;
 use crate::proof::account::Account;
 use crate::proof::check::{Check, Question};
+use crate::proof::due::Due;
 use crate::proof::rules::NotAnswered;
 use crate::proof::step::{Judge, Plan, Steps};
 use crate::proof::verification::reading;
@@ -64,16 +66,15 @@ pub struct Judged {
 }
 
 /// Reads a program back from its text and asks all judges, what is asked of every text among them. A text that the
-/// interpreter refuses is asked nothing else. Each key of `due` must be answered, by a check of that key or of one that begins
-/// with it and a hyphen. Of the rows of `answered` the judges speak, so that the reading does not. `rapids` is how fast the
-/// machine is where it does not cut.
+/// interpreter refuses is asked nothing else. Each key of `due` must be answered. Of the rows of `answered` the judges speak, so
+/// that the reading does not. `rapids` is how fast the machine is where it does not cut.
 #[must_use]
 pub fn of(
     program: &Program,
     setting: Setting,
     plan: Plan<'_>,
     judges: Vec<Box<dyn Judge + '_>>,
-    due: &[&'static str],
+    due: &[Due],
     answered: &[&Rule],
     rapids: Rapids,
 ) -> Judged {
@@ -94,7 +95,7 @@ fn over(
     text: &mut Interpreter<'_>,
     plan: Plan<'_>,
     mut judges: Vec<Box<dyn Judge + '_>>,
-    due: &[&'static str],
+    due: &[Due],
     answered: &[&Rule],
     rapids: Rapids,
 ) -> Judged {
@@ -119,19 +120,11 @@ fn over(
         // Some of them search for long, each by itself.
         let found: Vec<Vec<Check>> = judges.into_par_iter().map(|judge| judge.checks(program)).collect();
         checks.extend(found.into_iter().flatten());
-        let missing: Vec<Check> = due
-            .iter()
-            .filter(|key| !checks.iter().any(|check| answers(check, key)))
-            .map(|key| unanswered(program, key))
-            .collect();
+        let missing = due.iter().filter(|due| !due.is_answered(&checks)).map(|due| unanswered(program, due.key()));
+        let missing: Vec<Check> = missing.collect();
         checks.extend(missing);
     }
     Judged { checks, account, bytes: 0 }
-}
-
-/// True for a check that answers what is due.
-fn answers(check: &Check, due: &str) -> bool {
-    check.key().strip_prefix(due).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
 }
 
 /// The stop for what nobody answered.
@@ -143,7 +136,7 @@ fn unanswered(program: &Program, key: &'static str) -> Check {
 
 #[cfg(test)]
 mod tests {
-    use super::{Plan, Rapids, of};
+    use super::{Due, Plan, Rapids, of};
     use crate::finding::Grade;
     use crate::gcode::program::{Part, Program};
     use crate::gcode::word::Word;
@@ -151,39 +144,75 @@ mod tests {
     use crate::proof::step::{Judge, Step};
     use crate::text::Text;
 
-    /// Answers for information.
-    struct Word0(&'static str);
+    /// Answers a key, having looked at so much, for information or by judging it.
+    struct Answers {
+        key: &'static str,
+        informs: bool,
+        seen: usize,
+    }
 
-    impl Judge for Word0 {
+    impl Judge for Answers {
         fn see(&mut self, _: &Step<'_>) {}
 
         fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-            vec![Question::new(self.0, Text::same("Name"), program).informs()]
+            let asked = Question::new(self.key, Text::same("Name"), program).seen(self.seen);
+            vec![if self.informs { asked.informs() } else { asked.passes() }]
         }
     }
 
-    #[test]
-    fn a_check_that_is_due_and_that_no_judge_answers_is_a_stop() {
+    /// The stops of a program of which so much is due and which so is answered: keys and codes.
+    fn stops(due: &[Due], answers: Vec<Answers>) -> Vec<(&'static str, &'static str)> {
         let program = Program {
             title: Text::same("Hole"),
             parts: vec![Part::Block(vec![Word::whole('M', 2)])],
             ..Program::sample("hole")
         };
-        let stops = |answered: &'static str| {
-            let judged = of(
-                &program,
-                program.setting(),
-                Plan::of(&program),
-                vec![Box::new(Word0(answered))],
-                &["feed"],
-                &[],
-                Rapids::default(),
-            );
-            let stopped = judged.checks.iter().filter(|check| check.grade() == Some(Grade::Stop));
-            stopped.map(|check| (check.key(), check.finding().unwrap().rule().code)).collect::<Vec<_>>()
-        };
-        assert_eq!(stops("feed"), []);
-        assert_eq!(stops("feed-axis"), []);
-        assert_eq!(stops("feeding"), [("feed", "V0002")]);
+        let judges = answers.into_iter().map(|one| Box::new(one) as Box<dyn Judge>).collect();
+        let judged = of(&program, program.setting(), Plan::of(&program), judges, due, &[], Rapids::default());
+        let stopped = judged.checks.iter().filter(|check| check.grade() == Some(Grade::Stop));
+        stopped.map(|check| (check.key(), check.finding().unwrap().rule().code)).collect()
+    }
+
+    const fn judged(key: &'static str) -> Answers {
+        Answers { key, informs: false, seen: 1 }
+    }
+
+    const fn informs(key: &'static str) -> Answers {
+        Answers { key, informs: true, seen: 1 }
+    }
+
+    #[test]
+    fn a_check_that_is_due_and_that_no_judge_answers_is_a_stop() {
+        let feed = [Due::judged("feed")];
+        assert_eq!(stops(&feed, vec![judged("feed")]), []);
+        assert_eq!(stops(&feed, Vec::new()), [("feed", "V0002")]);
+        assert_eq!(stops(&feed, vec![judged("feeding")]), [("feed", "V0002")]);
+        let both = [Due::judged("feed-axis"), Due::judged("feed-tip")];
+        assert_eq!(stops(&both, vec![judged("feed-tip"), judged("feed-axis")]), []);
+    }
+
+    #[test]
+    fn a_key_is_answered_by_itself_alone_and_not_by_one_that_begins_as_it_does() {
+        for other in ["feed-word", "feed-axis", "fee", "feed-"] {
+            assert_eq!(stops(&[Due::judged("feed")], vec![judged(other)]), [("feed", "V0002")], "{other}");
+            assert_eq!(stops(&[Due::told("feed")], vec![informs(other)]), [("feed", "V0002")], "{other}");
+        }
+        let both = [Due::judged("feed"), Due::judged("feed-word")];
+        assert_eq!(stops(&both, vec![judged("feed-word")]), [("feed", "V0002")]);
+        assert_eq!(stops(&both, vec![judged("feed")]), [("feed-word", "V0002")]);
+    }
+
+    #[test]
+    fn what_must_be_judged_is_not_answered_for_information() {
+        assert_eq!(stops(&[Due::judged("feed")], vec![informs("feed")]), [("feed", "V0002")]);
+        assert_eq!(stops(&[Due::told("feed")], vec![informs("feed")]), []);
+        assert_eq!(stops(&[Due::told("feed")], vec![judged("feed")]), []);
+        assert_eq!(stops(&[Due::told_where(true, "feed")], vec![informs("feed")]), []);
+        assert_eq!(stops(&[Due::told_where(false, "feed")], vec![informs("feed")]), [("feed", "V0002")]);
+        // Of several checks of a key, as one for each axis, one must be judged.
+        assert_eq!(stops(&[Due::judged("travel")], vec![informs("travel"), judged("travel")]), []);
+        // One that looked at nothing is a stop of its own.
+        let nothing = Answers { seen: 0, ..judged("feed") };
+        assert_eq!(stops(&[Due::judged("feed")], vec![nothing]), [("feed", "V0001")]);
     }
 }

@@ -12,9 +12,16 @@ use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
 use crate::proof::check::{At, Check, Question};
+use crate::proof::due::Due;
 use crate::proof::rules::OtherwiseOnRollover;
 use crate::proof::step::{Judge, Step, same};
 use crate::text::{Text, t};
+
+/// What must be answered of a program for axes that count so: on linear ones it is told whether it holds for others, too.
+#[must_use]
+pub const fn due(counting: RotaryMode) -> Due {
+    Due::told_where(!counting.rolls_over(), "rotary")
+}
 
 /// Reads a program back under both settings. `counting` is what the workbook says, or the control is delivered with.
 #[must_use]

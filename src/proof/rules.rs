@@ -168,5 +168,8 @@ crate::finding::rule::rules! {
         remedy "elija una arc_tolerance mayor, u otro N", "choose a larger arc_tolerance, or another N";
         why "rodete no da por bueno lo que no está demostrado.",
             "rodete does not pass what is not proved.";
-        example Example::Never(t("los límites convergen antes de agotar el cálculo permitido", "the bounds converge before the limit of the computation"));
+        example Example::Made {
+            key: "given-path",
+            how: t("límites de la desviación, dados, que no llegan a cerrarse", "bounds of the deviation, given, that do not close"),
+        };
 }

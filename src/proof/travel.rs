@@ -66,7 +66,7 @@ impl AxisRange {
         };
         let name = Text::new(format!("Recorrido de {letter}"), format!("Travel of {letter}"));
         let value = range(self.ends.map_or([None, None], |ends| ends.map(Some)));
-        let known = ends.iter().any(Option::is_some);
+        let known = self.travel.is_known();
         let limit = if known { range(ends) } else { String::new() };
         let asked =
             Question::new("travel", name, program).showing(Text::same(value), Text::same(limit)).seen(self.seen);

@@ -11,12 +11,12 @@ use rodete::gcode::header::{Header, Named, Origin, Work};
 use rodete::gcode::in_force::{Compensation, InForce, Speed, Spindle};
 use rodete::gcode::interpreter::{Interpreter, Setting, ToolOffset};
 use rodete::gcode::motion::{Feed, FeedMode, Motion, MotionKind, Plane};
-use rodete::gcode::program::{Part, Program};
+use rodete::gcode::program::{self, Part, Path, Program, Role};
 use rodete::gcode::word::{Distance, NumberFormat, Word};
 use rodete::gcode::writer::Writer;
 use rodete::geometry::torus::Torus;
 use rodete::kinds::impeller::blank::BlankTurning;
-use rodete::machine::axis::Axis;
+use rodete::machine::axis::{Axis, Position};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::number::grid::Milli;
 use rodete::text::Language;
@@ -41,7 +41,38 @@ enum Made {
     Feed(Vec<f64>, f64),
     /// The seconds, and what the word may be off.
     Dwell(f64, f64),
+    /// The output of this number is switched on, or off: no motion.
+    Hold(bool, u32),
 }
+
+/// Moves along a path; places in thousandths of mm and of degrees.
+#[derive(Clone, Debug)]
+struct Along {
+    rapid: bool,
+    places: Vec<[i32; 5]>,
+    backwards: bool,
+    /// How far C is turned on.
+    turn: i32,
+    moving_only: bool,
+    /// Of each move at feed.
+    seconds: f64,
+}
+
+fn along() -> impl Strategy<Value = Along> {
+    let places = prop::collection::vec(prop::array::uniform5(-400_000_i32..400_000), 1..6);
+    let rest = (any::<bool>(), any::<bool>(), prop::sample::select(vec![0, 72_000, -144_000, 400_123]), any::<bool>());
+    (places, rest, 0.01..60.0).prop_map(|(places, (rapid, backwards, turn, moving_only), seconds)| Along {
+        rapid,
+        places,
+        backwards,
+        turn,
+        moving_only,
+        seconds,
+    })
+}
+
+/// The axes that a path names.
+const ALONG: &[Axis] = &[Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
 
 fn step() -> impl Strategy<Value = Step> {
     let place = || prop::array::uniform4(-400_000_i32..400_000);
@@ -130,6 +161,7 @@ fn spoils(control: &Control, (code, words): (G, &str)) -> Option<String> {
 struct Text {
     program: Program,
     text: String,
+    axes: &'static [Axis],
     /// The line of what was left in force, behind the header.
     left: usize,
     made: Vec<Made>,
@@ -205,11 +237,13 @@ fn write(post: Post, plan: &[Step], distance: Distance, before: Option<&String>)
                 let unit = control.lexis.dwell[0].unit;
                 made.push(Made::Dwell(seconds, if unit.whole() { unit.seconds() / 2.0 } else { 0.0005 } + 1e-9));
             }
-            Step::Hold(on) => {
-                if let Some(words) = post.writing.height.words(on) {
-                    writer.block(words);
+            Step::Hold(on) => match post.writing.height {
+                HeightHold::Builder => assert_eq!(post.writing.height.words(on), None),
+                HeightHold::Output(number) => {
+                    writer.block(post.writing.height.words(on).expect("an output that is switched"));
+                    made.push(Made::Hold(on, number));
                 }
-            }
+            },
             Step::Tool(T, D) => {
                 writer.tool(T, D);
                 tool = Some((T, D));
@@ -219,9 +253,90 @@ fn write(post: Post, plan: &[Step], distance: Distance, before: Option<&String>)
     writer.end_feed();
     writer.block([Word::whole('M', 30)]);
     let program = Program { block_step: Some(1), ..writer.program("plan", title) };
-    let text = program.text();
-    let header = text.lines().position(|line| line.contains("BEHIND THE HEADER")).expect("the comment");
-    Text { program, text, left: header + 2, made, tool }
+    Text::of(program, axes(control), made, tool)
+}
+
+impl Text {
+    fn of(program: Program, axes: &'static [Axis], made: Vec<Made>, tool: Option<(u32, u32)>) -> Self {
+        let text = program.text();
+        let header = text.lines().position(|line| line.contains("BEHIND THE HEADER")).expect("the comment");
+        Self { program, text, axes, left: header + 2, made, tool }
+    }
+}
+
+/// Writes a plan of paths under a whole header.
+fn write_along(post: Post, plan: &[Along], distance: Distance) -> Text {
+    let title = rodete::text::Text::same("plan");
+    let work = Work { part: "Rueda (1); 50%", material: "7075 \u{2014} T6", number: 12 };
+    let mut writer = Writer::new(post, Header::new(post.control, "plan", &title, work, &ORIGIN).parts);
+    writer.part(Part::Comment("BEHIND THE HEADER".to_owned()));
+    writer.safety();
+    if distance == Distance::Incremental {
+        writer.distance(distance);
+    }
+    writer.begin_feed();
+    let (mut made, mut at) = (Vec::new(), Position::default());
+    for one in plan {
+        let position = |place: &[i32; 5]| {
+            let placed = |at: Position, (&axis, size): (&Axis, &i32)| at.with(axis, Milli::new(*size));
+            ALONG.iter().zip(place).fold(Position::default(), placed)
+        };
+        let positions: Vec<Position> = one.places.iter().map(position).collect();
+        let mut ordered = positions.clone();
+        if one.backwards {
+            ordered.reverse();
+        }
+        let (mut words, mut times) = (Vec::new(), Vec::new());
+        for to in ordered.into_iter().map(|to| to.moved(Axis::C, Milli::new(one.turn))) {
+            let resultant = to.differences(&at).iter().map(|by| by * by).sum::<f64>().sqrt();
+            let place = || ALONG.iter().map(|&axis| to.get(axis).value()).collect();
+            // What goes nowhere is no block.
+            let moves = to != at;
+            let F = FeedWord::lasting(writer.law(), one.seconds, if moves { resultant } else { 10.0 }).expect("a word");
+            let lasts = writer.law().seconds(F.value(), resultant);
+            words.push(F);
+            times.push(lasts);
+            if moves {
+                made.push(if one.rapid { Made::Rapid(place()) } else { Made::Feed(place(), lasts) });
+            }
+            at = to;
+        }
+        let feed = match one.rapid {
+            true => program::Feed::None,
+            false => program::Feed::Each { words: words.into(), seconds: times.into() },
+        };
+        writer.part(Part::Path(Path {
+            role: Role::Clear,
+            positions: positions.into(),
+            backwards: one.backwards,
+            turn: Milli::new(one.turn),
+            axes: ALONG,
+            rapid: one.rapid,
+            distance,
+            moving_only: one.moving_only,
+            feed,
+        }));
+    }
+    writer.end_feed();
+    writer.block([Word::whole('M', 30)]);
+    let program = Program { block_step: Some(1), ..writer.program("plan", title) };
+    Text::of(program, ALONG, made, None)
+}
+
+/// The outputs that a text switches, by hand: on with M62, off with M63, each with how many of these lines stand before it.
+///
+/// LinuxCNC, M-code reference: M62 turns a digital output on and M63 off, at the next motion.
+fn holds(text: &str, motions: &[usize]) -> Vec<(usize, bool, u32)> {
+    let mut found = Vec::new();
+    for (line, block) in (1..).zip(text.lines()) {
+        let words: Vec<&str> = block.split(' ').collect();
+        let on = if words.contains(&"M62") { Some(true) } else { words.contains(&"M63").then_some(false) };
+        if let Some(on) = on {
+            let number = words.iter().find_map(|word| word.strip_prefix('P')?.parse().ok()).expect("its number");
+            found.push((motions.iter().filter(|motion| **motion < line).count(), on, number));
+        }
+    }
+    found
 }
 
 fn near(one: f64, other: f64) -> bool {
@@ -233,10 +348,17 @@ fn near(one: f64, other: f64) -> bool {
 /// # Errors
 /// Where the control reads something else than was written.
 fn reads_back(post: Post, plan: &[Step], distance: Distance, spoilt: (G, &str)) -> Result<(), String> {
-    let control = post.control;
-    let before = spoils(control, spoilt);
-    let Text { program, text, left, made, tool } = write(post, plan, distance, before.as_ref());
-    let spoils = before.as_deref().unwrap_or("nothing");
+    let before = spoils(post.control, spoilt);
+    agrees(post.control, write(post, plan, distance, before.as_ref()), distance, before.as_deref())
+}
+
+/// Reads a text back.
+///
+/// # Errors
+/// Where the control reads something else than was to be made.
+fn agrees(control: &'static Control, text: Text, distance: Distance, before: Option<&str>) -> Result<(), String> {
+    let Text { program, text, axes, left, made, tool } = text;
+    let spoils = before.unwrap_or("nothing");
     let wrong = |what: String| Err(format!("{} after {spoils}: {what}\n{text}", control.name));
     let named = Named::of(text.as_bytes());
     if !named.is_some_and(|named| named.is(ORIGIN.workbook) && named.sha256 == ORIGIN.sha256) {
@@ -273,12 +395,26 @@ fn reads_back(post: Post, plan: &[Step], distance: Distance, spoilt: (G, &str)) 
         }
         motions.push(motion);
     }
-    if motions.len() != made.len() {
-        return wrong(format!("{} motions of {}", motions.len(), made.len()));
+    let (mut planned, mut held) = (Vec::new(), Vec::new());
+    for made in &made {
+        match *made {
+            Made::Hold(on, number) => held.push((planned.len(), on, number)),
+            _ => planned.push(made),
+        }
     }
-    for (motion, made) in motions.iter().zip(&made) {
-        let place =
-            |wanted: &[f64]| axes(control).iter().zip(wanted).all(|(&axis, &wanted)| near(wanted, motion.to.get(axis)));
+    let lines: Vec<usize> = motions.iter().map(|motion| motion.line).collect();
+    let read = holds(&text, &lines);
+    if read != held {
+        return wrong(format!("outputs {read:?} in the place of {held:?}"));
+    }
+    if motions.len() != planned.len() {
+        return wrong(format!("{} motions of {}", motions.len(), planned.len()));
+    }
+    for (motion, made) in motions.iter().zip(planned) {
+        let place = |wanted: &[f64]| {
+            assert_eq!(axes.len(), wanted.len());
+            axes.iter().zip(wanted).all(|(&axis, &wanted)| near(wanted, motion.to.get(axis)))
+        };
         let lasts = |seconds: f64| motion.seconds.is_some_and(|read| near(seconds, read));
         let agrees = match (motion.kind, made) {
             (MotionKind::Rapid, Made::Rapid(to)) => place(to),
@@ -327,6 +463,47 @@ fn a_safety_block_that_lacks_a_code_does_not_read_back() {
     }
 }
 
+/// An output that is not switched, or the other way round, is found in the text.
+#[test]
+fn a_hold_that_is_dropped_or_swapped_does_not_read_back() {
+    let post = Post::of(&LINUXCNC).expect("rodete writes for it");
+    let plan = [Step::Hold(true), Step::Feed([8_000, 9_000, 0, 0], 3.0), Step::Hold(false)];
+    let whole = || write(post, &plan, Distance::Absolute, None);
+    assert_eq!(whole().made.iter().filter(|made| matches!(made, Made::Hold(..))).count(), 2);
+    assert_eq!(agrees(&LINUXCNC, whole(), Distance::Absolute, None), Ok(()));
+    let without = |code: &str| {
+        let lines =
+            whole().text.lines().filter(|line| !line.contains(code)).map(|line| line.to_owned() + "\n").collect();
+        Text { text: lines, ..whole() }
+    };
+    let swapped = whole().text.replace("M62", "M0062").replace("M63", "M62").replace("M0062", "M63");
+    let other = whole().text.replace("M62 P2", "M62 P3");
+    let slips = [swapped, other].map(|text| Text { text, ..whole() });
+    for slip in slips.into_iter().chain([without("M62"), without("M63")]) {
+        assert_ne!(slip.text, whole().text);
+        let read = agrees(&LINUXCNC, slip, Distance::Absolute, None);
+        assert!(read.is_err_and(|why| why.contains("outputs [")));
+    }
+}
+
+/// A word of a path that says another axis or counts from another place is found.
+#[test]
+fn a_path_of_another_place_does_not_read_back() {
+    let post = Post::of(&LINUXCNC).expect("rodete writes for it");
+    let places = vec![[5_000, 6_000, 7_000, 10_000, 20_000], [8_000, 6_000, 0, 10_000, 40_000]];
+    let one = Along { rapid: false, places, backwards: true, turn: 72_000, moving_only: true, seconds: 2.0 };
+    for distance in [Distance::Absolute, Distance::Incremental] {
+        let whole = || write_along(post, std::slice::from_ref(&one), distance);
+        assert_eq!((whole().made.len(), agrees(&LINUXCNC, whole(), distance, None)), (2, Ok(())));
+        let turned = Along { turn: 72_001, ..one.clone() };
+        let forwards = Along { backwards: false, ..one.clone() };
+        for other in [turned, forwards] {
+            let text = write_along(post, std::slice::from_ref(&other), distance).text;
+            assert!(agrees(&LINUXCNC, Text { text, ..whole() }, distance, None).is_err(), "{other:?}");
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -346,6 +523,23 @@ proptest! {
             }
         }
         prop_assert!(controls >= 6, "{controls} controls are written for");
+    }
+
+    #[test]
+    fn what_is_written_along_paths_for_a_control_is_what_it_reads(
+        plan in prop::collection::vec(along(), 1..6),
+        incremental in any::<bool>(),
+    ) {
+        let distance = if incremental { Distance::Incremental } else { Distance::Absolute };
+        let mut controls = 0;
+        for control in ALL.into_iter().chain([&FRAMED]).filter(|control| !control.turns()) {
+            let Some(post) = Post::of(control) else { continue };
+            controls += 1;
+            if let Err(why) = agrees(control, write_along(post, &plan, distance), distance, None) {
+                return Err(TestCaseError::fail(why));
+            }
+        }
+        prop_assert!(controls >= 4, "{controls} controls are written for");
     }
 
     /// The turning of a blank, in either layout: every place, the feed, the speed and what turns it.

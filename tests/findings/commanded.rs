@@ -544,7 +544,11 @@ fn wrong(rule: &Rule) -> Option<String> {
             }
             // A full disk under standard output, workbooks and programs are those of other tests.
             Example::Made { key: "stdout-full", .. } => return None,
-            Example::Made { key, .. } if rule.code.starts_with(['W', 'P', 'L']) || key.starts_with("program-") => {
+            Example::Made { key, .. }
+                if rule.code.starts_with(['W', 'P', 'L'])
+                    || key.starts_with("program-")
+                    || key.starts_with("given-") =>
+            {
                 return None;
             }
             Example::Made { key, .. } => made(key, folder.path()).unwrap_or_else(|| panic!("nobody makes {key}")),

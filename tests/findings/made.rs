@@ -495,6 +495,7 @@ fn raised(rule: &Rule, known: &mut Known) -> Option<Vec<Finding>> {
         }
         Example::Workbook { kind, cells } => Some(read(&changed(kind, cells))),
         Example::Made { key: "program-beyond-memory", .. } => Some(super::slips::beyond_memory()),
+        Example::Made { key, .. } if key.starts_with("given-") => Some(super::given::told(key)),
         // Programs are read elsewhere.
         Example::Made { key, .. } if key.starts_with("program-") => None,
         Example::Made { key, .. } => {

@@ -8,6 +8,7 @@ mod commanded;
 #[path = "../common/mod.rs"]
 mod common;
 mod earlier_schema;
+mod given;
 mod lathe_inputs;
 mod made;
 mod reference;

@@ -2,8 +2,10 @@
 //! tells, and of what a row must have whatever its room.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::io::{self, BufRead, Read, Seek, SeekFrom};
 
 use rodete::cli::rows;
+use rodete::finding::answer::answer;
 use rodete::finding::{Datum, Example, Finding, Grade, Place, Rule};
 use rodete::gcode::control::guess::tools_headed;
 use rodete::gcode::control::{Control, RotaryMode};
@@ -12,7 +14,7 @@ use rodete::gcode::rules::flow::FollowingErrors;
 use rodete::gcode::rules::lexis::MoreRefusals;
 use rodete::gcode::turning::rules::CornerTwice;
 use rodete::kinds::KINDS;
-use rodete::limits::LISTED_REFUSALS;
+use rodete::limits::{BLOCK_NUMBERS, LISTED_REFUSALS, SUBPROGRAM_BYTES};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 use rodete::proof::account::drift;
@@ -78,7 +80,11 @@ fn refused_table(given: &[(&'static str, &'static str)]) -> Option<Vec<Finding>>
 
 /// All that is told of a program.
 fn told(program: &str, setting: Setting) -> Vec<Finding> {
-    let mut interpreter = Interpreter::over(program.as_bytes(), setting);
+    told_by(Interpreter::over(program.as_bytes(), setting))
+}
+
+/// All that an interpreter tells.
+fn told_by(mut interpreter: Interpreter<'_>) -> Vec<Finding> {
     let start = interpreter.position().1;
     let mut faults: Vec<_> = interpreter.by_ref().filter_map(Result::err).map(|fault| *fault).collect();
     let total = faults.len();
@@ -86,6 +92,97 @@ fn told(program: &str, setting: Setting) -> Vec<Finding> {
     let mut findings = interpreter::findings(faults, total, interpreter.remarks());
     findings.extend(drift(&interpreter, &start));
     findings
+}
+
+/// Programs that are read elsewhere.
+const OTHERS: [&str; 3] = ["program-beyond-memory", "program-many-alarms", "program-many-motions"];
+
+/// Bytes of a program, line by line alike, from a disk that fails behind so many of them.
+struct Disk {
+    line: Vec<u8>,
+    at: u64,
+    fails: u64,
+}
+
+impl Read for Disk {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        let taken = self.fill_buf()?.read(bytes)?;
+        self.consume(taken);
+        Ok(taken)
+    }
+}
+
+impl BufRead for Disk {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        // EIO
+        if self.at >= self.fails { Err(io::Error::from_raw_os_error(5)) } else { Ok(&self.line[self.column()..]) }
+    }
+
+    fn consume(&mut self, taken: usize) {
+        self.at += taken as u64;
+    }
+}
+
+impl Seek for Disk {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        match to {
+            SeekFrom::Start(to) => self.at = to,
+            SeekFrom::End(_) | SeekFrom::Current(_) => panic!("{to:?}"),
+        }
+        Ok(self.at)
+    }
+}
+
+impl Disk {
+    fn column(&self) -> usize {
+        usize::try_from(self.at % self.line.len() as u64).unwrap()
+    }
+}
+
+/// Subprograms of one text, or a disk that fails.
+struct Subprogram(Result<Vec<u8>, Text>);
+
+impl Files for Subprogram {
+    fn find(&mut self, _: &str) -> Result<Option<Vec<u8>>, Text> {
+        self.0.clone().map(Some)
+    }
+}
+
+/// What is told of the program of an example's key.
+fn told_made(key: &str) -> Vec<Finding> {
+    let of_disk = |control, line: &[u8], fails| {
+        let disk = Disk { line: line.to_owned(), at: 0, fails };
+        told_by(Interpreter::new(Box::new(disk), setting(control, &[])))
+    };
+    let calling = |found| {
+        let files = Box::new(Subprogram(found));
+        told("G21 G90 F100\nO<hole> CALL\nM2\n", Setting { files, ..setting("linuxcnc", &[]) })
+    };
+    match key {
+        "program-long-contour" => {
+            let head = "S500 M3 F.2\nG0 X50. Z5.\nG71 U2. R1.\nG71 P10 Q20\nN10 G0 X20.\n";
+            let program = format!("{head}{}N20 X50.\nM30\n", "G1 W-.001\n".repeat(10_000));
+            told(&program, setting("fanuc-lathe-a", &[]))
+        }
+        "program-unreadable" => of_disk("linuxcnc", b"G21 G90 G0 X1\n", 100),
+        "program-too-large" => {
+            // No longer than LinuxCNC takes a line.
+            let mut line = vec![b' '; 251];
+            line[250] = b'\n';
+            of_disk("linuxcnc", &line, u64::MAX)
+        }
+        "program-utf16" => {
+            let wide: Vec<u8> = "\u{feff}G21\nM2\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+            told_by(Interpreter::over(&wide, setting("linuxcnc", &[])))
+        }
+        "program-many-numbers" => {
+            let numbers: String = (1..=BLOCK_NUMBERS + 1).map(|number| format!("N{number}\n")).collect();
+            told(&format!("G21 G98\nM97 P1\nM30\n{numbers}"), setting("fanuc-lathe-a", &[]))
+        }
+        "program-subprogram-unreadable" => calling(Err(answer(&io::Error::from_raw_os_error(5)))),
+        "program-subprogram-large" => calling(Ok(vec![b'\n'; SUBPROGRAM_BYTES + 1])),
+        _ => panic!("nobody makes {key}"),
+    }
 }
 
 /// A place of a program as an example says it.
@@ -118,10 +215,8 @@ fn the_program_of_every_row_raises_it_at_its_place_and_nothing_graver() {
                 let program = word.repeat(usize::try_from(times).unwrap()).replace('|', "\n");
                 (told(&program, setting(control, &[])), None)
             }
-            Example::Made { key: "program-long-contour", .. } => {
-                let head = "S500 M3 F.2\nG0 X50. Z5.\nG71 U2. R1.\nG71 P10 Q20\nN10 G0 X20.\n";
-                let program = format!("{head}{}N20 X50.\nM30\n", "G1 W-.001\n".repeat(10_000));
-                (told(&program, setting("fanuc-lathe-a", &[])), None)
+            Example::Made { key, .. } if key.starts_with("program-") && !OTHERS.contains(&key) => {
+                (told_made(key), None)
             }
             _ => continue,
         };
@@ -181,12 +276,10 @@ fn codes_are_one_rows_alone_and_their_texts_whole() {
     assert_eq!(
         never,
         [
-            "B0131", "C1001", "D0207", "G0016", "G0018", "G0026", "G0301", "G0319", "G0320", "G0616", "G0618", "G0619",
-            "G0631", "L0141", "L0221", "L0222", "L0223", "L0224", "L0225", "L0226", "L0227", "P0001", "P0002", "S0101",
-            "S0102", "S0104", "S0105", "S0107", "S0109", "S0111", "S0136", "S0141", "U0116", "V0025", "V0108", "V0110",
-            "V0112", "V0113", "V0114", "V0122", "V0124", "V0128", "V0134", "W0103", "W0111", "W0219", "W0261", "W0262",
-            "X0001", "X0002", "X0003", "X0004", "X0005", "X0006", "X0007", "X0008", "X0009", "X0010", "X0011", "X0012",
-            "X0013", "X0014", "X0015", "X0016"
+            "B0131", "C1001", "D0207", "G0616", "G0618", "G0619", "G0631", "L0141", "L0221", "L0222", "L0223", "L0224",
+            "L0225", "L0226", "L0227", "S0101", "S0102", "S0104", "S0105", "S0107", "S0109", "S0111", "S0136", "S0141",
+            "U0116", "W0103", "W0111", "W0219", "W0261", "W0262", "X0001", "X0002", "X0003", "X0004", "X0005", "X0006",
+            "X0007", "X0008", "X0009", "X0010", "X0011", "X0012", "X0013", "X0014", "X0015", "X0016"
         ],
         "what no input raises is counted"
     );

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rayon::prelude::*;
 use rodete::cli::rows;
-use rodete::finding::{Example, Finding, Rule};
+use rodete::finding::{Example, Finding, Place, Rule};
 use rodete::gcode::header::Origin;
 use rodete::kind::Wants;
 use rodete::kind::method::{Method, judged};
@@ -17,16 +17,26 @@ use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Value, Values};
 use rodete::proof::Judged;
 use rodete::proof::account::Account;
+use rodete::proof::rules::{ChecksPassed, NotAsPlanned, NotClosed};
 use rodete::proof::verification::Verification;
 use rodete::text::{Language, Text, t};
 
 use crate::common::with_text;
 
+/// What the slips of cautions break that is graver: the tip is too fast on the longer way, its points are others, the beam leaves
+/// the root, the torch comes near the pipe.
+const BREAKS: [(&str, &[&str]); 4] = [
+    ("V0105", &["V0012", "V0106"]),
+    ("V0123", &["V0012", "V0106"]),
+    ("V0301", &["V0023", "V0302"]),
+    ("V0303", &["V0023"]),
+];
+
 /// What makes a program of a test shorter.
 const FEWER: Text = t("una arc_tolerance mayor", "a larger arc_tolerance");
 
 /// The values of a kind's case, or of its usual one, some cells changed.
-fn values(cases: &'static [Case], case: Option<&str>, cells: &[(&'static str, &'static str)]) -> Values {
+pub fn values(cases: &'static [Case], case: Option<&str>, cells: &[(&'static str, &'static str)]) -> Values {
     let mut values = Values { language: Language::En, ..Values::default() };
     let case = cases.iter().find(|one| case.is_none_or(|case| one.name == case)).expect("a case of the kind");
     values.values.extend(case.values(Language::En));
@@ -45,8 +55,11 @@ fn values(cases: &'static [Case], case: Option<&str>, cells: &[(&'static str, &'
     values
 }
 
+/// What is told of the program of an example, and how many lines the text has; none of a design that is refused.
+type Told = (Vec<Finding>, usize);
+
 /// What is told of the program of an example.
-fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, slip: [&str; 2]) -> Vec<Finding> {
+fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, slip: [&str; 2]) -> Told {
     let (kind, case) = words.split_once(" --case ").map_or((words, None), |(kind, case)| (kind, Some(case)));
     let told = match kind {
         "impeller" => told_of::<Impeller>,
@@ -63,10 +76,10 @@ fn told_of<M: Method>(
     cells: &[(&'static str, &'static str)],
     key: &str,
     [from, to]: [&str; 2],
-) -> Vec<Finding> {
+) -> Told {
     let design = match M::design(&Fields::of(M::FORM, values(M::CASES, case, cells)).unwrap()) {
         Ok(design) => design,
-        Err(refused) => return refused,
+        Err(refused) => return (refused, 0),
     };
     let model = M::model(&design).unwrap();
     let origin = Origin { workbook: "W.XLSX", sha256: "0", version: "0.0.0", language: Language::En };
@@ -74,11 +87,22 @@ fn told_of<M: Method>(
     let program = programs.iter().find(|program| program.key == key).unwrap();
     let text = program.text();
     assert!(text.contains(from), "{from} is not in\n{text}");
-    let text = with_text(program, &text.replacen(from, &to.replace('|', "\n"), 1));
+    let text = text.replacen(from, &to.replace('|', "\n"), 1);
+    let (lines, text) = (text.lines().count(), with_text(program, &text));
     let mut memo = M::memo(&design, &model, Wants::default());
     let mut verification = Verification::default();
     verification.add(&text, judged::<M>(&design, &model, &mut memo, program, &text), M::fewer(&design, program));
-    verification.findings
+    (verification.findings, lines)
+}
+
+/// True where a finding says where it is: a line of the program, or what is to be changed.
+fn is_placed(finding: &Finding, key: &str, lines: usize) -> bool {
+    match &finding.place {
+        Place::Block { program, line } => *program == key && (1..=lines).contains(line),
+        Place::Parameters(keys) => !keys.is_empty(),
+        // That a program passes is of the program as a whole.
+        place => *place == Place::File && finding.is(ChecksPassed::RULE),
+    }
 }
 
 #[test]
@@ -95,18 +119,27 @@ fn the_slip_of_every_row_raises_it() {
     let known: BTreeMap<_, _> = known.collect();
     let mut wrong = Vec::new();
     for rule in rules {
-        let Some(slip @ (.., from, _)) = slip(rule) else { continue };
-        let findings = &known[&slip];
+        let Some(own_slip @ (.., key, from, _)) = slip(rule) else { continue };
+        let (findings, lines) = &known[&own_slip];
         let own = findings.iter().find(|finding| finding.is(rule));
-        // A slip is none of the plan's, whatever else it is.
-        let graver = from.is_empty() && findings.iter().any(|finding| finding.grade > rule.grade);
+        // A slip is none of the plan's, whatever else it is: not as planned, what else it is the example of, and what it breaks.
+        let breaks = BREAKS.iter().find(|(code, _)| *code == rule.code).map_or(&[][..], |(_, codes)| codes);
+        let beside = |finding: &Finding| {
+            let of_slip = [NotAsPlanned::RULE, NotClosed::RULE].contains(&finding.rule());
+            let of_row = slip(finding.rule()) == Some(own_slip) || breaks.contains(&finding.code());
+            !from.is_empty() && (of_slip || of_row)
+        };
+        let graver = findings.iter().any(|finding| finding.grade > rule.grade && !beside(finding));
         let whole = own.is_some_and(|own| {
             assert!(own.data.iter().map(|(name, _)| *name).eq(rule.fields.iter().copied()), "{}", rule.code);
             super::told::compare_finding(rule, own);
-            own.grade <= rule.grade && !own.what.en.contains(['{', '}']) && own.what.es != own.what.en
+            let said = !own.what.en.contains(['{', '}']) && own.what.es != own.what.en;
+            own.grade <= rule.grade && said && is_placed(own, key, *lines)
         });
         if !whole || graver {
-            let said = findings.iter().map(|one| format!("    {} {:?} {}", one.rule().code, one.grade, one.what.en));
+            let said = findings
+                .iter()
+                .map(|one| format!("    {} {:?} {:?} {}", one.rule().code, one.grade, one.place, one.what.en));
             wrong.push(format!("{} {}:\n{}", rule.code, rule.ident, said.collect::<Vec<_>>().join("\n")));
         }
     }

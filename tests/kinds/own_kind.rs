@@ -18,6 +18,7 @@ use rodete::number::grid::Milli;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Form, Section, Sheet, Value, Values};
 use rodete::proof::check::{Check, Question};
+use rodete::proof::due::Due;
 use rodete::proof::step::{Judge, Step};
 use rodete::table::{Column, Index, Law, Print, Quantity, Table, Unit};
 use rodete::text::{Language, Text, t};
@@ -206,8 +207,8 @@ impl<const SLIP: u8> Method for Slot<SLIP> {
         vec![Box::new(Cuts(0))]
     }
 
-    fn due(_: &Post, _: &Program) -> &'static [&'static str] {
-        if SLIP == slip::NOTHING_DUE { &[] } else { &["cuts"] }
+    fn due(_: &Post, _: &Program) -> Vec<Due> {
+        if SLIP == slip::NOTHING_DUE { Vec::new() } else { vec![Due::judged("cuts")] }
     }
 
     fn quantities(_: &Post, (): &(), _: &[Proved]) -> Vec<Quantity> {

@@ -6,6 +6,7 @@ use crate::common::change::real;
 mod blank;
 mod clear_cut;
 mod clearance;
+mod due;
 mod outside;
 mod tip_path;
 mod tool;
@@ -364,7 +365,7 @@ fn a_program_that_is_not_known_is_judged_as_no_other() {
     let program = Program { key: "contour", ..programs[0].clone() };
     let checks = common::checks::<Impeller>(&design, &model, &program, &program.text());
     for due in Impeller::due(&design, &program) {
-        let answer = checks.iter().find(|check| check.key() == *due).expect(due);
+        let answer = checks.iter().find(|check| check.key() == due.key()).expect(due.key());
         assert!(answer.grade() == Some(Grade::Stop) && answer.finding().unwrap().is(NotAnswered::RULE), "{answer:?}");
     }
 }

@@ -70,6 +70,7 @@ fn the_points_of_sobol_are_those_of_scipy() {
         [0.625, 0.125, 0.875, 0.625],
         [0.125, 0.625, 0.375, 0.125],
     ];
+    assert_eq!(points.len(), scipy.len());
     for (point, scipy) in points.iter().zip(scipy) {
         assert!(point.iter().zip(scipy).all(|(one, other)| (one - other).abs() < 1e-12), "{point:?} {scipy:?}");
     }

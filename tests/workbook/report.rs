@@ -414,9 +414,12 @@ mod embedded {
     /// Behind the set-up sheet no page is half empty, the last one neither.
     #[test]
     fn every_page_of_a_report_is_filled() {
+        assert_eq!(EVERY.len(), common::cases().count());
         for Made { name, outcome, language, report, .. } in EVERY.iter() {
             let setups = outcome.figures.iter().filter(|figure| ["setup", "setup-2"].contains(&figure.key)).count();
             let Some(pages) = filled(&report.pdf) else { return };
+            // Behind the first page and the set-up sheet each has tables, method and programs.
+            assert!(pages.len() > 1 + setups.max(1), "{name} {language:?}: {} pages", pages.len());
             for (at, part) in pages.iter().enumerate().skip(1 + setups.max(1)) {
                 assert!(*part > 70, "{name} {language:?}: page {} is filled to {part} %", at + 1);
             }

@@ -14,7 +14,7 @@ rules! {
         remedy "divida el programa", "split the program";
         why "rodete guarda cada número para encontrar su bloque, y no guarda más de estos.",
             "rodete keeps each number to find its block again, and keeps no more than these.";
-        example Example::Never(t("haría falta un millón de bloques, cada uno con su número", "it would take a million blocks, each with a number of its own"));
+        example Example::Made { key: "program-many-numbers", how: t("un millón de bloques y uno más, cada uno con su número, y una llamada a uno de ellos", "a million blocks and one more, each with a number of its own, and a call of one of them") };
     "G0302" BlockMissing Stop alarm Fanuc 78 { number: u32 }
         es "no hay bloque N{number}"
         en "there is no block N{number}"
@@ -140,14 +140,14 @@ rules! {
         remedy "compruebe el archivo", "check the file";
         why "Sin el subprograma no se sabe qué hace el programa.",
             "Without the subprogram nobody knows what the program does.";
-        example Example::Never(t("falla el disco mientras se lee, no el texto", "a disk fails while it is read, not the text"));
+        example Example::Made { key: "program-subprogram-unreadable", how: t("un disco que falla mientras se lee el subprograma", "a disk that fails while the subprogram is read") };
     "G0320" SubprogramTooLarge Stop { name: String }
         es "el subprograma «{name}» ocupa más de 16 MiB"
         en "subprogram '{name}' is larger than 16 MiB"
         remedy "divídalo", "split it";
         why "rodete lee el subprograma entero en memoria.",
             "rodete reads a whole subprogram into memory.";
-        example Example::Never(t("haría falta un archivo de 16 MiB", "it would take a file of 16 MiB"));
+        example Example::Made { key: "program-subprogram-large", how: t("un subprograma en un archivo de más de 16 MiB", "a subprogram in a file of more than 16 MiB") };
     "G0321" NotCalled Stop { label: String }
         es "{label} no ha sido llamado con CALL"
         en "{label} was not called with CALL"

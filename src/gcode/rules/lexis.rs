@@ -121,7 +121,7 @@ rules! {
         remedy "compruebe el archivo y el disco", "check the file and the disk";
         why "rodete no puede comprobar la parte que no lee.",
             "rodete cannot verify the part that it cannot read.";
-        example Example::Never(t("falla el disco mientras se lee, no el texto", "a disk fails while it is read, not the text"));
+        example Example::Made { key: "program-unreadable", how: t("un disco que falla mientras se lee el programa", "a disk that fails while the program is read") };
     "G0017" LineEndless Stop { most: usize }
         es "la línea tiene más de {most} caracteres"
         en "the line is longer than {most} characters"
@@ -135,7 +135,7 @@ rules! {
         remedy "divida el programa", "split the program";
         why "El límite evita que un archivo equivocado llene la memoria.",
             "The limit keeps a wrong file from filling the memory.";
-        example Example::Never(t("haría falta un archivo de 900 MB", "it would take a file of 900 MB"));
+        example Example::Made { key: "program-too-large", how: t("un programa de más de 900 MB", "a program of more than 900 MB") };
     "G0019" LineTooLong Stop { most: usize }
         es "la línea tiene más de {most} caracteres"
         en "the line is longer than {most} characters"
@@ -192,7 +192,7 @@ rules! {
         remedy "guárdelo como texto ASCII o UTF-8", "save it as ASCII or UTF-8 text";
         why "Ningún control lee UTF-16: entre cada dos letras ve un carácter nulo.",
             "No control reads UTF-16: it sees a null character between any two letters.";
-        example Example::Never(t("los bytes no son texto", "the bytes are not text"));
+        example Example::Made { key: "program-utf16", how: t("un programa guardado en UTF-16", "a program saved as UTF-16") };
     "G0027" MoreRefusals Note { count: usize }
         es "y {count} errores más"
         en "and {count} more errors"

@@ -91,6 +91,7 @@ use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form, at};
+use crate::proof::due::Due;
 use crate::proof::step::Judge;
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table};
@@ -306,7 +307,7 @@ impl Method for Impeller {
         proof::judges(model.geometry(design), known, program)
     }
 
-    fn due(design: &Design, program: &Program) -> &'static [&'static str] {
+    fn due(design: &Design, program: &Program) -> Vec<Due> {
         proof::due(design, program)
     }
 

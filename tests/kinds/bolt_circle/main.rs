@@ -32,6 +32,7 @@ use rodete::kind::{Chapters, Proved, Wants, out_of_format};
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Form};
 use rodete::proof::agreement::Agreement;
+use rodete::proof::due::Due;
 use rodete::proof::feed::Feeds;
 use rodete::proof::step::{Judge, Plan};
 use rodete::proof::three_axes::{RapidsAbove, SpindleTurns};
@@ -121,8 +122,8 @@ impl Method for Kind {
         ]
     }
 
-    fn due(_: &BoltCircle, _: &Program) -> &'static [&'static str] {
-        &["agreement", "feed", "clearance", "spindle", "angles"]
+    fn due(_: &BoltCircle, _: &Program) -> Vec<Due> {
+        ["agreement", "feed-tip", "clearance", "spindle", "angles"].map(Due::judged).to_vec()
     }
 
     fn quantities(circle: &BoltCircle, (): &(), _: &[Proved]) -> Vec<Quantity> {

@@ -152,7 +152,7 @@ fn a_pass_whose_clearance_is_not_proved_is_not_passed() {
     let verdict = |lower: f64, upper: f64| {
         let bounds = Bounds { lower, upper, place: None, work: WORK };
         let blades = Some(Clearance { bounds, other: 3.0, at });
-        let known = Clearances { blades, splitters: None };
+        let known = Clearances { blades, ..Clearances::default() };
         let check = checks(&design(40), program, &[(Track::Obverse, known)]).remove(0);
         (check.grade(), check.finding().map(|finding| finding.what.en.to_string()).unwrap_or_default())
     };

@@ -29,6 +29,7 @@ use crate::limits::FOLLOWED_BLANK;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
+use crate::proof::due::Due;
 use crate::proof::step::{Judge, Step};
 use crate::removal::turning::alarm::{Alarm, Cause, TOUCH};
 use crate::removal::turning::deviation::{Deviation, Profile, Span, deviation};
@@ -73,22 +74,18 @@ pub fn judges<'a>(design: &'a Design) -> Vec<Box<dyn Judge + 'a>> {
     vec![Box::new(Terms::new(design)), over]
 }
 
-/// The checks that must be answered for the blank's program.
+/// What must be answered for the blank's program.
 #[must_use]
-pub fn due(design: &Design) -> &'static [&'static str] {
+pub fn due(design: &Design) -> Vec<Due> {
+    let mut due = ["blank-terms", "blank-speed-limit"].map(Due::judged).to_vec();
     if Over::new(design).is_none() {
-        return &["blank-terms", "blank-speed-limit", "blank-followed"];
+        due.push(Due::judged("blank-followed"));
+        return due;
     }
-    &[
-        "blank-terms",
-        "blank-speed-limit",
-        "blank-metal-left",
-        "blank-metal-missing",
-        "blank-depth",
-        "blank-rapid",
-        "blank-alarms",
-        "blank-time",
-    ]
+    let part = ["blank-metal-left", "blank-metal-missing", "blank-depth", "blank-rapid", "blank-alarms"];
+    due.extend(part.map(Due::judged));
+    due.push(Due::told("blank-time"));
+    due
 }
 
 /// Under what terms the program cuts: tool, spindle, speed and feed.

@@ -316,8 +316,9 @@ impl ClearCutting<'_> {
         asked.holds(made == due, |place| ClearPassesDiffer { program: program.title.clone(), made, due }.at(place))
     }
 
-    /// How far the tool keeps from all blades.
-    fn faces_check(&self, program: &Program, (bounds, at): (Bounds, At)) -> Check {
+    /// The answer on bounds of the clearance to the faces of all blades, mm, found where they say.
+    #[must_use]
+    pub fn faces_check(&self, program: &Program, (bounds, at): (Bounds, At)) -> Check {
         let name = t("Holgura a las caras de todos los álabes", "Clearance to the faces of all blades");
         let asked = self.clearance(Question::new("faces", name, program), bounds, at);
         asked.holds(bounds.lower >= self.least_left(), |place| {

@@ -53,6 +53,8 @@ pub struct Clearances {
     pub blades: Option<Clearance>,
     /// The other splitters; `None` where there are none.
     pub splitters: Option<Clearance>,
+    /// The part has splitters, and none of their faces is ever beside the tool along the pass.
+    pub beside_none: bool,
 }
 
 /// The motions of a pass, from the safe point before it to that after it.
@@ -148,7 +150,8 @@ impl Neighbours {
             if track.of_splitter() { [&self.other[0], &self.like[1]] } else { [&self.like[0], &self.other[1]] };
         let to_splitters = || if self.splitters { to(splitters) } else { None };
         let (blades, splitters) = rayon::join(|| to(blades), to_splitters);
-        Clearances { blades, splitters }
+        let beside_none = self.splitters && splitters.is_none() && !way.motions.is_empty();
+        Clearances { blades, splitters, beside_none }
     }
 }
 
@@ -162,6 +165,8 @@ pub fn checks(design: &Design, program: &Program, measured: &[(Track, Clearances
     let blades = least(|clearances| clearances.blades).map(|(track, found)| to_blades(design, program, track, &found));
     let blades = blades.or_else(|| (design.N == 1 && !measured.is_empty()).then(|| no_other_blade(program)));
     let splitters = least(|clearances| clearances.splitters).map(|(track, found)| to_splitters(program, track, &found));
+    let beside_none = !measured.is_empty() && measured.iter().all(|(_, clearances)| clearances.beside_none);
+    let splitters = splitters.or_else(|| beside_none.then(|| no_other_splitter(program)));
     blades.into_iter().chain(splitters).collect()
 }
 
@@ -232,8 +237,18 @@ fn no_other_blade(program: &Program) -> Check {
     asked.showing(t("no hay otro álabe", "no other blade"), Text::same(mm(0.0))).informs()
 }
 
+/// Of a pass beside which no splitter ever stands in full nothing is asked.
+fn no_other_splitter(program: &Program) -> Check {
+    let asked = Question::new("splitters", TO_SPLITTERS, program);
+    asked.showing(t("ninguno junto a la pasada", "none beside the pass"), Text::same("")).informs()
+}
+
 /// What is asked of the other blades.
 const TO_BLADES: Text = t("Holgura a los demás álabes", "Clearance to the other blades");
+
+/// What is asked of the splitters.
+const TO_SPLITTERS: Text =
+    t("Holgura a los intermedios, pasado el cruce", "Clearance to the splitters, past the crossing");
 
 fn to_blades(design: &Design, program: &Program, track: Track, found: &Clearance) -> Check {
     let Bounds { lower, upper, .. } = found.bounds;
@@ -249,9 +264,8 @@ fn to_blades(design: &Design, program: &Program, track: Track, found: &Clearance
 }
 
 fn to_splitters(program: &Program, track: Track, found: &Clearance) -> Check {
-    let name = t("Holgura a los intermedios, pasado el cruce", "Clearance to the splitters, past the crossing");
     let Bounds { lower, upper, .. } = found.bounds;
-    let asked = Question::new("splitters", name, program).showing(bounded(lower, upper), Text::same(""));
+    let asked = Question::new("splitters", TO_SPLITTERS, program).showing(bounded(lower, upper), Text::same(""));
     let asked = asked.at(Some(found.at)).seen(1).measuring(lower);
     if lower >= 0.0 {
         return asked.informs();

@@ -40,12 +40,14 @@ use crate::kinds::impeller::proof::passes::{PassCount, Passes};
 use crate::kinds::impeller::proof::stock::Clear;
 use crate::kinds::impeller::proof::tool_terms::ToolTerms;
 use crate::kinds::impeller::splitter::Splitter;
+use crate::machine::travel::AxisTravel;
 use crate::number::grid::Milli;
 use crate::proof::agreement::Agreement;
 use crate::proof::arcs::Arcs;
 use crate::proof::closure::{Closure, Turn};
-use crate::proof::feed::Feeds;
-use crate::proof::rollover::Rollover;
+use crate::proof::due::Due;
+use crate::proof::feed::{self, Feeds};
+use crate::proof::rollover::{self, Rollover};
 use crate::proof::step::Judge;
 use crate::proof::travel::Axes;
 use crate::proof::turning::RotarySteps;
@@ -76,89 +78,70 @@ pub fn setting(design: &Design, program: &Program) -> Setting {
     if Operation::of(program) == Some(Operation::Blank) { blank::setting(design) } else { program.setting() }
 }
 
-/// What is asked of every program that mills.
-const MILLING: &[&str] = &[
-    "agreement",
-    "tool",
-    "passes",
-    "closure",
-    "travel",
-    "turning",
-    "feed",
-    "safe-points",
-    "clear-moves",
-    "arcs",
-    "rotary",
-];
-/// What is asked of the program that is the first to cut a track, beside that.
-const FIRST: &[&str] = &[
-    "agreement",
-    "tool",
-    "passes",
-    "closure",
-    "travel",
-    "turning",
-    "feed",
-    "tip-path",
-    "into-metal",
-    "grid",
-    "floor-rim",
-    "blades",
-    "safe-points",
-    "clear-moves",
-    "arcs",
-    "rotary",
-];
+/// What must be answered of a program that mills at F, mm/min: what is asked of all of them, and of its cut.
+fn milling(design: &Design, F: Option<f64>, cut: Vec<Due>) -> Vec<Due> {
+    let mut due = ["agreement", "tool", "passes", "closure"].map(Due::judged).to_vec();
+    due.push(Due::told_where(!design.travel.iter().any(AxisTravel::is_known), "travel"));
+    due.push(Due::judged("turning"));
+    due.extend(feed::due(F, design.F_max));
+    due.extend(cut);
+    // Where there is no arc, that is told.
+    due.extend([Due::judged("clear-moves"), Due::told("arcs"), rollover::due(design.counting)]);
+    due
+}
 
-/// What is asked of the program of one tool of a clear cut.
-const CLEAR: &[&str] = &[
-    "agreement",
-    "tool",
-    "passes",
-    "closure",
-    "travel",
-    "turning",
-    "feed",
-    "faces",
-    "floor",
-    "clear-moves",
-    "arcs",
-    "rotary",
-];
-/// The same where there are splitters.
-const CLEAR_SPLITTERS: &[&str] = &[
-    "agreement",
-    "tool",
-    "passes",
-    "closure",
-    "travel",
-    "turning",
-    "feed",
-    "faces",
-    "splitters",
-    "floor",
-    "clear-moves",
-    "arcs",
-    "rotary",
-];
+/// What must be answered of the cut in the program that is the first to run along a track.
+fn first(design: &Design) -> Vec<Due> {
+    let toleranced = design.tol.is_some();
+    let mut due = vec![
+        Due::told_where(!toleranced, "tip-path"),
+        // Where a tolerance is given, that is what the tip is held against.
+        Due::told_where(toleranced, "into-metal"),
+        Due::judged("grid"),
+        Due::told("floor-rim"),
+        // A single blade has no other.
+        Due::told_where(design.N == 1, "blades"),
+    ];
+    if design.splitters {
+        // How far a pass reaches into a splitter where that is meant is told.
+        due.push(Due::told("splitters"));
+    }
+    due.push(Due::judged("safe-points"));
+    due
+}
+
+/// What must be answered of the cut in the program of one tool of a clear cut.
+fn clear_cut(design: &Design, which: Which) -> Vec<Due> {
+    let mut due = vec![Due::judged("faces")];
+    if design.splitters {
+        due.push(Due::judged("splitters"));
+    }
+    due.push(Due::judged("floor"));
+    // Its holder, where the form gives it.
+    if design.clear.as_ref().is_some_and(|asked| asked.cut.stage(which).is_some()) {
+        due.push(Due::judged("holder"));
+    }
+    due
+}
 
 /// The checks that must be answered for a program.
 #[must_use]
-pub fn due(design: &Design, program: &Program) -> &'static [&'static str] {
+pub fn due(design: &Design, program: &Program) -> Vec<Due> {
+    let clear = |which: Which| milling(design, design.mill(which).F, clear_cut(design, which));
     match Operation::of(program) {
         Some(Operation::Blank) => blank::due(design),
-        Some(Operation::Rough | Operation::Finish) => {
-            if design.splitters {
-                CLEAR_SPLITTERS
-            } else {
-                CLEAR
-            }
-        }
+        Some(Operation::Rough) => clear(Which::Rough),
+        Some(Operation::Finish) => clear(Which::Finish),
         // Its tracks were measured in those of blade and splitter.
-        Some(Operation::Whole) => MILLING,
+        Some(Operation::Whole) => milling(design, written_feed(design), vec![Due::judged("safe-points")]),
         // A program that is not known here is stopped: nobody judges it.
-        Some(Operation::Blade | Operation::Splitter) | None => FIRST,
+        Some(Operation::Blade | Operation::Splitter) | None => milling(design, written_feed(design), first(design)),
     }
+}
+
+/// F of the programs along the published paths, mm/min: the published layout carries none.
+fn written_feed(design: &Design) -> Option<f64> {
+    design.F.filter(|_| design.style == Style::Full)
 }
 
 /// The judges of a program, with what is known from the programs before it; none of a program that is none of an impeller's, or
@@ -206,7 +189,7 @@ fn published<'a>(
         Box::new(Closure::new(turn(design, operation))),
         Box::new(Axes::new(design.travel)),
         Box::new(RotarySteps::default()),
-        Box::new(Feeds::new(design.machine, design.F, design.F_max)),
+        Box::new(Feeds::new(design.machine, written_feed(design), design.F_max)),
         Box::new(Cutting::new(geometry, tracks)),
         Box::new(Clear::new(design, design.d_t, clear_moves)),
         Box::new(Arcs::default()),

@@ -7,6 +7,17 @@ use crate::text::{Text, t};
 /// The cells of a clear cut without splitters.
 const CLEAR: &[(&str, &str)] = &[("splitters", "no"), ("c_s", "0.02"), ("tol", "0.01"), ("delta", "")];
 
+/// What no text shows: the bounds of a search close before they leave anything open.
+const fn open_between(key: &'static str) -> Example {
+    Example::Made {
+        key,
+        how: t(
+            "límites de la distancia, dados, que la dejan sin decidir: los de una búsqueda se cierran antes",
+            "bounds of the distance, given, that leave it open: those of a search close before",
+        ),
+    }
+}
+
 crate::finding::rule::rules! {
     /// The rows of this room.
     RULES;
@@ -65,7 +76,7 @@ crate::finding::rule::rules! {
         remedy "use menos álabes, álabes más delgados o una herramienta menor", "use fewer blades, thinner blades, or a smaller tool";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
-        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
+        example open_between("given-blade");
     "V0109" PublishedSplitterCutsBlade Caution { point: Size, depth: Size, line: usize, program: Text }
         es "la pasada del álabe intermedio corta el álabe vecino (en su punto {point}) {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "the splitter's pass cuts into the neighbouring blade (at its point {point}) by {depth} across the tool, in line {line} of \"{program}\""
@@ -79,7 +90,7 @@ crate::finding::rule::rules! {
         remedy "ponga splitter_fade = cada lado o splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set splitter_fade = each-side or splitters = no, or use fewer blades, thinner blades, or a smaller tool";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
-        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
+        example open_between("given-published-splitter");
     "V0111" SplitterCutsBlade Stop { point: Size, depth: Size, line: usize, program: Text }
         es "la pasada del álabe intermedio corta el álabe vecino (en su punto {point}) {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "the splitter's pass cuts into the neighbouring blade (at its point {point}) by {depth} across the tool, in line {line} of \"{program}\""
@@ -93,21 +104,24 @@ crate::finding::rule::rules! {
         remedy "ponga splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set splitters = no, or use fewer blades, thinner blades, or a smaller tool";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
-        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
+        example open_between("given-splitter");
     "V0113" SplitterCutsSplitter Stop { depth: Size, line: usize, program: Text }
         es "la pasada de un álabe intermedio corta otro intermedio {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "a splitter's pass cuts into another splitter by {depth} across the tool, in line {line} of \"{program}\""
         remedy "ponga splitters = no, o use menos álabes", "set splitters = no, or use fewer blades";
         why "El metal que la herramienta quita a otro álabe no se recupera.",
             "Metal cut from another blade is lost.";
-        example Example::Never(t("entre dos intermedios hay un álabe: la pasada que llega al siguiente corta antes el álabe, y ningún texto corto lo muestra", "a blade stands between two splitters: a pass that reaches the next one cuts the blade first, and no short text shows it"));
+        example Example::Made {
+            key: "given-splitters-overlap",
+            how: t("una distancia negativa, dada, de la pasada de un intermedio al siguiente: en una pieza la pasada cortaría antes el álabe que hay en medio", "a negative distance, given, of a splitter's pass from the next splitter: on a part the pass would first cut the blade between them"),
+        };
     "V0114" SplitterMayCutSplitter Stop { line: usize, program: Text }
         es "no está demostrado que la pasada de un álabe intermedio libre otro intermedio: pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that a splitter's pass clears another splitter: it comes nearest in line {line} of \"{program}\""
         remedy "ponga splitters = no, o use menos álabes", "set splitters = no, or use fewer blades";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
-        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
+        example open_between("given-splitters");
     "V0121" ToolInStock Stop { depth: Size, line: usize, program: Text }
         es "la herramienta entra al menos {depth} en el bruto fuera de las pasadas, en la línea {line} de «{program}»"
         en "the tool goes at least {depth} into the stock outside the passes, in line {line} of \"{program}\""
@@ -121,7 +135,7 @@ crate::finding::rule::rules! {
         remedy "elija una distancia de seguridad d_s mayor o, con method = publicado, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
-        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
+        example open_between("given-stock");
     "V0123" ToolNearStock Caution { distance: Size, line: usize, program: Text }
         es "la herramienta pasa a {distance} del bruto, menos que d_s, en la línea {line} de «{program}»"
         en "the tool passes {distance} from the stock, closer than d_s, in line {line} of \"{program}\""
@@ -135,7 +149,7 @@ crate::finding::rule::rules! {
         remedy "elija una distancia de seguridad d_s mayor o, con method = publicado, un retroceso eps_v menor", "choose a larger safety distance d_s or, with method = published, a smaller back-off eps_v";
         why "Si los dos límites no llegan a converger, rodete cuenta con el menor.",
             "If the bounds do not converge, rodete counts the lower one.";
-        example Example::Never(t("los límites convergen antes de agotar el cálculo permitido", "the bounds converge before the limit of the computation"));
+        example open_between("given-near-stock");
     "V0125" ClearPassesDiffer Stop { program: Text, made: usize, due: usize }
         es "«{program}» hace {made} pasadas en lugar de {due}"
         en "\"{program}\" makes {made} passes instead of {due}"
@@ -160,7 +174,7 @@ crate::finding::rule::rules! {
         remedy "elija una tol mayor", "choose a larger tol";
         why "rodete solo cuenta con la distancia que queda demostrada.",
             "rodete counts only on the clearance that is proved.";
-        example Example::Never(t("los límites convergen: ningún ejemplo queda entre ellos", "the bounds converge: no example lies between them"));
+        example open_between("given-faces");
     "V0129" FloorUnder Stop { depth: Size, limit: Size, program: Text }
         es "la herramienta baja {depth} por debajo del fondo en «{program}»; la tolerancia admite {limit}"
         en "the tool goes {depth} below the floor in \"{program}\"; the tolerance allows {limit}"
@@ -198,7 +212,7 @@ crate::finding::rule::rules! {
         en "it is not proved that the pass of a blade clears the splitters: it comes nearest in line {line} of \"{program}\""
         remedy "compruébelo en el visor, o ponga method = canal", "check it in the viewer, or set method = clear";
         why "rodete solo cuenta con la distancia que queda demostrada.", "rodete counts only on the distance that is proved.";
-        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
+        example open_between("given-splitter-by-blade");
     "V0135" HolderNearBlank Caution { tool: Text, near: Size, enough: Size }
         es "el portaherramientas de {tool} puede pasar a {near} del bruto"
         en "the holder of {tool} may pass within {near} of the blank"

@@ -55,6 +55,7 @@ use crate::number::root::halved;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, FieldKind, Form, at};
 use crate::proof::account::Account;
+use crate::proof::due::Due;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
@@ -181,8 +182,8 @@ impl Method for Hole {
         proof::judges(design, &model.cut, curve)
     }
 
-    fn due(_: &Design, _: &Program) -> &'static [&'static str] {
-        proof::CHECKS
+    fn due(design: &Design, _: &Program) -> Vec<Due> {
+        proof::due(design)
     }
 
     fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quantity> {

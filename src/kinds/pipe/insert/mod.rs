@@ -73,6 +73,7 @@ use crate::number::grid::OutOfFormat;
 use crate::number::shown;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, FieldKind, Form, at};
+use crate::proof::due::Due;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table};
@@ -206,7 +207,7 @@ impl Method for Insert {
         proof::judges(design, &model.moves, curve)
     }
 
-    fn due(design: &Design, _: &Program) -> &'static [&'static str] {
+    fn due(design: &Design, _: &Program) -> Vec<Due> {
         proof::due(design)
     }
 

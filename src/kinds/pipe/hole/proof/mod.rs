@@ -41,9 +41,10 @@ use crate::number::shown;
 use crate::number::trig::{asin, sin_cos};
 use crate::proof::agreement::Agreement;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
+use crate::proof::due::Due;
 use crate::proof::enclosed::{Enclosed, Remedy, Tolerance, bound};
 use crate::proof::feed::{feed_word, timely};
-use crate::proof::rollover::Rollover;
+use crate::proof::rollover::{self, Rollover};
 use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
 use crate::proof::torch::Torch;
 use crate::text::{Text, t};
@@ -319,7 +320,7 @@ impl Judge for CutSpeed<'_> {
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
         let name = t("Longitud del corte en la raíz", "Length of the cut at the root");
         let length = Question::new("length", name, program).showing(Text::same(mm(self.length)), Text::same(""));
-        vec![length.informs(), self.feed(program), feed_word(program, &self.rounded)]
+        vec![length.informs(), self.feed(program), feed_word(program, &self.rounded, true)]
     }
 }
 
@@ -387,22 +388,15 @@ fn degrees(chord: f64) -> f64 {
     2.0 * asin((chord / 2.0).clamp(0.0, 1.0)).to_degrees()
 }
 
-/// The keys of the checks that must be answered; one without an answer is a stop.
-pub const CHECKS: &[&str] = &[
-    "agreement",
-    "beam",
-    "branch",
-    "bevel",
-    "crossing",
-    "clearance",
-    "tilt",
-    "turning",
-    "length",
-    "feed",
-    "feed-word",
-    "torch",
-    "rotary",
-];
+/// What must be answered for the program of a design; what nobody answers is a stop.
+#[must_use]
+pub fn due(design: &Design) -> Vec<Due> {
+    let mut due = ["agreement", "beam", "branch", "bevel", "crossing", "clearance"].map(Due::judged).to_vec();
+    due.extend([Due::told("tilt"), Due::judged("turning"), Due::told("length")]);
+    due.extend(["feed", "feed-word", "torch"].map(Due::judged));
+    due.push(rollover::due(design.post.control.rotary.delivered));
+    due
+}
 
 /// The judges of the program. `curve` takes the deviation along the curve.
 #[must_use]

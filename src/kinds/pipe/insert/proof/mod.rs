@@ -32,7 +32,7 @@ use crate::kinds::pipe::insert::outline::Outline;
 use crate::kinds::pipe::insert::parameters::{ARC_TOLERANCE, N};
 use crate::kinds::pipe::insert::program::{approach, template_points};
 use crate::kinds::pipe::insert::proof::greater_n::enough;
-use crate::kinds::pipe::insert::proof::speed::CutSpeed;
+use crate::kinds::pipe::insert::proof::speed::{CutSpeed, fed};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::grid::Milli;
 use crate::number::interval::Interval;
@@ -41,8 +41,9 @@ use crate::number::root::golden;
 use crate::number::trig::{atan2, hypot, sin_cos};
 use crate::proof::agreement::Agreement;
 use crate::proof::check::{At, Check, Extreme, Question, mm, up};
+use crate::proof::due::Due;
 use crate::proof::enclosed::{Enclosed, Remedy, Tolerance, bound};
-use crate::proof::rollover::Rollover;
+use crate::proof::rollover::{self, Rollover};
 use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
 use crate::proof::torch::Torch;
 use crate::text::{Text, t};
@@ -507,19 +508,27 @@ fn over(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> 
     [path + ARITHMETIC, header + ARITHMETIC]
 }
 
-/// The keys of the checks that must be answered on a flat sheet; one without an answer is a stop.
-const CHECKS: &[&str] = &["agreement", "path", "edge", "wall", "gap", "length", "feed", "feed-word", "torch"];
-/// The same where the pipe turns.
-const TURNING_CHECKS: &[&str] =
-    &["agreement", "path", "edge", "wall", "gap", "length", "feed", "feed-word", "torch", "rotary"];
-
-/// The checks that must be answered for the program of a design.
+/// What must be answered for the program of a design; what nobody answers is a stop.
 #[must_use]
-pub const fn due(design: &Design) -> &'static [&'static str] {
-    match design.mode {
-        Mode::Flat => CHECKS,
-        Mode::Rotary => TURNING_CHECKS,
+pub fn due(design: &Design) -> Vec<Due> {
+    let no_feed = fed(design).is_none();
+    let mut due = vec![
+        Due::judged("agreement"),
+        Due::judged("path"),
+        // Where the path is found to leave the curve its edge is told, not judged once more.
+        Due::told("edge"),
+        Due::told_where(design.contact != Contact::Envelope, "wall"),
+        Due::told("gap"),
+        Due::told("length"),
+        Due::told_where(no_feed, "feed"),
+        Due::told_where(no_feed, "feed-word"),
+        // The published program is a part of another, which turns the torch on and off.
+        Due::told_where(design.style == Style::Annex, "torch"),
+    ];
+    if design.mode == Mode::Rotary {
+        due.push(rollover::due(design.post.control.rotary.delivered));
     }
+    due
 }
 
 /// What the program is read with: as published it is a part of another.

@@ -6,7 +6,7 @@ use crate::gcode::control::FeedLaw;
 use crate::gcode::feed_word::step as least_step;
 use crate::gcode::motion::MotionKind;
 use crate::gcode::program::{Program, Style};
-use crate::kinds::pipe::insert::design::Mode;
+use crate::kinds::pipe::insert::design::{Design, Mode};
 use crate::kinds::pipe::insert::proof::rules::CutOffSpeed;
 use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
@@ -64,15 +64,21 @@ impl Judge for CutSpeed<'_> {
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
         let name = t("Longitud del corte", "Length of the cut");
         let length = Question::new("length", name, program).showing(Text::same(mm(self.length)), Text::same(""));
-        vec![length.informs(), self.feed(program), feed_word(program, &self.rounded)]
+        let fed = fed(self.surface.design).is_some();
+        vec![length.informs(), self.feed(program), feed_word(program, &self.rounded, fed)]
     }
+}
+
+/// F of a program that carries one, mm/min: the published one has none.
+pub(super) fn fed(design: &Design) -> Option<f64> {
+    design.F.filter(|_| design.style == Style::Full)
 }
 
 impl CutSpeed<'_> {
     fn feed(&self, program: &Program) -> Check {
         let (name, design) = (t("Velocidad de corte", "Cutting speed"), self.surface.design);
         let asked = Question::new("feed", name, program).seen(self.seen);
-        let Some(F) = design.F.filter(|_| design.style == Style::Full) else {
+        let Some(F) = fed(design) else {
             return asked.showing(t("sin palabra F", "no F word"), Text::same("")).informs();
         };
         let most = self.fastest.value();
