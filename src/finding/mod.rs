@@ -107,7 +107,7 @@ pub enum Place {
     },
 }
 
-/// The remedy where only rodete itself can be wrong.
+/// The remedy where only rodete itself can be wrong: of the rows that say `remedy fault` and no more.
 pub const FAULT: Text = t("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it");
 
 /// One thing found: a row with its values at a place. It comes of [`Raise::at`], and of nothing else.
@@ -170,7 +170,7 @@ impl Finding {
     /// [`Exit::Fault`].
     #[must_use]
     pub fn is_fault(&self) -> bool {
-        self.grade == Grade::Stop && (self.remedy == FAULT || self.rule.code.starts_with('X'))
+        self.grade == Grade::Stop && self.rule.fault
     }
 
     /// True for a finding of a row.

@@ -21,14 +21,14 @@ rules! {
     "X0001" NotComposed Stop { path: String, reason: String }
         es "fallo de rodete: no se ha podido componer {path}: «{reason}»"
         en "fault in rodete: {path} could not be composed: {reason}"
-        remedy "comunique el fallo y envíe el libro que lo provoca", "report the fault and send the workbook that causes it";
+        remedy fault "comunique el fallo y envíe el libro que lo provoca", "report the fault and send the workbook that causes it";
         why "El contenido no cabía en una hoja o en un programa.",
             "A sheet or a program cannot hold the content.";
         example never!();
     "X0002" BrokeOff Stop { version: &'static str, said: String }
         es "fallo de rodete {version}: {said}"
         en "fault in rodete {version}: {said}"
-        remedy "no se ha escrito nada; comunique el fallo con este mensaje y el libro",
+        remedy fault "no se ha escrito nada; comunique el fallo con este mensaje y el libro",
             "nothing was written; report the fault with this message and the workbook";
         why "Un paso del cálculo encontró un estado imposible y se detuvo.",
             "A step of the calculation met an impossible state and stopped.";
@@ -43,27 +43,27 @@ rules! {
     "X0004" NotDrawable Stop { title: Text }
         es "«{title}» no se puede dibujar: no tiene trazos o una coordenada no es finita"
         en "'{title}' cannot be drawn: it has no strokes, or a coordinate is not finite"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Con una plantilla incompleta se cortaría otra pieza.", "An incomplete template would lead to another part.";
         example never!();
     "X0005" ValueNotFinite Stop {}
         es "un valor calculado no es finito"
         en "a computed value is not finite"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Con NaN o infinito en una tabla, todo lo que se calcula con ella es falso.",
             "With NaN or infinity in a table, everything computed from it is wrong.";
         example never!();
     "X0006" OtherContour Stop {}
         es "otra biblioteca de polígonos da otro contorno: el cálculo no es de fiar; no use los archivos"
         en "a second polygon library gives another contour: the result cannot be trusted; do not use the files"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "rodete calcula el material quitado dos veces, con dos bibliotecas: si no coinciden, una se equivoca.",
             "rodete works out the removed metal twice, with two libraries: if they differ, one is wrong.";
         example never!();
     "X0007" SchemaWithoutKind Stop { schema: &'static str }
         es "no hay cálculo para el esquema {schema}"
         en "there is no computation for schema {schema}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Todo formulario es de un tipo, y todo tipo tiene su cálculo.",
             "Every form belongs to a kind, and every kind has its computation.";
         example never!();

@@ -177,7 +177,7 @@ rules! {
     "B0131" NotPutIn Stop { what: String }
         es "las hojas no han entrado en el libro como debían: {what}"
         en "the sheets did not go into the workbook as they should: {what}"
-        remedy "es un fallo de rodete: comuníquelo; genere los resultados sin --into", "this is a fault in rodete: report it; build without --into";
+        remedy fault "es un fallo de rodete: comuníquelo; genere los resultados sin --into", "this is a fault in rodete: report it; build without --into";
         why "rodete vuelve a leer el libro antes de entregarlo y no entrega uno que no sea como debe.",
             "rodete reads the workbook again before it delivers it, and does not deliver one that is not as it should be.";
         example Example::Never(t("es un fallo de rodete, no de la entrada", "it is a fault in rodete, not in the input"));
