@@ -167,7 +167,7 @@ fn hint(finding: &Finding, language: Language, width: Option<usize>) -> String {
 fn sentence(finding: &Finding, language: Language) -> String {
     // A compiler's lines stay lines.
     let what = finding.what.get(language).split('\n').map(printable).collect::<Vec<_>>().join("\n");
-    if let Some(count) = finding.value.strip_suffix(" ×") {
+    if let Some(count) = finding.counted() {
         return format!("{what}, {count} {}", t("veces", "times").get(language));
     }
     let limit = t("límite", "limit");
@@ -335,7 +335,7 @@ mod tests {
 
     #[test]
     fn how_often_something_was_seen_is_said_in_words() {
-        let finding = Noted { what: t("X negativa", "negative X") }.at(Place::File).with("2 ×", "");
+        let finding = Noted { what: t("X negativa", "negative X") }.at(Place::File).repeated(2);
         assert!(plain(&finding, Language::En, None).starts_with("note T9003: negative X, 2 times\n"));
         assert!(plain(&finding, Language::Es, None).starts_with("nota T9003: X negativa, 2 veces\n"));
     }

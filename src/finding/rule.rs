@@ -244,7 +244,7 @@ fn filled(text: &Text, rule: &Rule, values: &[&dyn Said]) -> Text {
 }
 
 /// A text with something in the place of each name in braces.
-fn with_fields<'a>(text: &str, mut said: impl FnMut(&str) -> Cow<'a, str>) -> String {
+pub(super) fn with_fields<'a>(text: &str, mut said: impl FnMut(&str) -> Cow<'a, str>) -> String {
     let (mut whole, mut rest) = (String::new(), text);
     while let Some((before, (name, after))) =
         rest.split_once('{').and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
@@ -400,8 +400,8 @@ mod tests {
         );
         assert_eq!(remedy, t("quite 1.235 mm", "take 1.235 mm off"));
         assert_eq!((grade, rule.code, rule.name().as_str()), (Grade::Stop, "T0001", "too-deep"));
-        assert_eq!(data[0], ("depth", Datum::Number { value: Some(1.234_56), unit: "mm" }));
-        assert_eq!(data[1], ("edge", Datum::Number { value: None, unit: "mm" }));
+        assert_eq!(data[0], ("depth", Datum::Number { value: Some(1.234_56), unit: "mm", decimals: Some(3) }));
+        assert_eq!(data[1], ("edge", Datum::Number { value: None, unit: "mm", decimals: Some(3) }));
         assert_eq!(data[2], ("tool", Datum::Whole(3)));
         assert_eq!(
             LIST.iter().map(|rule| rule.fields).collect::<Vec<_>>(),

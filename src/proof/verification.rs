@@ -1,5 +1,6 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
+use crate::finding::clause::OfProgram;
 use crate::finding::{Finding, Grade, Place, Raise, Rule};
 use crate::gcode::interpreter::{Interpreter, Refused};
 use crate::gcode::program::Program;
@@ -25,11 +26,8 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refus
     let name = t("Leído por el intérprete", "Read back by the interpreter");
     let value = many(lines, ["línea", "líneas"], ["line", "lines"]);
     let asked = Question::new("reading", name, program).showing(value, Text::same(program.control.name));
-    let of_program = |mut found: Finding, place| {
-        let (Text { es, en }, title) = (&found.what, &program.title);
-        found.what = Text::new(format!("«{}»: {es}", title.es), format!("\"{}\": {en}", title.en));
-        found.placed(place)
-    };
+    let of_program =
+        |found: Finding, place| found.with_clause(&OfProgram { title: program.title.clone() }).placed(place);
     if let Some(refused) = refused {
         let asked = asked.at(Some(At::line(refused.line))).seen(1);
         let found = Finding::from(refused.clone());
