@@ -32,6 +32,17 @@ pub enum Datum {
 }
 
 impl Datum {
+    /// The number that it is; none of what is none, or has no bound.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "counts of lines and blocks are far below 2^53")]
+    pub const fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number { value, .. } => *value,
+            Self::Whole(value) => Some(*value as f64),
+            _ => None,
+        }
+    }
+
     /// True where both are said alike: of numbers what their last decimal shows is no difference.
     #[must_use]
     pub fn alike(&self, other: &Self) -> bool {

@@ -3,6 +3,7 @@
 pub mod answer;
 pub mod clause;
 pub mod datum;
+pub mod figures;
 pub mod key;
 pub mod rule;
 pub mod rules;
@@ -17,6 +18,7 @@ use serde::{Serialize, Serializer};
 
 use self::clause::{Clause, OfFile};
 pub use self::datum::{Bare, Datum, Said, Size, Typed};
+pub use self::figures::{Figures, Limit};
 pub use self::key::Key;
 pub use self::rule::{AlarmFamily, Example, Raise, Rule};
 use crate::text::{Language, Text, t};
@@ -130,6 +132,8 @@ pub struct Finding {
     pub value: String,
     /// The limit it was compared with, with its unit; empty where there is none.
     pub limit: String,
+    /// The numbers of value and limit.
+    figures: Figures,
     /// Value and limit in both languages, where they are words; the fields above have them in English, as JSON has.
     words: Option<Box<[Text; 2]>>,
     /// What to do about it; empty for a passed check.
@@ -169,6 +173,7 @@ impl Finding {
             place,
             value: String::new(),
             limit: String::new(),
+            figures: Figures::NONE,
             words: None,
             remedy,
             times: 1,
@@ -295,9 +300,28 @@ impl Finding {
     pub fn with(mut self, value: impl Into<String>, limit: impl Into<String>) -> Self {
         self.value = value.into();
         self.limit = limit.into();
+        self.figures = Figures::NONE;
         self.words = None;
         self.counted = false;
         self
+    }
+
+    /// The finding with the numbers of its value and its limit.
+    #[must_use]
+    pub fn comparing(self, figures: Figures) -> Self {
+        Self { figures, ..self }
+    }
+
+    /// The same of one value and its limit, in the unit that they are printed with.
+    #[must_use]
+    pub fn measuring(self, value: f64, limit: Limit) -> Self {
+        self.comparing(Figures::of(value, Some(limit)))
+    }
+
+    /// The numbers of its value and its limit, unrounded.
+    #[must_use]
+    pub const fn figures(&self) -> Figures {
+        self.figures
     }
 }
 

@@ -1,8 +1,49 @@
 //! What only rodete itself can be wrong in: one row for each fault, whatever the room.
 
-use crate::finding::Example;
+use std::borrow::Cow;
+
 use crate::finding::rule::rules;
-use crate::text::{Text, t};
+use crate::finding::{Datum, Example, Finding, Raise, Said};
+use crate::text::{Language, Text, t};
+
+/// What a panic said. The sentence says where that was, too.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panicked {
+    /// Its first line.
+    pub said: String,
+    /// Where in rodete's source it was, as `src/removal/mod.rs:120`; empty where that is not known.
+    pub at: String,
+}
+
+impl Said for Panicked {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        if self.at.is_empty() { Cow::Borrowed(&self.said) } else { format!("{}, {}", self.said, self.at).into() }
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Word(self.said.clone())
+    }
+}
+
+impl BrokeOff {
+    /// What a panic of this rodete said.
+    #[must_use]
+    pub fn of(said: String, at: String) -> Self {
+        Self { version: env!("CARGO_PKG_VERSION"), said: Panicked { said, at: at.clone() }, at }
+    }
+
+    /// What a finding says, in English, without the place in the source: that changes with every version.
+    #[must_use]
+    pub fn without_place(found: &Finding) -> String {
+        let said = found.data.iter().find_map(|(name, datum)| match datum {
+            Datum::Word(said) if *name == "said" && found.is(Self::RULE) => Some(said.clone()),
+            _ => None,
+        });
+        let Some(said) = said else { return found.what.en.to_string() };
+        let row = Self::of(said, String::new());
+        (&row as &dyn Raise).what().en.into_owned()
+    }
+}
 
 /// No input is known that brings it about: if one were, the fault would be mended.
 macro_rules! never {
@@ -25,7 +66,7 @@ rules! {
         why "El contenido no cabía en una hoja o en un programa.",
             "A sheet or a program cannot hold the content.";
         example never!();
-    "X0002" BrokeOff Stop { version: &'static str, said: String }
+    "X0002" BrokeOff Stop { version: &'static str, said: Panicked, at: String }
         es "fallo de rodete {version}: {said}"
         en "fault in rodete {version}: {said}"
         remedy fault "no se ha escrito nada; comunique el fallo con este mensaje y el libro",

@@ -1,7 +1,8 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
 use crate::finding::clause::OfProgram;
-use crate::finding::{Finding, Grade, Place, Raise, Rule};
+use crate::finding::figures::count;
+use crate::finding::{Finding, Grade, Limit, Place, Raise, Rule};
 use crate::gcode::interpreter::{Interpreter, Refused};
 use crate::gcode::program::Program;
 use crate::proof::Judged;
@@ -55,7 +56,8 @@ fn too_long(program: &Program, bytes: u64, fewer: Text) -> Option<Finding> {
     (bytes > memory).then(|| {
         let place = Place::Block { program: program.key, line: 1 };
         let told = MemoryExceeded { program: program.title.clone(), bytes, fewer }.at(place);
-        told.with(bytes.to_string(), memory.to_string())
+        let [value, most] = [bytes, memory].map(count);
+        told.with(bytes.to_string(), memory.to_string()).measuring(value, Limit::AtMost(most))
     })
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::finding::clause::{LimitIn, More, MoreBeyond, OnceMore, OnceMoreBeyond, OneFollows, SeveralFollow};
 use crate::finding::rules::OtherContour;
-use crate::finding::{Bare, Finding, Grade, Place, Raise, Size};
+use crate::finding::{Bare, Finding, Grade, Limit, Place, Raise, Size};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::kinds::lathe::Raised;
@@ -200,5 +200,6 @@ pub(super) fn alarms(alarms: &[Raised], given: &Given) -> Vec<Finding> {
 
 /// The stop of a removal that a library of polygons does not confirm.
 pub(super) fn not_repeated(apart: f64) -> Finding {
-    OtherContour {}.at(Place::File).with(format!("{apart:.9} mm"), format!("≤ {AGREE:.6} mm"))
+    let told = OtherContour {}.at(Place::File).with(format!("{apart:.9} mm"), format!("≤ {AGREE:.6} mm"));
+    told.measuring(apart, Limit::AtMost(AGREE))
 }

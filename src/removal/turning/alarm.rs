@@ -2,7 +2,7 @@
 
 use super::stock::Fixture;
 use crate::finding::clause::{AlarmAt, Deep};
-use crate::finding::{AlarmFamily, Bare, Finding, Grade, Place, Raise, Size};
+use crate::finding::{AlarmFamily, Bare, Figures, Finding, Grade, Limit, Place, Raise, Size};
 use crate::gcode::in_force::Compensation;
 use crate::machine::axis::Axis;
 use crate::number::shown;
@@ -384,6 +384,29 @@ impl Alarm {
             Cause::PartedOff(volume) => (format!("{} mm³", shown(volume, 1)), String::new()),
             _ => (self.depth.map(mm).unwrap_or_default(), String::new()),
         };
-        finding.with(value, limit)
+        finding.with(value, limit).comparing(self.figures())
+    }
+
+    /// The numbers of its value and its limit. How far an axis leaves its travel is not held against the end of it.
+    fn figures(&self) -> Figures {
+        let between = |[least, most]: [f64; 2]| Limit::Between { least: Some(least), most: Some(most) };
+        let (value, limit) = match self.cause {
+            Cause::DepthOfCut { depth, edge } => (depth, Limit::AtMost(edge)),
+            Cause::BoreWithoutHole { hole, least } => (hole, Limit::AtLeast(least)),
+            Cause::ThreadTooDeep { depth, most } | Cause::ThreadPassTooDeep { depth, most } => {
+                (depth, Limit::AtMost(most))
+            }
+            Cause::ShortRunIn { length, least } => (length, Limit::AtLeast(least)),
+            Cause::OffGroove { off, most } => (off, Limit::AtMost(most)),
+            Cause::CoarseFeed { feed, most } => (feed, Limit::AtMost(most)),
+            Cause::Lead { lead, leads } => (lead, between(leads)),
+            Cause::LeadDiffers { lead, before } => (lead, Limit::Exactly(before)),
+            Cause::ThreadSpeed { speed, before } => (speed, Limit::Exactly(before)),
+            Cause::ImplausibleFeed { feed, limits } => (feed, between(limits)),
+            Cause::NoGreatestSpeed { asked, most } | Cause::TooFast { asked, most } => (asked, Limit::AtMost(most)),
+            Cause::PartedOff(volume) => return Figures::of(volume, None),
+            _ => return Figures { found: self.depth.map(|deep| [deep; 2]), limit: None },
+        };
+        Figures::of(value, Some(limit))
     }
 }
