@@ -295,10 +295,10 @@ macro_rules! rules {
                     code: $code,
                     ident: stringify!($name),
                     grade: $crate::finding::Grade::$grade,
-                    fault: $crate::rules!(@fault $($fault)?),
+                    fault: $crate::finding::rule::rules!(@fault $($fault)?),
                     alarm: &[$($(($crate::finding::AlarmFamily::$family, $number)),+)?],
                     what: $crate::text::t($es, $en),
-                    remedy: $crate::rules!(@remedy $($fault)? $($remedy_es, $remedy_en)?),
+                    remedy: $crate::finding::rule::rules!(@remedy $($fault)? $($remedy_es, $remedy_en)?),
                     why: $crate::text::t($why_es, $why_en),
                     example: $example,
                     fields: &[$(stringify!($field)),*],
@@ -337,7 +337,8 @@ macro_rules! book {
     };
 }
 
-pub(crate) use {book, rules};
+pub(crate) use book;
+pub use rules;
 
 #[cfg(test)]
 mod tests {
