@@ -71,6 +71,15 @@ impl Text {
         }
     }
 
+    /// The text in one language, by itself.
+    #[must_use]
+    pub fn take(self, language: Language) -> Cow<'static, str> {
+        match language {
+            Language::Es => self.es,
+            Language::En => self.en,
+        }
+    }
+
     /// True where there is nothing to read in either language.
     #[must_use]
     pub fn is_empty(&self) -> bool {

@@ -16,9 +16,12 @@ thread_local! {
     static GUARDED: Cell<usize> = const { Cell::new(0) };
 }
 
-/// What the last panics said, and the same with their place. Guarded work is done by several threads, whose panics end it
+/// What a panic said in one line, and its place in the source.
+type Broke = (String, String);
+
+/// What the last panics said, and the same in one line with their place. Guarded work is done by several threads, whose panics end it
 /// on the thread that began it: it knows its own again by what they said.
-static SAID: Mutex<Vec<(String, String)>> = Mutex::new(Vec::new());
+static SAID: Mutex<Vec<(String, Broke)>> = Mutex::new(Vec::new());
 /// Command lines being run: their panics, in whatever thread, are not printed.
 static RUNNING: AtomicUsize = AtomicUsize::new(0);
 
@@ -36,7 +39,7 @@ fn hook() {
             if said.len() == KEPT_PANICS {
                 said.remove(0);
             }
-            said.push((message(panic.payload()).to_owned(), sentence(panic)));
+            said.push((message(panic.payload()).to_owned(), broke(panic)));
         } else {
             before(panic);
         }
@@ -49,11 +52,14 @@ fn message(payload: &(dyn Any + Send)) -> &str {
     text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("no message")
 }
 
-fn sentence(panic: &PanicHookInfo<'_>) -> String {
-    let message = message(panic.payload());
-    let line = message.lines().next().unwrap_or_default();
-    let place = panic.location().map(|at| format!(", {}:{}", at.file(), at.line())).unwrap_or_default();
-    printable(&format!("{line}{place}"))
+/// The first line of what is said, for a terminal.
+fn first_line(said: &str) -> String {
+    printable(said.lines().next().unwrap_or_default())
+}
+
+fn broke(panic: &PanicHookInfo<'_>) -> Broke {
+    let place = panic.location().map(|at| printable(&format!("{}:{}", at.file(), at.line()))).unwrap_or_default();
+    (first_line(message(panic.payload())), place)
 }
 
 /// Does a piece of work; a panic in it becomes a refusal of exit 1.
@@ -68,13 +74,17 @@ pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Refusal> {
         let own = message(payload.as_ref());
         let mut said = SAID.lock().unwrap_or_else(PoisonError::into_inner);
         let found = said.iter().rposition(|(text, _)| text == own).map(|at| said.remove(at).1);
-        refusal(&found.unwrap_or_else(|| printable(own.lines().next().unwrap_or_default())))
+        refused(found.unwrap_or_else(|| (first_line(own), String::new())))
     })
 }
 
 /// A refusal for a fault, in its own words.
 pub(super) fn refusal(said: &str) -> Refusal {
-    BrokeOff { version: env!("CARGO_PKG_VERSION"), said: said.to_owned() }.refused(Exit::Fault, Place::File)
+    refused((said.to_owned(), String::new()))
+}
+
+fn refused((said, at): Broke) -> Refusal {
+    BrokeOff::of(said, at).refused(Exit::Fault, Place::File)
 }
 
 #[cfg(test)]
@@ -91,7 +101,7 @@ mod tests {
         let refusal = caught.expect_err("it panicked");
         assert_eq!(refusal.exit, Exit::Fault);
         let what = &refusal.findings[0].what.en;
-        assert!(what.contains("a point") && what.contains("fault.rs:") && !what.contains('\n'), "{what}");
+        assert!(what.contains("a point, ") && what.contains("fault.rs:") && !what.contains('\n'), "{what}");
         assert_eq!(guarded(|| 5), Ok(5));
         // So does one on a thread that works for it.
         let caught = guarded(|| rayon::join(|| 1, || panic!("beside")));

@@ -167,7 +167,7 @@ fn hint(finding: &Finding, language: Language, width: Option<usize>) -> String {
 fn sentence(finding: &Finding, language: Language) -> String {
     // A compiler's lines stay lines.
     let what = finding.what.get(language).split('\n').map(printable).collect::<Vec<_>>().join("\n");
-    if let Some(count) = finding.value.strip_suffix(" ×") {
+    if let Some(count) = finding.counted() {
         return format!("{what}, {count} {}", t("veces", "times").get(language));
     }
     let limit = t("límite", "limit");
@@ -205,30 +205,27 @@ const fn grade(grade: Grade) -> (Text, AnsiColor) {
 /// Where a finding belongs, beginning with the file.
 fn place(place: &Place, names: Names<'_>, language: Language) -> String {
     let Names { input, workbook } = names;
-    let word = |es: &'static str, en: &'static str| match language {
-        Language::Es => es,
-        Language::En => en,
-    };
+    let word = |text: Text| text.take(language);
     match place {
         Place::File => input.to_owned(),
-        Place::Part(part) => format!("{workbook}, {} {}", word("parte", "part"), printable(part)),
-        Place::Sheet(sheet) => format!("{workbook}, {} \"{}\"", word("hoja", "sheet"), printable(sheet)),
+        Place::Part(part) => format!("{workbook}, {} {}", word(t("parte", "part")), printable(part)),
+        Place::Sheet(sheet) => format!("{workbook}, {} \"{}\"", word(t("hoja", "sheet")), printable(sheet)),
         Place::Cells(cells) => format!("{workbook}{}", addresses(cells, language)),
         Place::Parameters(keys) => {
             let noun =
-                if keys.len() == 1 { word("parámetro", "parameter") } else { word("parámetros", "parameters") };
+                if keys.len() == 1 { word(t("parámetro", "parameter")) } else { word(t("parámetros", "parameters")) };
             format!("{workbook}, {noun} {}", keys.join(", "))
         }
         Place::Point { table, index } => {
-            format!("{input}, {} {table}, i = {index}", word("tabla", "table"))
+            format!("{input}, {} {table}, i = {index}", word(t("tabla", "table")))
         }
         Place::Block { program, line } => {
-            format!("{input}, {} {program}, {} {line}", word("programa", "program"), word("línea", "line"))
+            format!("{input}, {} {program}, {} {line}", word(t("programa", "program")), word(t("línea", "line")))
         }
         Place::Subprogram { file, line, columns } => {
             let file = printable(file);
             let column = columns.first().map_or(String::new(), |column| format!(":{column}"));
-            format!("{input}, {} {file}:{line}{column}", word("subprograma", "subprogram"))
+            format!("{input}, {} {file}:{line}{column}", word(t("subprograma", "subprogram")))
         }
         Place::Beside { file, line: None, .. } => printable(file),
         Place::Beside { file, line: Some(line), columns } => on_line(&printable(file), *line, columns),
@@ -335,7 +332,7 @@ mod tests {
 
     #[test]
     fn how_often_something_was_seen_is_said_in_words() {
-        let finding = Noted { what: t("X negativa", "negative X") }.at(Place::File).with("2 ×", "");
+        let finding = Noted { what: t("X negativa", "negative X") }.at(Place::File).repeated(2);
         assert!(plain(&finding, Language::En, None).starts_with("note T9003: negative X, 2 times\n"));
         assert!(plain(&finding, Language::Es, None).starts_with("nota T9003: X negativa, 2 veces\n"));
     }

@@ -407,29 +407,28 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
 /// What a program does, in figures: lines and motions, the reach of each axis, where it ends, way and time.
 fn summary(read: &Read, dialect: &Control, name: &str, language: Language) -> String {
     let (account, lathe) = (&read.account, read.lathe());
-    let es = language == Language::Es;
-    let word = |spanish: &'static str, english: &'static str| if es { spanish } else { english };
+    let word = |text: Text| text.take(language);
     let number = |value: f64| shown(value, 3);
     let mut text = format!(
         "{name}: {}, {} {}, {} {}\n",
         dialect.name,
         read.lines,
-        word("líneas", "lines"),
+        word(t("líneas", "lines")),
         account.motions,
-        word("movimientos", "motions")
+        word(t("movimientos", "motions"))
     );
     if read.rejected {
-        let why = word(
+        let why = word(t(
             "sin extremos, recorrido ni tiempo: el control no ejecuta lo que sigue a un bloque rechazado",
             "no extents, path or time: the control does not run what follows a rejected block",
-        );
+        ));
         text.push_str(&format!("  {why}\n"));
     } else if let (Some(program), Some(machine)) = (&account.program, &account.machine) {
         if read.inch {
-            let told = word(
+            let told = word(t(
                 "hay cotas en pulgadas; aquí todas las longitudes van en mm",
                 "the program has lengths in inches; all lengths here are in mm",
-            );
+            ));
             text.push_str(&format!("  {told}\n"));
         }
         for axis in Axis::ALL {
@@ -440,11 +439,11 @@ fn summary(read: &Read, dialect: &Control, name: &str, language: Language) -> St
                     axis.letter(),
                     number(program[0]),
                     number(program[1]),
-                    word("programa", "program"),
+                    word(t("programa", "program")),
                     number(machine[0]),
                     number(machine[1]),
-                    word("máquina", "machine"),
-                    if lathe && axis == Axis::X { word(" (diámetro)", " (diameter)") } else { "" },
+                    word(t("máquina", "machine")),
+                    if lathe && axis == Axis::X { word(t(" (diámetro)", " (diameter)")) } else { "".into() },
                     mark(&account.from_start, axis).get(language),
                 ));
             }
@@ -461,25 +460,25 @@ fn summary(read: &Read, dialect: &Control, name: &str, language: Language) -> St
                 .collect::<Vec<_>>()
                 .join("  ")
         };
-        text.push_str(&format!("  {}: {}\n", word("final (programa)", "end (program)"), list(&account.end[0])));
-        text.push_str(&format!("  {}: {}\n", word("final (máquina)", "end (machine)"), list(&account.end[1])));
-        text.push_str(&format!("  {}: {}\n", word("recorrido neto", "net travel"), list(&Pose(read.net))));
+        text.push_str(&format!("  {}: {}\n", word(t("final (programa)", "end (program)")), list(&account.end[0])));
+        text.push_str(&format!("  {}: {}\n", word(t("final (máquina)", "end (machine)")), list(&account.end[1])));
+        text.push_str(&format!("  {}: {}\n", word(t("recorrido neto", "net travel")), list(&Pose(read.net))));
         text.push_str(&format!(
             "  {}: {} mm {}, {} mm {}\n",
-            word("recorrido", "path"),
+            word(t("recorrido", "path")),
             number(account.feed_path),
-            word("en avance", "at feed"),
+            word(t("en avance", "at feed")),
             number(account.rapid_path),
-            word("en rápido", "in rapid")
+            word(t("en rápido", "in rapid"))
         ));
         let time = if account.untimed {
-            word("desconocido", "not known").to_owned()
+            word(t("desconocido", "not known")).into_owned()
         } else {
             format!("{} s", number(account.seconds))
         };
         text.push_str(&format!(
             "  {}: {time}\n",
-            word("tiempo en avance y esperas, sin los rápidos", "time at feed and dwells, without rapid motions")
+            word(t("tiempo en avance y esperas, sin los rápidos", "time at feed and dwells, without rapid motions"))
         ));
     }
     text

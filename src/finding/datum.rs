@@ -17,6 +17,9 @@ pub enum Datum {
         value: Option<f64>,
         /// Its unit as it is printed, empty for none.
         unit: &'static str,
+        /// The most decimals that it is said with; none where it is said with every digit.
+        #[serde(skip)]
+        decimals: Option<usize>,
     },
     /// A whole number.
     Whole(i64),
@@ -26,6 +29,31 @@ pub enum Datum {
     Word(String),
     /// A word that has a Spanish and an English form.
     Words(Text),
+}
+
+impl Datum {
+    /// The number that it is; none of what is none, or has no bound.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "counts of lines and blocks are far below 2^53")]
+    pub const fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number { value, .. } => *value,
+            Self::Whole(value) => Some(*value as f64),
+            _ => None,
+        }
+    }
+
+    /// True where both are said alike: of numbers what their last decimal shows is no difference.
+    #[must_use]
+    pub fn alike(&self, other: &Self) -> bool {
+        match (self, other) {
+            (
+                Self::Number { value: Some(one), unit, decimals: Some(decimals) },
+                Self::Number { value: Some(other), unit: other_unit, decimals: Some(other_decimals) },
+            ) => (unit, decimals) == (other_unit, other_decimals) && shown(*one, *decimals) == shown(*other, *decimals),
+            _ => self == other,
+        }
+    }
 }
 
 /// A type whose values stand in the sentences of a rule.
@@ -111,7 +139,11 @@ impl Said for Size {
     }
 
     fn datum(&self) -> Datum {
-        Datum::Number { value: self.value.is_finite().then_some(self.value), unit: self.unit }
+        Datum::Number {
+            value: self.value.is_finite().then_some(self.value),
+            unit: self.unit,
+            decimals: Some(self.decimals),
+        }
     }
 }
 
@@ -158,7 +190,7 @@ impl Said for Typed {
     }
 
     fn datum(&self) -> Datum {
-        Datum::Number { value: self.value.is_finite().then_some(self.value), unit: self.unit }
+        Datum::Number { value: self.value.is_finite().then_some(self.value), unit: self.unit, decimals: None }
     }
 }
 
@@ -169,7 +201,7 @@ impl Said for f64 {
     }
 
     fn datum(&self) -> Datum {
-        Datum::Number { value: self.is_finite().then_some(*self), unit: "" }
+        Datum::Number { value: self.is_finite().then_some(*self), unit: "", decimals: None }
     }
 }
 
@@ -260,5 +292,20 @@ impl Said for Text {
 
     fn datum(&self) -> Datum {
         Datum::Words(self.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Said, Size, Typed};
+
+    #[test]
+    fn numbers_are_alike_where_their_last_decimal_shows_no_difference() {
+        let alike = |one: f64, other: f64| Size::mm(one).datum().alike(&Size::mm(other).datum());
+        assert!(alike(1.000_1, 1.000_2) && !alike(1.0, 1.001) && alike(f64::INFINITY, f64::INFINITY));
+        assert!(!alike(1.0, f64::INFINITY) && !Size::mm(1.0).datum().alike(&Size::rpm(1.0).datum()));
+        let typed = |value| Typed { value, unit: "mm" }.datum();
+        assert!(!typed(1.000_1).alike(&typed(1.000_2)) && 3_u32.datum().alike(&3_u32.datum()));
+        assert_ne!(Size::mm(1.000_1).datum(), Size::mm(1.000_2).datum());
     }
 }

@@ -1,7 +1,9 @@
 //! What rodete has to say about an input or a result: graded, placed, with the value, the limit and the remedy.
 
 pub mod answer;
+pub mod clause;
 pub mod datum;
+pub mod figures;
 pub mod key;
 pub mod rule;
 pub mod rules;
@@ -14,7 +16,9 @@ use std::cmp::Reverse;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
+use self::clause::{Clause, OfFile};
 pub use self::datum::{Bare, Datum, Said, Size, Typed};
+pub use self::figures::{Figures, Limit};
 pub use self::key::Key;
 pub use self::rule::{AlarmFamily, Example, Raise, Rule};
 use crate::text::{Language, Text, t};
@@ -107,11 +111,11 @@ pub enum Place {
     },
 }
 
-/// The remedy where only rodete itself can be wrong.
+/// The remedy where only rodete itself can be wrong: of the rows that say `remedy fault` and no more.
 pub const FAULT: Text = t("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it");
 
 /// One thing found: a row with its values at a place. It comes of [`Raise::at`], and of nothing else.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Finding {
     rule: &'static Rule,
     /// What it carries, by name, unrounded.
@@ -128,12 +132,27 @@ pub struct Finding {
     pub value: String,
     /// The limit it was compared with, with its unit; empty where there is none.
     pub limit: String,
+    /// The numbers of value and limit.
+    figures: Figures,
     /// Value and limit in both languages, where they are words; the fields above have them in English, as JSON has.
     words: Option<Box<[Text; 2]>>,
     /// What to do about it; empty for a passed check.
     pub remedy: Text,
-    /// How often it was found, where the value does not say it.
+    /// How often it was found.
     times: u64,
+    /// True where the value says how often it was found, as `12 ×`.
+    counted: bool,
+}
+
+impl PartialEq for Finding {
+    /// Two are the same by their row, what they carry and their place; their sentences follow from these.
+    fn eq(&self, other: &Self) -> bool {
+        self.rule == other.rule
+            && self.data == other.data
+            && self.place == other.place
+            && (self.grade, self.alarm, self.times) == (other.grade, other.alarm, other.times)
+            && (&self.value, &self.limit) == (&other.value, &other.limit)
+    }
 }
 
 impl Finding {
@@ -154,9 +173,11 @@ impl Finding {
             place,
             value: String::new(),
             limit: String::new(),
+            figures: Figures::NONE,
             words: None,
             remedy,
             times: 1,
+            counted: false,
         }
     }
 
@@ -170,7 +191,7 @@ impl Finding {
     /// [`Exit::Fault`].
     #[must_use]
     pub fn is_fault(&self) -> bool {
-        self.grade == Grade::Stop && (self.remedy == FAULT || self.rule.code.starts_with('X'))
+        self.grade == Grade::Stop && self.rule.fault
     }
 
     /// True for a finding of a row.
@@ -210,8 +231,39 @@ impl Finding {
 
     /// How often it was found.
     #[must_use]
-    pub fn count(&self) -> u64 {
-        self.value.strip_suffix(" ×").and_then(|count| count.parse().ok()).unwrap_or(self.times)
+    pub const fn count(&self) -> u64 {
+        self.times
+    }
+
+    /// How often it was found, where that is its value.
+    #[must_use]
+    pub const fn counted(&self) -> Option<u64> {
+        if self.counted { Some(self.times) } else { None }
+    }
+
+    /// The same, found so often, which is its value.
+    #[must_use]
+    pub fn repeated(self, times: u64) -> Self {
+        Self { times, counted: true, ..self.with(format!("{times} ×"), "") }
+    }
+
+    /// True where the row and all that it carries would be told alike, whatever the place: no number differs by what its last
+    /// decimal shows.
+    #[must_use]
+    pub fn alike(&self, other: &Self) -> bool {
+        let same = |(one, other): (&(&str, Datum), &(&str, Datum))| one.0 == other.0 && one.1.alike(&other.1);
+        self.rule == other.rule
+            && self.data.len() == other.data.len()
+            && self.data.iter().zip(&other.data).all(same)
+            && self.value == other.value
+    }
+
+    /// The same with a clause before or behind its sentence, and what that carries.
+    #[must_use]
+    pub fn with_clause(mut self, clause: &dyn Clause) -> Self {
+        self.what = clause.said(&self.what, self.alarm, &self.value);
+        self.data.extend(clause.carries());
+        self
     }
 
     /// The same, found so often.
@@ -222,12 +274,8 @@ impl Finding {
 
     /// The finding with the name of the file that it is of before its sentence, where the sentence does not say it.
     #[must_use]
-    pub fn of_file(mut self, name: &str) -> Self {
-        let Text { es, en } = &self.what;
-        if !en.contains(name) {
-            self.what = Text::new(format!("{name}: {es}"), format!("{name}: {en}"));
-        }
-        self
+    pub fn of_file(self, name: &str) -> Self {
+        if self.what.en.contains(name) { self } else { self.with_clause(&OfFile { file: name.to_owned() }) }
     }
 
     /// The same where they are words in two languages.
@@ -252,8 +300,28 @@ impl Finding {
     pub fn with(mut self, value: impl Into<String>, limit: impl Into<String>) -> Self {
         self.value = value.into();
         self.limit = limit.into();
+        self.figures = Figures::NONE;
         self.words = None;
+        self.counted = false;
         self
+    }
+
+    /// The finding with the numbers of its value and its limit.
+    #[must_use]
+    pub fn comparing(self, figures: Figures) -> Self {
+        Self { figures, ..self }
+    }
+
+    /// The same of one value and its limit, in the unit that they are printed with.
+    #[must_use]
+    pub fn measuring(self, value: f64, limit: Limit) -> Self {
+        self.comparing(Figures::of(value, Some(limit)))
+    }
+
+    /// The numbers of its value and its limit, unrounded.
+    #[must_use]
+    pub const fn figures(&self) -> Figures {
+        self.figures
     }
 }
 

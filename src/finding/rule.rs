@@ -18,6 +18,8 @@ pub struct Rule {
     pub ident: &'static str,
     /// The gravest that it is reported as.
     pub grade: Grade,
+    /// True where only code can be to blame, rodete's or that of a kind: its stop ends the command with [`Exit::Fault`].
+    pub fault: bool,
     /// The numbers under which it is reported as an alarm, each of a family's.
     pub alarm: &'static [(AlarmFamily, u16)],
     /// The sentence, with what it carries in braces.
@@ -242,7 +244,7 @@ fn filled(text: &Text, rule: &Rule, values: &[&dyn Said]) -> Text {
 }
 
 /// A text with something in the place of each name in braces.
-fn with_fields<'a>(text: &str, mut said: impl FnMut(&str) -> Cow<'a, str>) -> String {
+pub(super) fn with_fields<'a>(text: &str, mut said: impl FnMut(&str) -> Cow<'a, str>) -> String {
     let (mut whole, mut rest) = (String::new(), text);
     while let Some((before, (name, after))) =
         rest.split_once('{').and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
@@ -258,8 +260,15 @@ fn with_fields<'a>(text: &str, mut said: impl FnMut(&str) -> Cow<'a, str>) -> St
 ///
 /// `{name}` in a sentence or a remedy is a field of the row; a name that is none does not compile. Every field's type is
 /// [`Said`](crate::finding::Said).
+///
+/// `remedy fault` in the place of `remedy` makes it the row of a fault in code. Where no words follow, the remedy is
+/// [`FAULT`](crate::finding::FAULT).
 #[macro_export]
 macro_rules! rules {
+    (@fault) => { false };
+    (@fault fault) => { true };
+    (@remedy fault) => { $crate::finding::FAULT };
+    (@remedy $(fault)? $es:literal, $en:literal) => { $crate::text::t($es, $en) };
     (
         $(#[$about:meta])*
         $list:ident;
@@ -267,7 +276,7 @@ macro_rules! rules {
             $code:literal $name:ident $grade:ident $(alarm $($family:ident $number:literal),+)? { $($field:ident: $type:ty),* $(,)? }
             es $es:literal
             en $en:literal
-            remedy $remedy_es:literal, $remedy_en:literal;
+            remedy $($fault:ident)? $($remedy_es:literal, $remedy_en:literal)?;
             why $why_es:literal, $why_en:literal;
             example $example:expr;
         )*
@@ -286,9 +295,10 @@ macro_rules! rules {
                     code: $code,
                     ident: stringify!($name),
                     grade: $crate::finding::Grade::$grade,
+                    fault: $crate::finding::rule::rules!(@fault $($fault)?),
                     alarm: &[$($(($crate::finding::AlarmFamily::$family, $number)),+)?],
                     what: $crate::text::t($es, $en),
-                    remedy: $crate::text::t($remedy_es, $remedy_en),
+                    remedy: $crate::finding::rule::rules!(@remedy $($fault)? $($remedy_es, $remedy_en)?),
                     why: $crate::text::t($why_es, $why_en),
                     example: $example,
                     fields: &[$(stringify!($field)),*],
@@ -309,7 +319,8 @@ macro_rules! rules {
                 // Nobody calls it: a name in braces that is no field does not compile.
                 #[allow(dead_code, unused_variables, non_snake_case, clippy::too_many_arguments)]
                 fn named($($field: &str),*) {
-                    let _ = (format_args!($es), format_args!($en), format_args!($remedy_es), format_args!($remedy_en));
+                    let _ = (format_args!($es), format_args!($en));
+                    $(let _ = (format_args!($remedy_es), format_args!($remedy_en));)?
                 }
             };
         )*
@@ -326,12 +337,13 @@ macro_rules! book {
     };
 }
 
-pub(crate) use {book, rules};
+pub(crate) use book;
+pub use rules;
 
 #[cfg(test)]
 mod tests {
     use super::{Example, Raise};
-    use crate::finding::{Datum, Finding, Grade, Place, Size};
+    use crate::finding::{Datum, FAULT, Finding, Grade, Place, Size};
     use crate::text::{Text, t};
 
     const NONE: Example = Example::Turning { control: "", stock: "", program: "", machine: &[] };
@@ -350,6 +362,28 @@ mod tests {
             remedy "", "";
             why "", "";
             example NONE;
+        "T0003" Broken Stop {}
+            es "roto"
+            en "broken"
+            remedy fault;
+            why "", "";
+            example NONE;
+        "T0004" BrokenBeside Stop { way: &'static str }
+            es "roto"
+            en "broken"
+            remedy fault "use {way}", "take {way}";
+            why "", "";
+            example NONE;
+    }
+
+    #[test]
+    fn a_row_says_whether_code_is_to_blame_and_its_words_do_not() {
+        assert_eq!(LIST.iter().map(|rule| rule.fault).collect::<Vec<_>>(), [false, false, true, true]);
+        assert_eq!(Broken::RULE.remedy, FAULT);
+        assert_eq!((&BrokenBeside { way: "-x" } as &dyn Raise).remedy(), t("use -x", "take -x"));
+        let found = BrokenBeside { way: "-x" }.at(Place::File);
+        assert!(found.is_fault() && !found.graded(Grade::Caution).is_fault());
+        assert!(!Bare {}.at(Place::File).graded(Grade::Stop).is_fault());
     }
 
     #[test]
@@ -367,12 +401,12 @@ mod tests {
         );
         assert_eq!(remedy, t("quite 1.235 mm", "take 1.235 mm off"));
         assert_eq!((grade, rule.code, rule.name().as_str()), (Grade::Stop, "T0001", "too-deep"));
-        assert_eq!(data[0], ("depth", Datum::Number { value: Some(1.234_56), unit: "mm" }));
-        assert_eq!(data[1], ("edge", Datum::Number { value: None, unit: "mm" }));
+        assert_eq!(data[0], ("depth", Datum::Number { value: Some(1.234_56), unit: "mm", decimals: Some(3) }));
+        assert_eq!(data[1], ("edge", Datum::Number { value: None, unit: "mm", decimals: Some(3) }));
         assert_eq!(data[2], ("tool", Datum::Whole(3)));
         assert_eq!(
             LIST.iter().map(|rule| rule.fields).collect::<Vec<_>>(),
-            [&["depth", "edge", "tool", "body"][..], &[]]
+            [&["depth", "edge", "tool", "body"][..], &[], &[], &["way"]]
         );
         assert_eq!((&Bare {} as &dyn Raise).what(), t("nada", "nothing"));
     }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::finding::Refusal;
+use crate::text::t;
 use crate::workbook::names::{Made, Role};
 use crate::workbook::package::Package;
 
@@ -54,13 +55,14 @@ pub struct Opened<'a> {
 pub fn open(bytes: &[u8]) -> Result<(Opened<'_>, styles::Donor), Refusal> {
     let mut parts = Parts::new(Package::open(bytes)?);
     let types = ContentTypes::of(&mut parts)?;
-    let root = one(parts.relations("")?, kind::DOCUMENT).ok_or_else(|| unfit("no workbook part"))?;
+    let root = one(parts.relations("")?, kind::DOCUMENT)
+        .ok_or_else(|| unfit(t("ninguna parte de libro", "no workbook part")))?;
     let book = Book::new(parts.needed(&root)?);
     let relations = parts.relations(&root)?;
     let by_id: BTreeMap<&str, &Relation> = relations.iter().map(|one| (one.id.as_str(), one)).collect();
     let sheets: Option<Vec<String>> =
         book.sheets.iter().map(|one| by_id.get(one.relation.as_str()).map(|one| one.target.clone())).collect();
-    let sheets = sheets.ok_or_else(|| unfit("a sheet without a part"))?;
+    let sheets = sheets.ok_or_else(|| unfit(t("una hoja sin parte", "a sheet without a part")))?;
     let strings = match one(relations.clone(), kind::STRINGS) {
         Some(part) => parts.parsed(&part)?.map(|(text, root)| strings(&text, &root)).unwrap_or_default(),
         None => Vec::new(),
@@ -69,7 +71,7 @@ pub fn open(bytes: &[u8]) -> Result<(Opened<'_>, styles::Donor), Refusal> {
         Some(part) => parts.parsed(&part)?.map(|(_, root)| root),
         None => None,
     };
-    let formats = one(relations, kind::STYLES).ok_or_else(|| unfit("no formats"))?;
+    let formats = one(relations, kind::STYLES).ok_or_else(|| unfit(t("ningún formato", "no formats")))?;
     let formats = styles::Donor::new(parts.needed(&formats)?.1, theme.as_ref());
     Ok((Opened { parts, book, sheets, types, strings }, formats))
 }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::store::sha256;
+use crate::text::{Text, t};
 use crate::workbook::gate;
 use crate::workbook::limits;
 use crate::workbook::listing::SheetKind;
@@ -77,7 +78,8 @@ impl<'a> Host<'a> {
         if packaged.iter().any(|one| one.kind.contains("digital-signature")) || parts.all().any(is_signature) {
             return Err(refused(&BookSigned {}));
         }
-        let root = one(packaged, kind::DOCUMENT).ok_or_else(|| unfit("no workbook part"))?;
+        let root =
+            one(packaged, kind::DOCUMENT).ok_or_else(|| unfit(t("ninguna parte de libro", "no workbook part")))?;
         let book = Book::new(parts.needed(&root)?);
         let types = ContentTypes::of(&mut parts)?;
         let relations = parts.relations(&root)?;
@@ -265,6 +267,6 @@ pub(super) fn refused(row: &dyn Raise) -> Refusal {
 }
 
 /// The refusal of what only a fault of `rodete` brings about.
-pub(super) fn unfit(what: &str) -> Refusal {
-    NotPutIn { what: what.to_owned() }.refused(Exit::Fault, Place::File)
+pub(super) fn unfit(what: Text) -> Refusal {
+    NotPutIn { what }.refused(Exit::Fault, Place::File)
 }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use quick_xml::escape::escape;
 
 use crate::finding::Refusal;
+use crate::text::{Text, t};
 use crate::workbook::address::cell;
 use crate::workbook::guard;
 use crate::workbook::names::{Role, slug};
@@ -82,7 +83,7 @@ impl Host<'_> {
         for one in &going {
             let part = opened.sheets.get(one.from).cloned().unwrap_or_default();
             let text = opened.parts.bytes(&part)?.and_then(|bytes| String::from_utf8(bytes).ok());
-            let text = text.ok_or_else(|| unfit("a sheet without a part"))?;
+            let text = text.ok_or_else(|| unfit(t("una hoja sin parte", "a sheet without a part")))?;
             let moved = moved(&text, &opened.strings, &mut styles);
             // The guard leads to the lists where they stand in the host.
             if one.slug.as_deref() != Some(guard::KEY) {
@@ -169,7 +170,7 @@ impl Host<'_> {
         };
         for one in donor.sheets {
             let from = book.sheets.iter().position(|sheet| sheet.name == one.name);
-            let from = from.ok_or_else(|| unfit("a sheet that was not written"))?;
+            let from = from.ok_or_else(|| unfit(t("una hoja que no se escribió", "a sheet that was not written")))?;
             let slug = match &one.role {
                 Role::Form if donor.has_results() => continue,
                 Role::Form => None,
@@ -341,7 +342,7 @@ impl Host<'_> {
 fn left_out(donor: &Donor<'_>, formulas: &str) -> Result<(), Refusal> {
     let mut out = donor.sheets.iter().filter(|one| donor.has_results() && one.role == Role::Form);
     match out.find(|one| mentions(formulas, &one.name)) {
-        Some(_) => Err(unfit("a formula that leads to a form")),
+        Some(_) => Err(unfit(t("una fórmula que lleva a un formulario", "a formula that leads to a form"))),
         None => Ok(()),
     }
 }
@@ -408,9 +409,9 @@ impl Carried<'_, '_> {
     /// Carries a part, and all that it leads to; gives its new name.
     fn carry(&mut self, kind: &str, part: &str, slug: &str) -> Result<String, Refusal> {
         if !CARRIED.iter().any(|one| kind.ends_with(one)) {
-            return Err(unfit(part));
+            return Err(unfit(Text::same(part)));
         }
-        let content = self.opened.parts.bytes(part)?.ok_or_else(|| unfit(part))?;
+        let content = self.opened.parts.bytes(part)?.ok_or_else(|| unfit(Text::same(part)))?;
         let folder = folder(part).split_once('/').map_or("", |(_, folder)| folder);
         let ending = part.rfind('.').and_then(|dot| part.get(dot..)).unwrap_or_default();
         let name = first_free(&format!("{}{folder}rodete-{slug}", self.host), ending, |name| {

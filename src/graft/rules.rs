@@ -174,10 +174,10 @@ rules! {
             "Its line turns red when the workbook is built of other inputs; that of a copy from an earlier rodete goes on saying \"Verified inputs\".";
         example made!("into-copied", "build --into de un libro con una copia de una hoja de resultados",
             "build --into of a workbook with a copy of a sheet of the results");
-    "B0131" NotPutIn Stop { what: String }
+    "B0131" NotPutIn Stop { what: Text }
         es "las hojas no han entrado en el libro como debían: {what}"
         en "the sheets did not go into the workbook as they should: {what}"
-        remedy "es un fallo de rodete: comuníquelo; genere los resultados sin --into", "this is a fault in rodete: report it; build without --into";
+        remedy fault "es un fallo de rodete: comuníquelo; genere los resultados sin --into", "this is a fault in rodete: report it; build without --into";
         why "rodete vuelve a leer el libro antes de entregarlo y no entrega uno que no sea como debe.",
             "rodete reads the workbook again before it delivers it, and does not deliver one that is not as it should be.";
         example Example::Never(t("es un fallo de rodete, no de la entrada", "it is a fault in rodete, not in the input"));

@@ -4,7 +4,7 @@
 //! was measured: silence passes nothing. What is not asked at all, or has nothing to be compared with, says so with
 //! [`Question::informs`].
 
-use crate::finding::{Finding, Grade, Key, Place, Raise};
+use crate::finding::{Figures, Finding, Grade, Key, Limit, Place, Raise};
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
 use crate::number::shown;
@@ -124,6 +124,7 @@ pub struct Question {
     parameters: Option<Vec<Key>>,
     seen: usize,
     measured: Option<f64>,
+    figures: Figures,
 }
 
 const NOTHING: Text = t("", "");
@@ -144,6 +145,7 @@ impl Question {
             parameters: None,
             seen: 0,
             measured: None,
+            figures: Figures::NONE,
         }
     }
 
@@ -183,10 +185,28 @@ impl Question {
         self
     }
 
+    /// The question with the number of its limit, in the unit of its value.
+    pub const fn against(mut self, limit: Limit) -> Self {
+        self.figures.limit = Some(limit);
+        self
+    }
+
+    /// The question with the numbers of its value and its limit, where the value shown is another than what is measured.
+    pub const fn comparing(mut self, figures: Figures) -> Self {
+        self.figures = figures;
+        self
+    }
+
+    /// What a finding of it carries: what is shown, or else what was measured.
+    fn compared(&self) -> Figures {
+        Figures { found: self.figures.found.or_else(|| self.measured.map(|value| [value; 2])), ..self.figures }
+    }
+
     /// Held against a limit: passed where what was measured is not beyond it.
     #[must_use]
     pub fn within(self, measured: &Extreme, limit: f64, otherwise: impl FnOnce(&Extreme, Place) -> Finding) -> Check {
-        self.of(measured).holds(measured.value <= limit, |place| otherwise(measured, place))
+        let shown = self.figures.limit.unwrap_or(Limit::AtMost(limit));
+        self.against(shown).of(measured).holds(measured.value <= limit, |place| otherwise(measured, place))
     }
 
     /// Held against what must be so; `otherwise` says what is found at a place.
@@ -209,7 +229,8 @@ impl Question {
                 Some(found) => found(place),
             }
         };
-        let found = found.worded(&self.value, &self.limit);
+        let figures = if self.seen == 0 { Figures::NONE } else { self.compared() };
+        let found = found.worded(&self.value, &self.limit).comparing(figures);
         Check { asked: self, answer: Answer::Found(found) }
     }
 

@@ -1,6 +1,6 @@
 //! What a judge has enclosed over the motions of a program: between the looks too, so that a pass is one of every place.
 
-use crate::finding::{Finding, Grade, Place, Raise, Said, Size};
+use crate::finding::{Finding, Grade, Limit, Place, Raise, Said, Size};
 use crate::number::bound::Enclosure;
 use crate::proof::check::{At, Check, Question, mm, up};
 use crate::proof::rules::{NotEnclosed, OffByN, OffTolerance};
@@ -110,7 +110,7 @@ impl<const K: usize> Enclosed<K> {
     #[must_use]
     pub fn within(&self, asked: Question, k: usize, tolerance: &Tolerance, what: Text, remedy: Remedy) -> Check {
         let (reached, at_most) = (self.reached(k), self.at_most(k));
-        let asked = self.put(asked, k).measuring(at_most);
+        let asked = self.put(asked, k).measuring(at_most).against(Limit::AtMost(tolerance.limit));
         asked.holds(at_most <= tolerance.limit, |place| beyond(reached, at_most, tolerance, what, remedy, place))
     }
 }

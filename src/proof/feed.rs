@@ -5,7 +5,7 @@
 //! which is what an F word settles. F words are rounded to the slower side; by how much that
 //! slows the most is a check of its own, here and for pipes.
 
-use crate::finding::{Raise, Size};
+use crate::finding::{Figures, Limit, Raise, Size};
 use crate::gcode::control::FeedLaw;
 use crate::gcode::feed_word::step;
 use crate::gcode::motion::{Motion, MotionKind};
@@ -53,7 +53,9 @@ pub fn feed_word(program: &Program, worst: &Extreme, fed: bool) -> Check {
         }
         FeedLaw::Resultant | FeedLaw::InverseTime => (Text::same(limit), false),
     };
-    let asked = asked.showing(Text::same(part(worst.value())), limit);
+    // Both are shown in percent.
+    let figures = Figures::of(worst.value() * 100.0, Some(Limit::AtMost(SLOWER * 100.0)));
+    let asked = asked.showing(Text::same(part(worst.value())), limit).comparing(figures);
     let slowed = |found: &Extreme, place| {
         let (part, line) = (Size::percent(found.value() * 100.0, 3), found.line());
         FeedWordSlows { line, part, program: program.title.clone() }.at(place)
@@ -196,7 +198,7 @@ impl Judge for Feeds {
         let by_axis = Question::new("feed-axis", axis_name, program).showing(value, limit(self.F_max, unit));
         let by_axis = match self.F_max {
             None => by_axis.of(&self.axis).informs(),
-            Some(most) => by_axis.within(&self.axis, most * SLACK, |found, place| {
+            Some(most) => by_axis.against(Limit::AtMost(most)).within(&self.axis, most * SLACK, |found, place| {
                 let (speed, limit) = (Size { value: found.value(), unit, decimals: 2 }, Size::number(most, 2));
                 let (axis, line, program) = (axis.letter(), found.line(), program.title.clone());
                 AxisTooFast { axis, speed, line, program, limit }.at(place)
@@ -208,7 +210,7 @@ impl Judge for Feeds {
             // A program in which nothing cuts has nothing to be told of.
             None if self.tip.seen() == 0 => tip.passes(),
             None => tip.of(&self.tip).informs(),
-            Some(most) => tip.within(&self.tip, most * SLACK, |found, place| {
+            Some(most) => tip.against(Limit::AtMost(most)).within(&self.tip, most * SLACK, |found, place| {
                 let (speed, limit) = (Size::feed(found.value(), 2), Size::number(most, 2));
                 TipTooFast { speed, line: found.line(), program: program.title.clone(), limit }.at(place)
             }),

@@ -10,14 +10,14 @@ crate::finding::rule::rules! {
     "V0001" NothingSeen Stop { check: Text, program: Text }
         es "«{check}» de «{program}»: la comprobación no ha mirado nada"
         en "\"{check}\" of \"{program}\": the check looked at nothing"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Una comprobación que no ha mirado nada no demuestra nada.",
             "A check that looked at nothing proves nothing.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N60 G0 X0.000 Y0.000", to: "N60 M30" };
     "V0002" NotAnswered Stop { check: &'static str, program: Text }
         es "falta la comprobación «{check}» de «{program}»"
         en "the check \"{check}\" of \"{program}\" is missing"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Cada programa tiene una lista de comprobaciones: la que no tiene respuesta no se ha hecho.",
             "Every program has a list of checks: a check without an answer was not made.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N60 G0 X0.000 Y0.000", to: "N60 M30" };
@@ -32,14 +32,14 @@ crate::finding::rule::rules! {
     "V0006" NotAsPlanned Stop { program: Text, at: Text, difference: Text }
         es "«{program}» se aparta del plan en la {at}: {difference}"
         en "\"{program}\" differs from the plan at {at}: {difference}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "rodete compara el texto con el plan movimiento a movimiento: una cifra distinta da otra pieza.",
             "rodete compares the text with the plan motion by motion: a wrong digit makes another part.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.170 Z9.517" };
     "V0007" NotClosed Stop { program: Text }
         es "el programa «{program}» no vuelve a donde empieza"
         en "program \"{program}\" does not return to where it starts"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Un programa incremental que no vuelve a su inicio se desplaza cada vez que se ejecuta.",
             "An incremental program that does not return to its start shifts at every run.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.170 Z9.517" };
@@ -53,35 +53,35 @@ crate::finding::rule::rules! {
     "V0009" TurnJumps Stop { step: Size, line: usize, program: Text }
         es "C salta {step} en la línea {line} de «{program}»"
         en "C jumps by {step} in line {line} of \"{program}\""
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "La herramienta corta mientras avanza un eje lineal: un salto de C la arrastraría por la pieza.",
             "The tool cuts while a linear axis moves: a jump of C would sweep it through the part.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N970 G0 Y-13.333", to: "N970 G0 Y-13.333 C200.000" };
     "V0010" OtherwiseOnRollover Stop { program: Text, at: Text }
         es "«{program}» gira de otra manera en ejes rollover, desde la {at}"
         en "\"{program}\" turns differently on rollover axes, from {at} on"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "En un eje rollover el número absoluto es un ángulo y su signo el sentido: el mismo texto puede girar al revés.",
             "On a rollover axis the absolute number is an angle and its sign the direction: the same text may turn the other way.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N1000 G0 B-90.000", to: "N1000 G90 G0 B-90.000" };
     "V0011" AxisTooFast Stop { axis: char, speed: Size, line: usize, program: Text, limit: Size }
         es "el eje {axis} va a {speed} en la línea {line} de «{program}»; F_max es {limit}"
         en "axis {axis} moves at {speed} in line {line} of \"{program}\"; F_max is {limit}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Por encima de su límite, el eje se queda atrás o la máquina se para.",
             "Above its limit an axis lags behind, or the machine stops.";
         example Example::Slip { kind: "impeller --case full", cells: &[("F_max", "3300")], program: "blade", from: "Y14.933 F300.000", to: "Y14.933 F30000.000" };
     "V0012" TipTooFast Stop { speed: Size, line: usize, program: Text, limit: Size }
         es "la punta va a {speed} en la línea {line} de «{program}»; F es {limit}"
         en "the tip moves at {speed} in line {line} of \"{program}\"; F is {limit}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Por encima de F cada diente corta más de lo pedido.",
             "Above F each tooth cuts more than asked.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "Y14.933 F300.000", to: "Y14.933 F30000.000" };
     "V0013" CutWithoutFeed Stop { line: usize, program: Text }
         es "la línea {line} de «{program}» corta sin avance F"
         en "line {line} of \"{program}\" cuts without a feed F"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Sin F el control usa el avance que esté en vigor, o no se mueve.",
             "Without F the control uses whatever feed is in force, or does not move.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "Y14.933 F300.000", to: "Y14.933" };
@@ -102,21 +102,21 @@ crate::finding::rule::rules! {
     "V0016" RadiiDiffer Stop { line: usize, difference: Size, most: Size, program: Text }
         es "los radios del arco de la línea {line} de «{program}» difieren en {difference}; el máximo es {most}"
         en "the radii of the arc in line {line} of \"{program}\" differ by {difference}; the limit is {most}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Un arco con dos radios distintos es una espiral, y cada control la recorre a su manera.",
             "An arc with two radii is a spiral, and each control runs it in its own way.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N120 G1 X11.200 Y14.933", to: "N120 G3 X11.200 Y14.933 I-74.220 J67.707" };
     "V0017" CharactersRefused Stop { line: usize, program: Text, fault: Text }
         es "el control no admite la línea {line} de «{program}»: {fault}"
         en "the control does not accept line {line} of \"{program}\": {fault}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Cada control tolera cosas distintas: rodete escribe la forma que admiten todos.",
             "Each control forgives different slips: rodete writes the form that all of them accept.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N90 G91", to: "N90  G91" };
     "V0018" TorchNotAsDue Stop { line: usize }
         es "la antorcha está encendida o apagada cuando no debe en la línea {line}"
         en "the torch is on or off at the wrong time in line {line}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Encendida en rápido marca la pieza; apagada en el corte la deja sin cortar.",
             "A torch lit during a rapid marks the part; a torch off during the cut leaves it uncut.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "N60 M3", to: "N60 M5" };
@@ -151,7 +151,7 @@ crate::finding::rule::rules! {
     "V0023" OffTolerance Stop { what: Text, off: Size, limit: Size, of: Text }
         es "{what} {off}; la tolerancia es {limit}{of}"
         en "{what} {off}; the tolerance is {limit}{of}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "rodete acota el corte en todo su recorrido: fuera de la tolerancia la pieza no encaja.",
             "rodete bounds the cut along its whole path: beyond the tolerance the part does not fit.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "N120 G1 A-5.506", to: "N120 G1 A-3.506" };

@@ -1,6 +1,6 @@
 //! Axis travel: no position of a program may lie beyond the machine's limits. Program coordinates, mm and degrees.
 
-use crate::finding::{Key, Raise, Said, Size};
+use crate::finding::{Figures, Key, Limit, Raise, Said, Size};
 use crate::gcode::program::Program;
 use crate::machine::travel::{AxisTravel, Excess, excess};
 use crate::number::shown;
@@ -70,6 +70,8 @@ impl AxisRange {
         let limit = if known { range(ends) } else { String::new() };
         let asked =
             Question::new("travel", name, program).showing(Text::same(value), Text::same(limit)).seen(self.seen);
+        let [least, most] = ends;
+        let asked = asked.comparing(Figures { found: self.ends, limit: Some(Limit::Between { least, most }) });
         if !known {
             return asked.informs();
         }

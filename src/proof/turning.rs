@@ -3,7 +3,7 @@
 //! C may turn far while the tool stands clear and nothing else moves in line. Where X, Y or Z move with it the tool is
 //! at work, and a jump of more than half a turn would sweep it through the part.
 
-use crate::finding::{Raise, Size};
+use crate::finding::{Limit, Raise, Size};
 use crate::gcode::program::Program;
 use crate::machine::axis::Axis;
 use crate::number::shown;
@@ -40,7 +40,7 @@ impl Judge for RotarySteps {
         let asked =
             Question::new("turning", name, program).showing(degrees(self.greatest.value(), 3), degrees(LIMIT, 0));
         // A step of half a turn itself, on the grid of programs, is none that is more.
-        vec![asked.within(&self.greatest, LIMIT + NOISE, |found, place| {
+        vec![asked.against(Limit::AtMost(LIMIT)).within(&self.greatest, LIMIT + NOISE, |found, place| {
             let (step, line) = (Size::degrees(found.value(), 3), found.line());
             TurnJumps { step, line, program: program.title.clone() }.at(place)
         })]

@@ -1,6 +1,8 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
-use crate::finding::{Finding, Grade, Place, Raise, Rule};
+use crate::finding::clause::OfProgram;
+use crate::finding::figures::count;
+use crate::finding::{Finding, Grade, Limit, Place, Raise, Rule};
 use crate::gcode::interpreter::{Interpreter, Refused};
 use crate::gcode::program::Program;
 use crate::proof::Judged;
@@ -25,11 +27,8 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refus
     let name = t("Leído por el intérprete", "Read back by the interpreter");
     let value = many(lines, ["línea", "líneas"], ["line", "lines"]);
     let asked = Question::new("reading", name, program).showing(value, Text::same(program.control.name));
-    let of_program = |mut found: Finding, place| {
-        let (Text { es, en }, title) = (&found.what, &program.title);
-        found.what = Text::new(format!("«{}»: {es}", title.es), format!("\"{}\": {en}", title.en));
-        found.placed(place)
-    };
+    let of_program =
+        |found: Finding, place| found.with_clause(&OfProgram { title: program.title.clone() }).placed(place);
     if let Some(refused) = refused {
         let asked = asked.at(Some(At::line(refused.line))).seen(1);
         let found = Finding::from(refused.clone());
@@ -57,7 +56,8 @@ fn too_long(program: &Program, bytes: u64, fewer: Text) -> Option<Finding> {
     (bytes > memory).then(|| {
         let place = Place::Block { program: program.key, line: 1 };
         let told = MemoryExceeded { program: program.title.clone(), bytes, fewer }.at(place);
-        told.with(bytes.to_string(), memory.to_string())
+        let [value, most] = [bytes, memory].map(count);
+        told.with(bytes.to_string(), memory.to_string()).measuring(value, Limit::AtMost(most))
     })
 }
 

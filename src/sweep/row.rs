@@ -1,11 +1,11 @@
 //! What came of one design.
 
+use crate::finding::rules::BrokeOff;
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::kind::measure::{Known, Level};
 use crate::kind::{Kind, Outcome, Provenance, Wants};
 use crate::parameter::field::Fields;
 use crate::parameter::{Value, Values};
-use crate::proof::check::Check;
 use crate::sweep::plan::Plan;
 use crate::text::Text;
 
@@ -84,7 +84,7 @@ pub fn judged(kind: &dyn Kind, base: &Values, plan: &Plan, id: u64, inputs: Vec<
         (Err(refusal), _) => row.refused(&refusal),
         (Ok(fields), Level::Limits) => match kind.limits(&fields) {
             Ok(limits) => {
-                row.found(&limits.findings, &[]);
+                row.found(&limits.findings);
                 if limits.findings.iter().any(Finding::is_fault) {
                     row.fails(&limits.findings);
                 }
@@ -163,7 +163,7 @@ impl Row {
     }
 
     fn outcome(&mut self, kind: &dyn Kind, plan: &Plan, outcome: &Outcome) {
-        self.found(&outcome.findings, &outcome.checks);
+        self.found(&outcome.findings);
         match outcome.exit() {
             Exit::Done => {}
             Exit::Fault => self.fails(&outcome.findings),
@@ -173,7 +173,7 @@ impl Row {
     }
 
     fn refused(&mut self, refusal: &Refusal) {
-        self.found(&refusal.findings, &[]);
+        self.found(&refusal.findings);
         self.state = State::Refused;
         if refusal.exit == Exit::Fault {
             self.fails(&refusal.findings);
@@ -183,11 +183,11 @@ impl Row {
     fn fails(&mut self, findings: &[Finding]) {
         self.state = State::Failed;
         let first = findings.iter().find(|one| one.grade == Grade::Stop);
-        self.message = first.map(|one| without_place(&one.what.en));
+        self.message = first.map(BrokeOff::without_place);
     }
 
-    /// Takes in what was found, by the checks too.
-    fn found(&mut self, findings: &[Finding], checks: &[Check]) {
+    /// Takes in what was found.
+    fn found(&mut self, findings: &[Finding]) {
         let count = |grade: Grade| findings.iter().filter(|one| one.grade == grade).count();
         let count = |grade: Grade| i64::try_from(count(grade)).unwrap_or(i64::MAX);
         (self.stops, self.cautions) = (count(Grade::Stop), count(Grade::Caution));
@@ -195,9 +195,7 @@ impl Row {
         let Some(first) = findings.iter().find(|one| one.grade == Grade::Stop) else { return };
         self.state = State::Refused;
         self.reason = Some(first.code().to_owned());
-        let found = ends(&first.value).unwrap_or_else(|| [number(&first.value); 2]);
-        let found = if found == [None; 2] { [measured(first, checks); 2] } else { found };
-        [self.value, self.limit] = missed(found, &first.limit);
+        [self.value, self.limit] = first.figures().missed();
         self.margin = self.value.zip(self.limit).map(|(value, limit)| -(limit - value).abs());
     }
 
@@ -236,84 +234,14 @@ pub fn codes(findings: &[Finding]) -> Vec<&'static str> {
     codes
 }
 
-/// What the check of a finding measured: where the finding tells two bounds, the stricter one.
-fn measured(of: &Finding, checks: &[Check]) -> Option<f64> {
-    let finds =
-        |check: &&Check| check.finding().is_some_and(|found| found.code() == of.code() && found.value == of.value);
-    checks.iter().find(finds).and_then(Check::measured).filter(|number| number.is_finite())
-}
-
-/// The number that a value begins with, as `9.71 mm`; `None` where there is none.
-fn number(value: &str) -> Option<f64> {
-    let number = value.trim_start_matches(['≤', '≥', '<', '>', ' ']);
-    let number = number.split([' ', '°', '%']).next()?;
-    number.parse().ok().filter(|number: &f64| number.is_finite())
-}
-
-/// The two ends of a range, as `0 … 90°`; `None` of what is none.
-fn ends(range: &str) -> Option<[Option<f64>; 2]> {
-    range.split_once(" … ").map(|(low, high)| [number(low), number(high)])
-}
-
-/// The number that was found, or the ends of a range, and the limit that it missed: of ranges, the end that is farthest out. A limit
-/// that is one number is told though nothing is known that missed it.
-fn missed([low, high]: [Option<f64>; 2], limit: &str) -> [Option<f64>; 2] {
-    let pairs = match ends(limit) {
-        Some([least, most]) => {
-            let out = |value: Option<f64>, limit: Option<f64>, sign: f64| {
-                value.zip(limit).map(|(value, limit)| (sign * (value - limit), value, limit))
-            };
-            [out(low, least, -1.0), out(high, most, 1.0)]
-        }
-        None => {
-            let Some(limit) = number(limit) else { return [low, None] };
-            [low, high].map(|value| value.map(|value| ((value - limit).abs(), value, limit)))
-        }
-    };
-    let farthest = pairs.into_iter().flatten().reduce(|one, other| if other.0 > one.0 { other } else { one });
-    let alone = if ends(limit).is_some() { None } else { number(limit) };
-    farthest.map_or([low, alone], |(_, value, limit)| [Some(value), Some(limit)])
-}
-
-/// A sentence without the line of the source that it ends with.
-fn without_place(said: &str) -> String {
-    let place =
-        |tail: &str| tail.rsplit_once(':').is_some_and(|(_, line)| line.chars().all(|one| one.is_ascii_digit()));
-    match said.rsplit_once(", ") {
-        Some((before, tail)) if place(tail) => before.to_owned(),
-        _ => said.to_owned(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::finding::Raise;
     use crate::finding::sample::Stopped;
+    use crate::finding::{Limit, Place, Raise};
     use crate::gcode::program::Program;
     use crate::proof::check::{Question, bounded};
     use crate::text::Text;
-
-    #[test]
-    fn of_ranges_the_end_that_is_farthest_out_is_told() {
-        let missed = |value: &str, limit: &str| {
-            let found = ends(value).unwrap_or_else(|| [number(value); 2]);
-            missed(found, limit).map(|one| one.unwrap_or(f64::NAN))
-        };
-        assert_eq!(missed("0 … 90°", "-10 … 85°"), [90.0, 85.0]);
-        assert_eq!(missed("-250.9 … 32.37 mm", "-1000 … 20 mm"), [32.37, 20.0]);
-        assert_eq!(missed("-12 … 40 mm", "-10 … 45 mm"), [-12.0, -10.0]);
-        assert_eq!(missed("-12 … 40 mm", "– … 10 mm"), [40.0, 10.0]);
-        assert_eq!(missed("1990 … 2050 mm/min", "2000 mm/min"), [2050.0, 2000.0]);
-        assert_eq!(missed("7", "1 … 5"), [7.0, 5.0]);
-        assert_eq!(missed("0.4 mm", "0.2 mm"), [0.4, 0.2]);
-    }
-
-    #[test]
-    fn values_of_findings_are_read_as_numbers() {
-        assert_eq!([number("9.71 mm"), number("≥ -0.5 mm"), number("12.5°")], [Some(9.71), Some(-0.5), Some(12.5)]);
-        assert_eq!((number("N_max"), number(""), number("∞")), (None, None, None));
-    }
 
     #[test]
     fn of_a_value_between_two_bounds_the_stricter_one_counts() {
@@ -321,17 +249,21 @@ mod tests {
         let check = Question::new("splitters", Text::same("Clearance"), &program)
             .showing(bounded(-0.15, -0.14), Text::same("≥ -0.005 mm"))
             .seen(1)
-            .measuring(-0.15)
+            .measuring(-0.150_000_4)
+            .against(Limit::AtLeast(-0.005))
             .holds(false, |place| Stopped { what: Text::same("cuts"), todo: Text::same("less") }.at(place));
-        let found = check.finding().cloned().expect("a finding");
-        assert_eq!((measured(&found, &[check]), number(&found.limit)), (Some(-0.15), Some(-0.005)));
-        assert_eq!(missed([Some(-0.15); 2], "0 mm"), [Some(-0.15), Some(0.0)]);
-        assert_eq!((missed([None; 2], "0 mm"), missed([None; 2], "0 … 5 mm")), ([None, Some(0.0)], [None, None]));
+        let found = check.finding().expect("a finding");
+        assert_eq!(found.figures().missed(), [Some(-0.150_000_4), Some(-0.005)]);
     }
 
     #[test]
     fn a_message_names_no_file() {
-        assert_eq!(without_place("a point, src/kinds/impeller/ribs.rs:120"), "a point");
-        assert_eq!(without_place("no room, see: 3 mm"), "no room, see: 3 mm");
+        let at = "src/kinds/impeller/ribs.rs:120".to_owned();
+        let found = BrokeOff::of("a point, of 3:4".to_owned(), at).at(Place::File);
+        assert!(found.what.en.ends_with("a point, of 3:4, src/kinds/impeller/ribs.rs:120"), "{}", found.what.en);
+        let said = BrokeOff::without_place(&found);
+        assert!(said.starts_with("fault in rodete ") && said.ends_with(": a point, of 3:4"), "{said}");
+        let other = Stopped { what: Text::same("no room, see:3"), todo: Text::same("less") }.at(Place::File);
+        assert_eq!(BrokeOff::without_place(&other), "no room, see:3");
     }
 }

@@ -277,8 +277,10 @@ fn commands_print_findings_through_their_door_alone() {
 /// said until its place is known, writes it into a finding; and nothing gives one another remedy.
 #[test]
 fn what_a_finding_says_is_its_rows() {
-    let beside = |line: &String| line.contains("Finding::of(") || line.contains(".remedy = ");
+    let written = ["Finding::of(", ".what = ", ".what =\n", ".remedy = ", ".remedy =\n"];
+    let beside = |line: &String| written.iter().any(|one| format!("{line}\n").contains(one));
     assert!(beside(&"let mut finding = Finding::of(rule, data, place, what, remedy);".to_owned()));
+    assert!(beside(&"                finding.what =".to_owned()) && !beside(&"if one.what == other.what {".to_owned()));
     let beside = sources("").into_iter().filter(|(path, code)| !path.starts_with("finding") && code.iter().any(beside));
     let files: Vec<_> = beside.map(|(path, _)| path).collect();
     assert_eq!(files, [Path::new("gcode/interpreter/refused.rs")]);

@@ -34,7 +34,7 @@ use crate::gcode::turning::rules::{
 };
 use crate::limits::{CONTOUR_BLOCKS, REMARKS};
 use crate::machine::axis::{Axis, Pose};
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// Letters that a block of a contour may have.
 const LETTERS: Letters = Letters::of("FIKRSTUWXZ");
@@ -255,7 +255,7 @@ impl Reader<'_, '_> {
             }
             // The manual says so of the roughing cycles.
             return if ns && cycle != 70 && self.block.g(Group::Motion).is_none() {
-                Err(self.contour_begins(cycle, ("bloque", "block")))
+                Err(self.contour_begins(cycle, t("bloque", "block")))
             } else {
                 Ok(())
             };
@@ -268,7 +268,7 @@ impl Reader<'_, '_> {
             contour.both_axes = named([letter::X, letter::U]) && named([letter::Z, letter::W]);
         }
         if first && !matches!(self.block.g(Group::Motion), Some(G::Rapid | G::Linear)) {
-            return Err(self.contour_begins(cycle, ("movimiento", "motion")));
+            return Err(self.contour_begins(cycle, t("movimiento", "motion")));
         }
         let arc = match motion {
             G::Arc(clockwise) => {
@@ -306,8 +306,8 @@ impl Reader<'_, '_> {
     }
 
     /// A contour that begins with neither G0 nor G1.
-    fn contour_begins(&self, cycle: u8, (es, en): (&'static str, &'static str)) -> Box<Refused> {
-        Refused::of(&ContourBegins { part: t(es, en), cycle }, &[]).as_alarm_of(self.alarms())
+    fn contour_begins(&self, cycle: u8, part: Text) -> Box<Refused> {
+        Refused::of(&ContourBegins { part, cycle }, &[]).as_alarm_of(self.alarms())
     }
 
     /// The letter of the time of a dwell in a contour, one bit; a dwell stands without a motion.

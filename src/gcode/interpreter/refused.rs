@@ -1,5 +1,6 @@
 //! What the interpreter refuses.
 
+use crate::finding::clause::{AlarmOfControl, Clause};
 use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule};
 use crate::gcode::turning::trouble::Trouble;
 use crate::text::{Text, t};
@@ -81,11 +82,14 @@ impl Refused {
     /// The refusal with the alarm that a control of a family raises for it, its number before the sentence.
     pub(super) fn as_alarm_of(mut self: Box<Self>, family: Option<AlarmFamily>) -> Box<Self> {
         let alarm = family.and_then(|family| Some((family, self.rule.alarm_of(family)?)));
-        if let Some((family, number)) = alarm {
-            let (alarm, Text { es, en }) = (family.shown(number), &self.what);
-            self.what = Text::new(format!("{alarm}: {es}"), format!("{alarm}: {en}"));
-        }
         self.alarm = alarm;
+        if alarm.is_some() { self.with_clause(&AlarmOfControl {}) } else { self }
+    }
+
+    /// The refusal with a clause before or behind its sentence, and what that carries.
+    pub(super) fn with_clause(mut self: Box<Self>, clause: &dyn Clause) -> Box<Self> {
+        self.what = clause.said(&self.what, self.alarm, "");
+        self.data.extend(clause.carries());
         self
     }
 

@@ -106,7 +106,8 @@ impl Remarks {
 
     /// Remarks what was found before the first line.
     pub(super) fn found(&mut self, finding: Finding) {
-        if let Some((count, ..)) = self.list.iter_mut().find(|(.., other)| other.what == finding.what) {
+        let same = |other: &Finding| other.is(finding.rule()) && other.data == finding.data;
+        if let Some((count, ..)) = self.list.iter_mut().find(|(.., other)| same(other)) {
             *count += 1;
         } else if self.list.len() < REMARKS {
             self.list.push((1, 0, finding.placed(place(None, 1, Vec::new()))));
@@ -134,10 +135,7 @@ impl Remarks {
                 if let Place::Line { line, columns } = finding.place {
                     finding.place = place(file(*text), line, columns);
                 }
-                if *count > 1 {
-                    finding.value = format!("{count} ×");
-                }
-                finding
+                if *count > 1 { finding.repeated(*count) } else { finding }
             })
             .collect();
         findings.extend(self.turns.as_ref().map(|turns| turns.half_turn().at(turns.place(library))));

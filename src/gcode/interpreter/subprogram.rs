@@ -8,6 +8,7 @@
 //! # References
 //! The lathe simulator's description of M97 to M99; Fanuc Series 0i-T operator's manual, subprograms: four deep.
 
+use crate::finding::clause::InTheCaller;
 use crate::gcode::code::M;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
@@ -21,7 +22,6 @@ use crate::gcode::rules::flow::{
     ProgramNowhere, ProgramTwice, RepeatsOfP, RepeatsTooMany, RepeatsTwice, SubprogramTooLarge, SubprogramUnreadable,
 };
 use crate::limits::{CALL_REPEATS, SUBPROGRAM_BYTES};
-use crate::text::Text;
 
 impl Reader<'_, '_> {
     /// M97, M98 and M99 of the block in hand.
@@ -191,16 +191,10 @@ impl Reader<'_, '_> {
                 let near = self.memory.flow.next.line.lines.max(1);
                 let block = self.block_near(near, number, column, &BlockMissing { number });
                 let there = self.memory.flow.next.text;
-                let block = block.map_err(|mut fault| {
+                let block = block.map_err(|fault| {
                     // M99 stands here, and the blocks it may mean there.
-                    if there != self.block.spot.text && fault.others.is_empty() {
-                        let Text { es, en } = &fault.what;
-                        fault.what = Text::new(
-                            format!("{es} en el programa que llama"),
-                            format!("{en} in the program that calls"),
-                        );
-                    }
-                    fault
+                    let elsewhere = there != self.block.spot.text && fault.others.is_empty();
+                    if elsewhere { fault.with_clause(&InTheCaller {}) } else { fault }
                 })?;
                 self.go_to(block.at);
                 Ok(())

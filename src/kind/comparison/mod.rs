@@ -100,7 +100,7 @@ impl<'a> Found<'a> {
     #[must_use]
     pub fn differs(&self) -> bool {
         match self.sides {
-            [Some(one), Some(other)] => one.what != other.what || one.value != other.value || one.grade != other.grade,
+            [Some(one), Some(other)] => !one.alike(other) || one.grade != other.grade,
             _ => true,
         }
     }
@@ -283,7 +283,7 @@ fn findings<'a>(both: [Side<'a>; 2]) -> Vec<Found<'a>> {
         let find = |same: &dyn Fn(&Finding) -> bool| {
             sides[1].iter().zip(&taken).position(|(other, taken)| !taken && same(other) && is(one, other))
         };
-        let at = find(&|other| other.what == one.what && other.value == one.value).or_else(|| find(&|_| true));
+        let at = find(&|other| other.alike(one)).or_else(|| find(&|_| true));
         if let Some(at) = at {
             taken[at] = true;
         }

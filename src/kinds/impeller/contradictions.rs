@@ -1,6 +1,7 @@
 //! What is valid alone but not together: the checks of one parameter of the impeller against another.
 
-use crate::finding::{Bare, Finding, Raise, Size, Typed};
+use crate::finding::figures::count;
+use crate::finding::{Bare, Figures, Finding, Limit, Raise, Size, Typed};
 use crate::gcode::machine_codes::{CodesPlace, refused_codes, refused_retract, refused_spindle};
 use crate::gcode::word::Distance;
 use crate::geometry::torus::Torus;
@@ -49,18 +50,24 @@ impl Design {
             // They may differ beyond the digits of a length.
             let [typed, of] = [r, R].map(|value| Typed { value, unit: "mm" });
             let told = TorusCloses { r: typed, R: of };
-            findings.push(told.at(at([form::R.key(), form::MERIDIAN_R.key()])).with(mm(r), mm(R)));
+            findings.push(
+                told.at(at([form::R.key(), form::MERIDIAN_R.key()])).with(mm(r), mm(R)).measuring(r, Limit::AtMost(R)),
+            );
             return;
         }
         if self.a_p >= R - r {
             let told = CutThroughHub { a_p: Size::mm(self.a_p), room: Size::mm(R - r) };
             let place = at([form::A_P.key(), form::R.key(), form::MERIDIAN_R.key()]);
-            findings.push(told.at(place).with(mm(self.a_p), mm(R - r)));
+            findings.push(told.at(place).with(mm(self.a_p), mm(R - r)).measuring(self.a_p, Limit::AtMost(R - r)));
             return;
         }
         if self.d_t > 2.0 * r {
             let told = ToolBeyondHollow { tool, r: Size::mm(r) };
-            findings.push(told.at(at([form::D_T.key(), form::MERIDIAN_R.key()])).with(mm(self.d_t), mm(2.0 * r)));
+            findings.push(
+                told.at(at([form::D_T.key(), form::MERIDIAN_R.key()]))
+                    .with(mm(self.d_t), mm(2.0 * r))
+                    .measuring(self.d_t, Limit::AtMost(2.0 * r)),
+            );
         }
     }
 
@@ -77,7 +84,9 @@ impl Design {
     fn no_blade_fits(&self, around: f64, gap: Size, least: f64) -> Finding {
         let [e, tool, need, hub, least] = [self.e, self.d_t, self.e + least, around, least].map(Size::mm);
         let told = NoBladeFits { e, tool, need, hub, gap, least };
-        told.at(at([form::N.key(), form::E.key(), form::D_T.key()])).with(mm(need.value), mm(around))
+        told.at(at([form::N.key(), form::E.key(), form::D_T.key()]))
+            .with(mm(need.value), mm(around))
+            .measuring(need.value, Limit::AtMost(around))
     }
 
     /// What the published method asks for beside: its own limits of blades and thickness, and safe points outside its passes.
@@ -98,17 +107,18 @@ impl Design {
             findings.push(self.no_blade_fits(around, gap, least_gap(self.d_t)));
         } else if f64::from(N) > most {
             let told = TooManyBlades { N, most: Size::number(most, 0), e, tool, gap, least };
-            findings.push(told.at(place).with(N.to_string(), shown(most, 0)));
+            findings
+                .push(told.at(place).with(N.to_string(), shown(most, 0)).measuring(f64::from(N), Limit::AtMost(most)));
         }
         let place = at([form::E.key(), form::N.key(), form::D_T.key()]);
         // With the tool alone the turn is used up: there is no greatest thickness to name.
         if self.e > thickest && thickest <= 0.0 {
             let told = NoThicknessFits { N, e, room: Size::mm(around / f64::from(N)), least };
-            findings.push(told.at(place).with(mm(self.e), ""));
+            findings.push(told.at(place).with(mm(self.e), "").comparing(Figures::of(self.e, None)));
         } else if self.e > thickest {
             let blades = many(N, ["álabe", "álabes"], ["blade", "blades"]);
             let told = BladeTooThick { e, most: Size::mm(thickest), blades, N };
-            findings.push(told.at(place).with(mm(self.e), mm(thickest)));
+            findings.push(told.at(place).with(mm(self.e), mm(thickest)).measuring(self.e, Limit::AtMost(thickest)));
         }
         // w·cos β, with β = asin(r/R) at both ends: the reverse's first point lies that far outside the mean line's.
         let across = self.w() * ((R - r) * (R + r)).sqrt() / R;
@@ -117,7 +127,7 @@ impl Design {
             let least = across - self.d_t / 2.0;
             let told = SafePointsInside { d_s: Size::mm(self.d_s), least: Size::mm(least) };
             let place = at([form::D_S.key(), form::D_T.key(), form::E.key()]);
-            findings.push(told.at(place).with(mm(self.d_s), mm(least)));
+            findings.push(told.at(place).with(mm(self.d_s), mm(least)).measuring(self.d_s, Limit::AtLeast(least)));
         }
     }
 
@@ -127,7 +137,11 @@ impl Design {
         let least = self.torus.R.max(self.torus.r);
         if L <= least {
             let told = PivotInside { L: Size::mm(L), least: Size::mm(least) };
-            findings.push(told.at(at([form::R_B.key(), form::H.key(), form::R.key()])).with(mm(L), mm(least)));
+            findings.push(
+                told.at(at([form::R_B.key(), form::H.key(), form::R.key()]))
+                    .with(mm(L), mm(least))
+                    .measuring(L, Limit::AtLeast(least)),
+            );
         }
         for AxisTravel { axis, ends, keys } in self.travel {
             if let [Some(low), Some(high)] = ends
@@ -136,7 +150,8 @@ impl Design {
                 let unit = if axis.rotary() { "°" } else { "mm" };
                 let bare = |value| Bare(Size { value, unit, decimals: 3 });
                 let told = TravelReversed { axis: axis.letter(), low: bare(low), high: bare(high) };
-                findings.push(told.at(at(keys)).with(shown(low, 3), shown(high, 3)));
+                findings
+                    .push(told.at(at(keys)).with(shown(low, 3), shown(high, 3)).measuring(low, Limit::AtMost(high)));
             }
         }
         if let (Some(F), Some(F_max)) = (self.F, self.F_max)
@@ -144,7 +159,11 @@ impl Design {
         {
             let feed = |value| Size::feed(value, 3);
             let told = FeedBeyondMachine { F: feed(F), F_max: feed(F_max) };
-            findings.push(told.at(at([form::F.key(), form::F_MAX.key()])).with(shown(F, 3), shown(F_max, 3)));
+            findings.push(
+                told.at(at([form::F.key(), form::F_MAX.key()]))
+                    .with(shown(F, 3), shown(F_max, 3))
+                    .measuring(F, Limit::AtMost(F_max)),
+            );
         }
     }
 
@@ -162,11 +181,14 @@ impl Design {
         let beyond = self.travel.iter().find(|travel| travel.axis == Axis::Z);
         if z < height {
             let told = RetractTooLow { z: Size::mm(z), height: Size::mm(height) };
-            findings.push(told.at(place()).with(mm(z), mm(height)));
+            findings.push(told.at(place()).with(mm(z), mm(height)).measuring(z, Limit::AtLeast(height)));
         } else if let Some((travel, beyond)) = beyond.and_then(|of| Some((of, excess(of.ends, z)?))) {
             let told = RetractOutside { z: Size::mm(z), limit: Size::mm(beyond.limit) };
             let [low, high] = travel.keys;
-            findings.push(told.at(at([form::RETRACT.key(), low, high])).with(mm(z), mm(beyond.limit)));
+            findings.push(told.at(at([form::RETRACT.key(), low, high])).with(mm(z), mm(beyond.limit)).measuring(
+                z,
+                if z < beyond.limit { Limit::AtLeast(beyond.limit) } else { Limit::AtMost(beyond.limit) },
+            ));
         }
     }
 
@@ -209,7 +231,11 @@ impl Design {
         if blocks > PROGRAM_BLOCKS {
             let told = TooManyBlocks { blocks, most: PROGRAM_BLOCKS };
             let place = at([form::INTERVALS_N.key(), form::N.key()]);
-            findings.push(told.at(place).with(blocks.to_string(), PROGRAM_BLOCKS.to_string()));
+            findings.push(
+                told.at(place)
+                    .with(blocks.to_string(), PROGRAM_BLOCKS.to_string())
+                    .measuring(count(blocks), Limit::AtMost(count(PROGRAM_BLOCKS))),
+            );
         }
     }
 }
@@ -220,15 +246,27 @@ impl BlankTurning {
         let Torus { R, r } = torus;
         if self.L_b <= r {
             let told = StockTooShort { length: Size::mm(self.L_b), r: Size::mm(r) };
-            findings.push(told.at(at([form::L_B.key(), form::MERIDIAN_R.key()])).with(mm(self.L_b), mm(r)));
+            findings.push(
+                told.at(at([form::L_B.key(), form::MERIDIAN_R.key()]))
+                    .with(mm(self.L_b), mm(r))
+                    .measuring(self.L_b, Limit::AtLeast(r)),
+            );
         }
         if self.X_e <= 2.0 * R {
             let told = EndInsideStock { X_e: Size::mm(self.X_e), diameter: Size::mm(2.0 * R) };
-            findings.push(told.at(at([form::X_E.key(), form::R.key()])).with(mm(self.X_e), mm(2.0 * R)));
+            findings.push(
+                told.at(at([form::X_E.key(), form::R.key()]))
+                    .with(mm(self.X_e), mm(2.0 * R))
+                    .measuring(self.X_e, Limit::AtLeast(2.0 * R)),
+            );
         }
         if self.C > r {
             let told = StepBeyondMeridian { C: Size::mm(self.C), r: Size::mm(r) };
-            findings.push(told.at(at([form::C.key(), form::MERIDIAN_R.key()])).with(mm(self.C), mm(r)));
+            findings.push(
+                told.at(at([form::C.key(), form::MERIDIAN_R.key()]))
+                    .with(mm(self.C), mm(r))
+                    .measuring(self.C, Limit::AtMost(r)),
+            );
         }
     }
 }

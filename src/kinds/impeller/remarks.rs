@@ -1,6 +1,6 @@
 //! What the impeller's job has to say: refusals and remarks for a person.
 
-use crate::finding::{Bare, Finding, Key, Place, Raise, Size};
+use crate::finding::{Bare, Finding, Key, Limit, Place, Raise, Size};
 use crate::kinds::impeller::clear::fields::OFFSET_F;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::operation::Operation;
@@ -97,5 +97,6 @@ fn calibration_remark(design: &Design, axis: Calibrated) -> Finding {
     } else {
         CalibrationAgrees { found, B, R_B }.at(place)
     };
-    told.with(format!("{} mm", shown(difference, 4)), "0.01 mm")
+    let limit = Limit::Between { least: Some(-0.01), most: Some(0.01) };
+    told.with(format!("{} mm", shown(difference, 4)), "0.01 mm").measuring(difference, limit)
 }

@@ -1,6 +1,6 @@
 //! What the plan of an impeller leaves or spoils, reported with figures and places: for a person to judge before the work.
 
-use crate::finding::{Finding, Raise, Said, Size};
+use crate::finding::{Finding, Limit, Raise, Said, Size};
 use crate::kinds::impeller::clear::rules::{GapBelowRule, Largest};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::Design;
@@ -46,7 +46,7 @@ fn left_standing(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Findi
     let across = at_most(ribs.width * design.torus.r / design.torus.R);
     let told = RibsLeft { most, from, width: at_most(ribs.width), across };
     let place = at([form::D_T.key(), form::N.key(), form::E.key(), form::SPLITTERS.key()]);
-    Some(told.at(place).with(most.said(Language::En), "0 %"))
+    Some(told.at(place).with(most.said(Language::En), "0 %").measuring(100.0 * ribs.share, Limit::AtMost(0.0)))
 }
 
 fn too_deep(design: &Design, sweeps: &[Sweep]) -> Option<Finding> {
@@ -57,7 +57,8 @@ fn too_deep(design: &Design, sweeps: &[Sweep]) -> Option<Finding> {
     let law = at_most(floor_depth::law(design.torus, design.a_p, design.e, design.d_t));
     let (most, point) = (at_most(deepest.most), Size::number(deepest.x, 1));
     let told = FloorTooDeep { most, track: deepest.track.name().clone(), point, law };
-    Some(told.at(at([form::D_T.key(), form::A_P.key(), form::E.key()])).with(most.said(Language::En), "0 mm"))
+    let told = told.at(at([form::D_T.key(), form::A_P.key(), form::E.key()])).with(most.said(Language::En), "0 mm");
+    Some(told.measuring(deepest.most, Limit::AtMost(0.0)))
 }
 
 fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding> {
@@ -76,14 +77,13 @@ fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding>
         found.iter().map(one).collect::<Vec<_>>().join(", ")
     };
     let faces = Text::new(list(Language::Es, "punto"), list(Language::En, "point"));
-    let most = at_most(most);
-    let told = IntoOwnFaces { most, faces, law }.at(at([
+    let told = IntoOwnFaces { most: at_most(most), faces, law }.at(at([
         form::A_P.key(),
         form::D_T.key(),
         form::INTERVALS_N.key(),
         form::E.key(),
     ]));
-    Some(told.with(most.said(Language::En), "0 mm"))
+    Some(told.with(at_most(most).said(Language::En), "0 mm").measuring(most, Limit::AtMost(0.0)))
 }
 
 /// The caution, or with a clear cut the note, for blades that are nearer to each other than the published limits say.
@@ -124,7 +124,8 @@ pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
     } else {
         GapBelowPublished { gap, tool, least, at: station, blades, thickness }.at(place)
     };
-    Some(told.with(largest.said(Language::En), least.said(Language::En)))
+    let told = told.with(largest.said(Language::En), least.said(Language::En));
+    Some(told.measuring(width, Limit::AtLeast(limits.least)))
 }
 
 fn published(design: &Design) -> String {

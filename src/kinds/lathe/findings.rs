@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use crate::finding::clause::{LimitIn, More, MoreBeyond, OnceMore, OnceMoreBeyond, OneFollows, SeveralFollow};
 use crate::finding::rules::OtherContour;
-use crate::finding::{Bare, Finding, Grade, Place, Raise, Said, Size};
+use crate::finding::{Bare, Finding, Grade, Limit, Place, Raise, Size};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::kinds::lathe::Raised;
@@ -18,7 +19,6 @@ use crate::machine::axis::Axis;
 use crate::removal::turning::alarm::{Alarm, Cause};
 use crate::removal::turning::second_removal::AGREE;
 use crate::removal::turning::spindle::revolutions;
-use crate::text::Text;
 
 /// What went wrong with the blocks of a program.
 #[derive(Default)]
@@ -166,46 +166,23 @@ pub(super) fn alarms(alarms: &[Raised], given: &Given) -> Vec<Finding> {
             if let Cause::Travel { axis, greatest, .. } = alarm.cause
                 && let Some(cell) = given.travel_cell(axis, greatest)
             {
-                let Text { es, en } = &finding.what;
-                finding.what =
-                    Text::new(format!("{es}; el límite está en {cell}"), format!("{en}; the limit is in {cell}"));
+                finding = finding.with_clause(&LimitIn { limit_cell: cell });
             }
             let left_out = pair.and_then(|pair| following.get(&pair)).map_or(&[][..], Vec::as_slice);
             if let Some(gravest) = left_out.iter().max() {
                 finding.grade = finding.grade.max(*gravest);
-                finding.data.push(("following", left_out.len().datum()));
-                let Text { es, en } = &finding.what;
-                finding.what = match left_out.len() {
-                    1 => Text::new(
-                        format!("{es}; 1 alarma más con este corrector puede venir de ahí y no se lista aquí"),
-                        format!("{en}; 1 more alarm with this offset may follow from this and is not listed here"),
-                    ),
-                    many => Text::new(
-                        format!("{es}; {many} alarmas más con este corrector pueden venir de ahí y no se listan aquí"),
-                        format!(
-                            "{en}; {many} more alarms with this offset may follow from this and are not listed here"
-                        ),
-                    ),
+                finding = match left_out.len() {
+                    following @ 1 => finding.with_clause(&OneFollows { following }),
+                    following => finding.with_clause(&SeveralFollow { following }),
                 };
             }
             if count > 1 {
-                finding.data.push(("more", (count - 1).datum()));
                 finding = finding.found(count as u64);
-                let (Text { es, en }, most) = (&finding.what, &finding.value);
-                finding.what = match count - 1 {
-                    1 if travel(alarm) => Text::new(
-                        format!("{es}; sale también en otro movimiento, {most} como mucho"),
-                        format!("{en}; it leaves it in another motion, too, by {most} at most"),
-                    ),
-                    more if travel(alarm) => Text::new(
-                        format!("{es}; sale también en otros {more} movimientos, {most} como mucho"),
-                        format!("{en}; it leaves it in {more} other motions, too, by {most} at most"),
-                    ),
-                    1 => Text::new(format!("{es}, y otra vez en la línea"), format!("{en}, and once more on the line")),
-                    more => Text::new(
-                        format!("{es}, y otras {more} veces en la línea"),
-                        format!("{en}, and {more} more times on the line"),
-                    ),
+                finding = match count - 1 {
+                    more @ 1 if travel(alarm) => finding.with_clause(&OnceMoreBeyond { more }),
+                    more if travel(alarm) => finding.with_clause(&MoreBeyond { more }),
+                    more @ 1 => finding.with_clause(&OnceMore { more }),
+                    more => finding.with_clause(&More { more }),
                 };
             }
             ((travel(alarm), !left_out.is_empty()), finding)
@@ -223,5 +200,6 @@ pub(super) fn alarms(alarms: &[Raised], given: &Given) -> Vec<Finding> {
 
 /// The stop of a removal that a library of polygons does not confirm.
 pub(super) fn not_repeated(apart: f64) -> Finding {
-    OtherContour {}.at(Place::File).with(format!("{apart:.9} mm"), format!("≤ {AGREE:.6} mm"))
+    let told = OtherContour {}.at(Place::File).with(format!("{apart:.9} mm"), format!("≤ {AGREE:.6} mm"));
+    told.measuring(apart, Limit::AtMost(AGREE))
 }

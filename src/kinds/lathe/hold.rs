@@ -3,7 +3,7 @@
 //! # Units
 //! Millimetres.
 
-use crate::finding::{Bare, Finding, Grade, Raise, Said, Size};
+use crate::finding::{Bare, Finding, Grade, Limit, Raise, Said, Size};
 use crate::kinds::lathe::parameters as form;
 use crate::kinds::lathe::rules::{BarHardlyHeld, BarInTheBody, HardlyHeld, HeldAlong, NothingInTheJaws};
 use crate::number::shown;
@@ -44,7 +44,8 @@ pub(super) fn bar(stock: &Stock, lathe: &Lathe) -> Option<Finding> {
     let grade = if length < HELD && !supported { Grade::Stop } else { Grade::Caution };
     let told = BarHardlyHeld { held, support, least: Size::mm(least) };
     let told = told.at(at([form::L4.key(), form::L2.key(), form::TAILSTOCK.key()])).graded(grade);
-    Some(told.with(held.said(Language::En), format!("≥ {} mm", shown(least, 3))))
+    let told = told.with(held.said(Language::En), format!("≥ {} mm", shown(least, 3)));
+    Some(told.measuring(length, Limit::AtLeast(least)))
 }
 
 /// How the jaws hold the part that was turned about: a stop where they do not, a caution where they hardly do.
@@ -62,5 +63,6 @@ pub(super) fn turned(setup: &Setup) -> Finding {
     }
     let grade = if grip.length < HELD { Grade::Stop } else { Grade::Caution };
     let told = HardlyHeld { X, left, right }.at(place).graded(grade);
-    told.with(length.said(Language::En), format!("≥ {} mm", shown(least, 3)))
+    let told = told.with(length.said(Language::En), format!("≥ {} mm", shown(least, 3)));
+    told.measuring(grip.length, Limit::AtLeast(least))
 }

@@ -3,7 +3,7 @@
 //! # Units
 //! Millimetres; `[z, r]` from W1.
 
-use crate::finding::{Bare, Finding, Raise, Said, Size};
+use crate::finding::{Bare, Finding, Limit, Raise, Said, Size};
 use crate::gcode::interpreter::{Interpreter, TurnedContour};
 use crate::kinds::lathe::findings::at_line;
 use crate::kinds::lathe::rules::ContourOutsideBar;
@@ -48,7 +48,8 @@ pub(super) fn contours(
         let (bar, cell) = (Size::mm(D), given.bar_cell());
         let told = ContourOutsideBar { first, last, X, bar, cell };
         let told = told.at(at_line(interpreter.file(contour.file), line));
-        Some(told.with(Size::mm(2.0 * radius).said(Language::En), format!("≤ {} mm", shown(D, 3))))
+        let told = told.with(Size::mm(2.0 * radius).said(Language::En), format!("≤ {} mm", shown(D, 3)));
+        Some(told.measuring(2.0 * radius, Limit::AtMost(D)))
     };
     interpreter.contours().iter().filter(mounted).filter_map(told).collect()
 }

@@ -1,6 +1,6 @@
 //! The wanted profile of a turning's workbook, and how the part compares with it.
 
-use crate::finding::{CellPlace, Finding, Place, Raise, Size};
+use crate::finding::{CellPlace, Finding, Limit, Place, Raise, Size};
 use crate::geometry::exact::region::Ring;
 use crate::kinds::lathe::parameters::{Element, PROFILE_G, PROFILE_KEY, PROFILE_R, PROFILE_X, PROFILE_Z};
 use crate::kinds::lathe::rules::{
@@ -148,6 +148,7 @@ pub(super) fn compared(part: &Comparison<'_>, wanted: &Wanted, quantities: &mut 
         let told = MetalMissing { held: held.clone(), under: Size::length(under, 4), least };
         let told = told.at(found.under.map_or(Place::File, |(_, place)| wanted.row(place)));
         told.with(format!("{} mm", shown(under, 4)), format!("≤ {} mm", shown(limit, 4)))
+            .measuring(under, Limit::AtMost(limit))
     });
     let held = if found.threaded.is_some() {
         let Text { es, en } = held;

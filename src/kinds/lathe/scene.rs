@@ -184,13 +184,16 @@ fn bent(from: [f64; 2], bend: [f64; 2], to: [f64; 2]) -> f64 {
 }
 
 fn remark(alarm: &Alarm, line: usize, index: usize) -> Remark {
-    let mut remark = Remark::from(&alarm.finding());
-    remark.number = Some(u32::from(alarm.cause.number()));
-    remark.what = alarm.cause.text();
-    (remark.line, remark.motion) = (Some(line), Some(index));
-    remark.at = Some(alarm.place);
-    remark.deep = alarm.depth.is_some();
-    remark
+    Remark {
+        number: Some(u32::from(alarm.cause.number())),
+        // Number and place stand beside it.
+        what: alarm.cause.text(),
+        line: Some(line),
+        motion: Some(index),
+        at: Some(alarm.place),
+        deep: alarm.depth.is_some(),
+        ..Remark::from(&alarm.finding())
+    }
 }
 
 fn name(fixture: Standing) -> Text {

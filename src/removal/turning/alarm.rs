@@ -1,7 +1,8 @@
 //! The alarms of a turning program: numbered, with cause, place and depth.
 
 use super::stock::Fixture;
-use crate::finding::{AlarmFamily, Finding, Grade, Place, Raise, Said, Size};
+use crate::finding::clause::{AlarmAt, Deep};
+use crate::finding::{AlarmFamily, Bare, Figures, Finding, Grade, Limit, Place, Raise, Size};
 use crate::gcode::in_force::Compensation;
 use crate::machine::axis::Axis;
 use crate::number::shown;
@@ -351,15 +352,12 @@ impl Alarm {
     /// The alarm as a finding at a line of the program's file.
     #[must_use]
     pub fn finding(&self) -> Finding {
-        let [x, z] = self.place.map(|at| shown(at, 3));
-        let mut finding = self.cause.row().at(Place::Line { line: self.line, columns: Vec::new() });
-        let number = self.cause.number();
-        let at = |text: &str| format!("{number} {text}, X{x} Z{z}");
-        finding.grade = self.cause.grade();
-        finding.what = Text::new(at(&finding.what.es), at(&finding.what.en));
-        let [X, Z] = self.place.map(|at| Size::mm(at).datum());
-        finding.data.extend([("X", X), ("Z", Z)]);
-        finding.data.extend(self.depth.map(|deep| ("deep", Size::mm(deep).datum())));
+        let [X, Z] = self.place.map(|at| Bare::mm(at, 3));
+        let row = self.cause.row().at(Place::Line { line: self.line, columns: Vec::new() });
+        let mut finding = row.graded(self.cause.grade()).with_clause(&AlarmAt { X, Z });
+        if let Some(deep) = self.depth {
+            finding = finding.with_clause(&Deep { deep: Size::mm(deep) });
+        }
         let mm = |value: f64| format!("{} mm", shown(value, 3));
         let rpm = |value: f64| if value.is_finite() { format!("{} rpm", shown(value, 0)) } else { "∞".to_owned() };
         let (value, limit) = match self.cause {
@@ -386,6 +384,29 @@ impl Alarm {
             Cause::PartedOff(volume) => (format!("{} mm³", shown(volume, 1)), String::new()),
             _ => (self.depth.map(mm).unwrap_or_default(), String::new()),
         };
-        finding.with(value, limit)
+        finding.with(value, limit).comparing(self.figures())
+    }
+
+    /// The numbers of its value and its limit. How far an axis leaves its travel is not held against the end of it.
+    fn figures(&self) -> Figures {
+        let between = |[least, most]: [f64; 2]| Limit::Between { least: Some(least), most: Some(most) };
+        let (value, limit) = match self.cause {
+            Cause::DepthOfCut { depth, edge } => (depth, Limit::AtMost(edge)),
+            Cause::BoreWithoutHole { hole, least } => (hole, Limit::AtLeast(least)),
+            Cause::ThreadTooDeep { depth, most } | Cause::ThreadPassTooDeep { depth, most } => {
+                (depth, Limit::AtMost(most))
+            }
+            Cause::ShortRunIn { length, least } => (length, Limit::AtLeast(least)),
+            Cause::OffGroove { off, most } => (off, Limit::AtMost(most)),
+            Cause::CoarseFeed { feed, most } => (feed, Limit::AtMost(most)),
+            Cause::Lead { lead, leads } => (lead, between(leads)),
+            Cause::LeadDiffers { lead, before } => (lead, Limit::Exactly(before)),
+            Cause::ThreadSpeed { speed, before } => (speed, Limit::Exactly(before)),
+            Cause::ImplausibleFeed { feed, limits } => (feed, between(limits)),
+            Cause::NoGreatestSpeed { asked, most } | Cause::TooFast { asked, most } => (asked, Limit::AtMost(most)),
+            Cause::PartedOff(volume) => return Figures::of(volume, None),
+            _ => return Figures { found: self.depth.map(|deep| [deep; 2]), limit: None },
+        };
+        Figures::of(value, Some(limit))
     }
 }

@@ -5,7 +5,7 @@
 
 use super::machine::{Lathe, Tailstock};
 use super::rules::{StockBore, StockDiameter, StockFacing, StockLength, StockOverhang};
-use crate::finding::{Finding, Place, Raise};
+use crate::finding::{Finding, Limit, Place, Raise};
 use crate::geometry::exact::region::Ring;
 use crate::limits::STOCK_SIZE;
 use crate::number::shown;
@@ -53,7 +53,9 @@ impl Stock {
         let Self { diameter, length, bore, overhang, facing, .. } = *self;
         let within = |value: f64, low: f64, high: f64| value > low && value <= high;
         let told = |row: &dyn Raise, value: f64, most: f64| {
-            row.at(Place::File).with(format!("{} mm", shown(value, 3)), format!("0 – {} mm", shown(most, 3)))
+            let told =
+                row.at(Place::File).with(format!("{} mm", shown(value, 3)), format!("0 – {} mm", shown(most, 3)));
+            told.measuring(value, Limit::Between { least: Some(0.0), most: Some(most) })
         };
         let mut found = Vec::new();
         if !within(diameter, 0.0, STOCK_SIZE) {

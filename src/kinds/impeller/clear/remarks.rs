@@ -1,6 +1,6 @@
 //! What there is to say of a clear cut: refusals, and remarks for a person.
 
-use crate::finding::{Finding, Key, Place, Raise, Said, Size};
+use crate::finding::{Figures, Finding, Key, Limit, Place, Raise, Said, Size};
 use crate::kind::Shown;
 use crate::kinds::impeller::clear::asked::Asked;
 use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
@@ -27,8 +27,10 @@ const THINNED: f64 = 4.0;
 const UNSAID: f64 = 0.02;
 
 /// A finding with its value and the limit that the value misses.
-fn missed(found: Finding, value: impl Said, limit: impl Said) -> Finding {
-    found.with(value.said(Language::En), limit.said(Language::En))
+fn missed(found: Finding, value: impl Said, limit: impl Said, held: fn(f64) -> Limit) -> Finding {
+    let [one, most] = [value.datum(), limit.datum()].map(|datum| datum.number());
+    let figures = Figures { found: one.map(|value| [value; 2]), limit: most.map(held) };
+    found.with(value.said(Language::En), limit.said(Language::En)).comparing(figures)
 }
 
 /// What is valid alone but not together.
@@ -50,7 +52,7 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
         if d_f > design.d_t {
             let (finish, rough) = (Size::mm(d_f), Size::mm(design.d_t));
             let told = FinishingWiderThanRoughing { finish, rough };
-            findings.push(missed(told.at(at([fields::D_F.key(), form::D_T.key()])), finish, rough));
+            findings.push(missed(told.at(at([fields::D_F.key(), form::D_T.key()])), finish, rough, Limit::AtMost));
         }
     }
     let corners = [
@@ -61,22 +63,37 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
         if tool.flat_radius() < 0.0 {
             let (r_c, half) = (Size::mm(tool.r_c), Size::mm(tool.a()));
             let place = at([symbol, diameter]);
-            findings.push(missed(CornerBeyondRadius { symbol, r_c, half }.at(place), r_c, half));
+            findings.push(missed(CornerBeyondRadius { symbol, r_c, half }.at(place), r_c, half, Limit::AtMost));
         }
     }
     if design.number(Which::Finish) > NUMBERS {
         let (number, most) = (design.program, NUMBERS);
-        findings.push(missed(NoNumberLeft { number, most }.at(at([form::NUMBER.key()])), number, most - 1));
+        findings.push(missed(
+            NoNumberLeft { number, most }.at(at([form::NUMBER.key()])),
+            number,
+            most - 1,
+            Limit::AtMost,
+        ));
     }
     let least = design.machine.rounding(design.torus.R) + LEFT;
     if asked.tolerance < least {
         let least = Size::mm((least * 1000.0).ceil() / 1000.0);
         let tol = Size::length(asked.tolerance, 4);
-        findings.push(missed(ToleranceBelowResolution { tol, least }.at(at([form::TOL.key()])), tol, least));
+        findings.push(missed(
+            ToleranceBelowResolution { tol, least }.at(at([form::TOL.key()])),
+            tol,
+            least,
+            Limit::AtLeast,
+        ));
     }
     if asked.tolerance > design.e / THINNED {
         let (tol, most) = (Size::length(asked.tolerance, 4), Size::length(design.e / THINNED, 4));
-        findings.push(missed(ToleranceThinsBlade { tol, most }.at(at([form::TOL.key(), form::E.key()])), tol, most));
+        findings.push(missed(
+            ToleranceThinsBlade { tol, most }.at(at([form::TOL.key(), form::E.key()])),
+            tol,
+            most,
+            Limit::AtMost,
+        ));
     }
     if asked.cut.s >= design.a_p {
         let (s, a_p) = (Size::mm(asked.cut.s), Size::mm(design.a_p));
@@ -84,6 +101,7 @@ pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked)
             AllowanceUsesUpDepth { s, a_p }.at(at([fields::ALLOWANCE.key(), form::A_P.key()])),
             s,
             a_p,
+            Limit::AtMost,
         ));
     }
     findings
@@ -121,7 +139,8 @@ pub(in crate::kinds::impeller) fn does_not_fit(why: &DoesNotFit) -> Finding {
     let d = Size::mm(why.d);
     let told = ToolDoesNotFit { tool: tool_name(why.tool), d, largest, alone };
     let limit = passes.map(|d| Size::length(d, 2)).map(|passes| passes.said(Language::En).into_owned());
-    told.at(at([key, form::N.key(), form::E.key()])).with(d.said(Language::En), limit.unwrap_or_default())
+    let told = told.at(at([key, form::N.key(), form::E.key()])).with(d.said(Language::En), limit.unwrap_or_default());
+    told.comparing(Figures::of(why.d, passes.map(Limit::AtMost)))
 }
 
 /// A program with more blocks than any may have.
@@ -140,6 +159,7 @@ pub(in crate::kinds::impeller) fn too_long(program: Text, blocks: u64) -> Option
             ])),
             blocks,
             CLEAR_BLOCKS,
+            Limit::AtMost,
         )
     })
 }
@@ -182,7 +202,8 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
             form::E.key(),
         ]);
         let limit = largest.0.map(|_| largest.said(Language::En).into_owned()).unwrap_or_default();
-        findings.push(told.at(place).with(d.said(Language::En), limit));
+        let figures = Figures::of(d.value, largest.0.map(|largest| Limit::AtMost(largest.value)));
+        findings.push(told.at(place).with(d.said(Language::En), limit).comparing(figures));
     }
     for (which, key) in stick_outs() {
         let holder = fields::HOLDER.key();
@@ -200,11 +221,11 @@ pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &P
             let (tool, from, place) = (tool_name(which), Size::mm(stage.from), Place::Parameters(cells));
             findings.push(if found.is_finite() {
                 let told = HolderHitsBlank { tool, clearance, enough, d_s }.at(place);
-                told.with(format!("-{}", clearance.said(Language::En)), "≥ 0 mm".to_owned())
+                told.with(format!("-{}", clearance.said(Language::En)), "≥ 0 mm").measuring(found, Limit::AtLeast(0.0))
             } else {
                 // Below this a holder of any diameter hits the blank; what is enough keeps d_s away from it.
                 let least = at_most(of(plan, which).stick_out - design.d_s);
-                missed(StickOutTooShort { tool, from, least, enough, d_s }.at(place), from, least)
+                missed(StickOutTooShort { tool, from, least, enough, d_s }.at(place), from, least, Limit::AtLeast)
             });
         }
     }
@@ -273,7 +294,7 @@ fn of_tools(asked: &Asked, plan: &Plan) -> Vec<Finding> {
         if let Some(stage) = asked.cut.stage(which).filter(|stage| stage.radius < asked.cut.tool(which).a()) {
             let (holder, d) = (Size::mm(2.0 * stage.radius), Size::mm(asked.cut.tool(which).d));
             let told = HolderThinnerThanTool { holder, tool: tool_name(which), d };
-            findings.push(missed(told.at(at([fields::HOLDER.key(), key])), holder, d));
+            findings.push(missed(told.at(at([fields::HOLDER.key(), key])), holder, d, Limit::AtLeast));
         }
         if asked.cut.stage(which).is_none() {
             let enough = enough(greatest(which, |tool| tool.stick_out));

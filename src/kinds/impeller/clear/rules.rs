@@ -19,7 +19,7 @@ impl Said for Largest {
     }
 
     fn datum(&self) -> Datum {
-        Datum::Number { value: self.0.map(|d| d.value), unit: "mm" }
+        Datum::Number { value: self.0.map(|d| d.value), unit: "mm", decimals: self.0.map(|d| d.decimals) }
     }
 }
 

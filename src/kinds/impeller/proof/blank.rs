@@ -13,7 +13,8 @@
 //! The thesis, section 4.1: facing, then G85 along the quarter of the torus about (Z 0, X 2 R). What is asked of the part
 //! that is left follows: no metal over face, torus and cylinder, and none missing.
 
-use crate::finding::{Grade, Raise, Size};
+use crate::finding::figures;
+use crate::finding::{Figures, Grade, Limit, Raise, Size};
 use crate::gcode::control::FAGOR_8055_T;
 use crate::gcode::in_force::{InForce, Speed, Spindle};
 use crate::gcode::interpreter::{Setting, Start, ToolOffset};
@@ -162,6 +163,8 @@ impl<'a> Terms<'a> {
         let limit = if wanted.is_some() { shown_wanted.clone() } else { t("", "") };
         let asked = Question::new("blank-speed-limit", name, program);
         let asked = asked.showing(shown_found.clone(), limit).at(at).seen(self.feeds);
+        let asked =
+            asked.comparing(Figures { found: found.map(|speed| [speed; 2]), limit: wanted.map(Limit::Exactly) });
         if found != wanted {
             return asked
                 .holds(false, |place| SpeedLimitDiffers { found: shown_found, wanted: shown_wanted }.at(place));
@@ -316,6 +319,7 @@ fn depth(deepest: f64, step: f64, program: &Program, motions: usize) -> Check {
     let name = t("Profundidad de pasada máxima", "Maximum depth of cut");
     let asked = Question::new("blank-depth", name, program);
     let asked = asked.showing(Text::same(mm(deepest)), Text::same(mm(step + LIMIT))).seen(motions);
+    let asked = asked.comparing(Figures::of(deepest, Some(Limit::AtMost(step + LIMIT))));
     asked.holds(deepest <= step + LIMIT, |place| {
         CutTooDeep { program: program.title.clone(), depth: Size::length(deepest, 4), step: Size::length(step, 4) }
             .at(place)
@@ -332,6 +336,7 @@ fn rapid(deepest: Option<Alarm>, program: &Program, motions: usize) -> Check {
     let depth = deepest.and_then(|alarm| alarm.depth).unwrap_or(0.0);
     let asked = Question::new("blank-rapid", name, program).showing(Text::same(mm(depth)), Text::same(mm(TOUCH)));
     asked
+        .comparing(Figures::of(depth, Some(Limit::AtMost(TOUCH))))
         .seen(motions)
         .at(deepest.as_ref().map(raised_at))
         .unless(deepest.map(|alarm| move |place| RapidInMetal { alarm: alarm.finding().what }.at(place)))
@@ -343,6 +348,7 @@ fn others(first: Option<(Alarm, usize)>, program: &Program, motions: usize) -> C
     let count = first.map_or(0, |(_, count)| count);
     let asked = Question::new("blank-alarms", name, program).showing(Text::same(count.to_string()), Text::same("0"));
     asked
+        .comparing(Figures::of(figures::count(count as u64), Some(Limit::AtMost(0.0))))
         .seen(motions)
         .at(first.as_ref().map(|(alarm, _)| raised_at(alarm)))
         .unless(first.map(|(alarm, _)| move |place| alarm.finding().placed(place).graded(Grade::Caution)))
@@ -358,6 +364,7 @@ impl Judge for TooLarge<'_> {
         let name = t("Simulado sobre el bruto", "Simulated on the stock");
         let diameter = Text::same(mm(2.0 * self.0.torus.R));
         let asked = Question::new("blank-followed", name, program).showing(diameter, Text::same(mm(FOLLOWED_BLANK)));
+        let asked = asked.comparing(Figures::of(2.0 * self.0.torus.R, Some(Limit::AtMost(FOLLOWED_BLANK))));
         vec![asked.of_parameters([form::R.key()]).seen(1).holds(false, |place| BlankNotFollowed {}.at(place))]
     }
 }

@@ -15,7 +15,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::finding::{Finding, Place, Raise, Size};
+use crate::finding::figures::count;
+use crate::finding::{Figures, Finding, Limit, Place, Raise, Size};
 use crate::gcode::program::{Program, Role};
 use crate::kinds::impeller::clear::asked::Asked;
 use crate::kinds::impeller::clear::cut::Which;
@@ -312,7 +313,8 @@ impl ClearCutting<'_> {
         let (made, due) = (self.made, self.due);
         let asked = Question::new("passes", t("Pasadas", "Passes"), program)
             .showing(Text::same(made.to_string()), Text::same(due.to_string()))
-            .seen(due);
+            .seen(due)
+            .comparing(Figures::of(count(made as u64), Some(Limit::Exactly(count(due as u64)))));
         asked.holds(made == due, |place| ClearPassesDiffer { program: program.title.clone(), made, due }.at(place))
     }
 
@@ -385,7 +387,8 @@ impl ClearCutting<'_> {
             .showing(Text::same(format!("≤ {}", mm(up(most)))), Text::same(mm(limit)))
             .at(at)
             .seen(self.ways.len())
-            .measuring(most);
+            .measuring(most)
+            .against(Limit::AtMost(limit));
         asked.holds(most <= limit, |place| {
             let (depth, limit) = (Size::length(up(most), 4), Size::length(limit, 4));
             FloorUnder { depth, limit, program: program.title.clone() }.at(place)
@@ -401,6 +404,7 @@ impl ClearCutting<'_> {
             .at(Some(at))
             .seen(self.ways.len())
             .measuring(bounds.lower)
+            .against(Limit::AtLeast(least))
     }
 
     /// True where nothing is entered by more than the limit, for certain.

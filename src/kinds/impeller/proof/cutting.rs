@@ -3,7 +3,7 @@
 //! A track is measured in the first program that cuts it. Other programs and other turns of C go through the same
 //! positions, which the agreement with the plan shows, and C turns tool and part as one.
 
-use crate::finding::{Finding, Place, Raise, Size};
+use crate::finding::{Figures, Finding, Limit, Place, Raise, Size};
 use crate::gcode::program::Program;
 use crate::kind::Wants;
 use crate::kinds::impeller::figures::Curve;
@@ -233,6 +233,7 @@ impl Cutting<'_, '_> {
         let asked = Question::new("grid", name, program).showing(Text::same(mm(moved.value())), Text::same(mm(bound)));
         // Each point is compared with the limit of its own place.
         let kept = past.value() <= 0.0;
+        let asked = asked.comparing(Figures::of(moved.value(), Some(Limit::AtMost(bound))));
         asked.of(if kept { &moved } else { &past }).holds(kept, |place| {
             PointOffGrid { program: program.title.clone(), off: Size::length(moved.value(), 4) }.at(place)
         })

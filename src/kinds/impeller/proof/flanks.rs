@@ -17,7 +17,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::finding::{Finding, Place, Raise, Size};
+use crate::finding::{Finding, Limit, Place, Raise, Size};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::clearance::{Bounds, CLOSE, Place as Near, Stand, Until, WORK, Walls};
 use crate::kinds::impeller::design::Design;
@@ -253,7 +253,7 @@ const TO_SPLITTERS: Text =
 fn to_blades(design: &Design, program: &Program, track: Track, found: &Clearance) -> Check {
     let Bounds { lower, upper, .. } = found.bounds;
     let asked = Question::new("blades", TO_BLADES, program).showing(bounded(lower, upper), Text::same(mm(0.0)));
-    asked.at(Some(found.at)).seen(1).measuring(lower).holds(lower >= 0.0, |place| {
+    asked.at(Some(found.at)).seen(1).measuring(lower).against(Limit::AtLeast(0.0)).holds(lower >= 0.0, |place| {
         let met = Met::new(program, found);
         match (track.of_splitter(), design.splitter_fade) {
             (true, Fade::Published) => met.blade_by_published_splitter(place),

@@ -7,7 +7,7 @@
 //! # Units
 //! Millimetres.
 
-use crate::finding::{Raise, Size};
+use crate::finding::{Limit, Raise, Size};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::clear::asked::Asked;
 use crate::kinds::impeller::clear::cut::Which;
@@ -45,7 +45,8 @@ pub(super) fn check<'w>(
         .showing(Text::same(format!("≥ {}", mm(-up(-found)))), Text::same(format!("≥ {least}")))
         .of_parameters([key, fields::HOLDER.key()])
         .seen(seen)
-        .measuring(found);
+        .measuring(found)
+        .against(Limit::AtLeast(HOLDER_CLEARANCE));
     Some(asked.holds(found >= HOLDER_CLEARANCE, |place| {
         let near = Size::length((found * 1000.0).floor() / 1000.0, 3);
         HolderNearBlank { tool: tool_name(which), near, enough: enough(stick_out) }.at(place)

@@ -24,7 +24,7 @@ crate::finding::rule::rules! {
     "V0101" PassesDiffer Stop { program: Text, made: String, due: String }
         es "«{program}» hace {made} pasadas en lugar de {due}"
         en "\"{program}\" makes {made} passes instead of {due}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Si falta una pasada queda metal; si sobra una, corta dos veces.",
             "A missing pass leaves metal; an extra one cuts twice.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "N60 G0 X0.000 Y0.000", to: "N60 M30" };
@@ -59,7 +59,7 @@ crate::finding::rule::rules! {
     "V0106" PointOffGrid Stop { program: Text, off: Size }
         es "un punto de «{program}» está a {off} de su lugar exacto, más de lo que explica el redondeo"
         en "a point of \"{program}\" is {off} from its exact place, more than rounding explains"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "El redondeo a la milésima mueve un punto una distancia conocida: más allá, el punto es otro.",
             "Rounding to the thousandth moves a point by a known distance: beyond that it is another point.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.269 Z9.517" };
@@ -153,7 +153,7 @@ crate::finding::rule::rules! {
     "V0125" ClearPassesDiffer Stop { program: Text, made: usize, due: usize }
         es "«{program}» hace {made} pasadas en lugar de {due}"
         en "\"{program}\" makes {made} passes instead of {due}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Si falta una pasada queda metal en el canal.", "A missing pass leaves metal in the channel.";
         example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N120 G0 Z-241.183", to: "N120 M30" };
     "V0126" ClearCutsBlade Stop { depth: Size, limit: Size, line: usize, program: Text, other: Text }
@@ -184,7 +184,7 @@ crate::finding::rule::rules! {
     "V0130" ClearTermsDiffer Stop { at: Text, found: Text, wanted: Text, program: Text }
         es "en la {at} de «{program}» está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} of \"{program}\" {found} is in force, but the form asks for {wanted}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Con la otra fresa la misma trayectoria corta las caras o deja metal.", "With the other tool the same path cuts into faces or leaves metal.";
         example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N30 T2 D2", to: "N30 T1 D2" };
     "V0131" AxisInBlade Stop { line: usize, program: Text, other: Text }
@@ -223,14 +223,14 @@ crate::finding::rule::rules! {
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} {found} is in force, but the form asks for {wanted}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "Con otra herramienta, otro giro u otro avance el corte no es el pedido.",
             "With another tool, spindle speed or feed the cut is not the one asked for.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "F0.100", to: "F1.000" };
     "V0402" SpeedLimitDiffers Stop { found: Text, wanted: Text }
         es "el límite de giro del programa es {found}; el del formulario, {wanted}"
         en "the speed limit is {found} in the program and {wanted} in the form"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "A velocidad de corte constante el husillo corre cerca del eje hasta ese límite.",
             "At constant surface speed the spindle runs up to that limit near the axis.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "G92 S3000", to: "G92 S5000" };
@@ -251,28 +251,28 @@ crate::finding::rule::rules! {
     "V0405" MetalLeft Stop { program: Text, most: Size, place: String }
         es "«{program}» deja {most} de más en {place}"
         en "\"{program}\" leaves {most} too much metal at {place}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "El fresado cuenta con el toro torneado: la fresa chocaría en rápido con lo que sobra.",
             "Milling counts on the turned torus: the cutter would hit the extra metal in rapid.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "G85 X50.000", to: "G85 X50.016" };
     "V0406" MetalMissing Stop { program: Text, most: Size, place: String }
         es "«{program}» quita {most} de más en {place}"
         en "\"{program}\" removes {most} too much metal at {place}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "El metal que falta en el toro falta también en los álabes.",
             "Metal missing from the torus is missing from the blades too.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "Z-15.000", to: "Z-15.008" };
     "V0407" CutTooDeep Stop { program: Text, depth: Size, step: Size }
         es "«{program}» corta hasta {depth} en una pasada; el paso C es {step}"
         en "\"{program}\" cuts up to {depth} in one pass; the step C is {step}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "El paso C es la profundidad que aguantan la herramienta y la máquina.",
             "The step C is the depth that the tool and the machine can take.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "C1.000", to: "C2.000" };
     "V0408" RapidInMetal Stop { alarm: Text }
         es "{alarm}"
         en "{alarm}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "En rápido la herramienta no corta: se rompe o arranca la pieza.",
             "In rapid a tool does not cut: it breaks, or tears the work out of the chuck.";
         example Example::Slip { kind: "impeller --case full", cells: &[], program: "blank", from: "G0 X51.000 Z0.000", to: "G0 X31.000 Z0.000" };

@@ -13,7 +13,7 @@
 //! # Units
 //! Millimetres and radians.
 
-use crate::finding::{Raise, Size};
+use crate::finding::{Figures, Limit, Raise, Size};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::design::Design;
@@ -184,6 +184,7 @@ impl Judge for Clear<'_> {
         let judged = |(key, name, (bounds, at)): (_, _, (Bounds, At))| {
             let value = bounded(bounds.lower, bounds.upper);
             let asked = Question::new(key, name, program).showing(value, limit.clone()).at(Some(at)).seen(1);
+            let asked = asked.comparing(Figures::of(bounds.lower, Some(Limit::AtLeast(self.d_s))));
             self.judged(asked, program, bounds, at.line)
         };
         found.map(judged).collect()

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::figure::Paper;
-use crate::finding::{Finding, Raise, Said, Size};
+use crate::finding::{Finding, Limit, Raise, Said, Size};
 use crate::gcode::control::Post;
 use crate::gcode::fields::rapids;
 use crate::gcode::machine_codes::{CodesPlace, refused_codes};
@@ -216,7 +216,11 @@ impl Design {
         let (g0, d0, wall) = (Size::mm(self.g0), Size::mm(self.d0), Size::mm(self.header.t));
         if self.h >= self.header.t {
             let h = Size::mm(self.h);
-            findings.push(against(LandBeyondWall { h, wall }.at(at([H.key(), T_HEADER.key()])), [h, wall]));
+            findings.push(against(
+                LandBeyondWall { h, wall }.at(at([H.key(), T_HEADER.key()])),
+                [h, wall],
+                Limit::AtMost,
+            ));
         } else if pair.overhang() >= 0.0 {
             // The hole must stay clear of the side; the last thousandth is as good as it.
             let most = ((pair.R - pair.r) * 1000.0 - 1.0).floor() / 1000.0;
@@ -231,21 +235,25 @@ impl Design {
             findings.push(told.at(at([OVERCUT.key()])));
         }
         if self.g0 >= self.d0 {
-            findings.push(against(GapBeyondHeight { g0, d0 }.at(at([G0.key(), D0.key()])), [g0, d0]));
+            findings.push(against(GapBeyondHeight { g0, d0 }.at(at([G0.key(), D0.key()])), [g0, d0], Limit::AtMost));
         }
         if self.R_g < self.r_g {
             let (R_g, r_g) = (Size::mm(self.R_g), Size::mm(self.r_g));
             let told = BodyThinner { R_g, r_g }.at(at([TORCH_BODY_RADIUS.key(), NOZZLE_R_G.key()]));
-            findings.push(against(told, [R_g, r_g]));
+            findings.push(against(told, [R_g, r_g], Limit::AtLeast));
         }
         if self.D_max < self.d0 {
             let D_max = Size::mm(self.D_max);
-            findings.push(against(LimitBelowHeight { D_max, d0 }.at(at([D_MAX.key(), D0.key()])), [D_max, d0]));
+            findings.push(against(
+                LimitBelowHeight { D_max, d0 }.at(at([D_MAX.key(), D0.key()])),
+                [D_max, d0],
+                Limit::AtLeast,
+            ));
         }
         if self.kerf < 2.0 * self.m - 1e-9 {
             let (kerf, beam) = (Size::mm(self.kerf), Size::mm(2.0 * self.m));
             let told = KerfFinerThanBeam { kerf, beam }.at(at([KERF.key(), M.key()]));
-            findings.push(against(told, [kerf, beam]));
+            findings.push(against(told, [kerf, beam], Limit::AtLeast));
         }
         if self.kerf / 2.0 + self.lead_in >= pair.r {
             let told = LeadInPastAxis { way: Size::mm(self.kerf / 2.0 + self.lead_in), r };
@@ -279,6 +287,6 @@ impl Design {
 }
 
 /// A finding with what was found and its limit.
-fn against(told: Finding, [found, limit]: [Size; 2]) -> Finding {
-    told.with(found.said(Language::En), limit.said(Language::En))
+fn against(told: Finding, [found, limit]: [Size; 2], held: fn(f64) -> Limit) -> Finding {
+    told.with(found.said(Language::En), limit.said(Language::En)).measuring(found.value, held(limit.value))
 }

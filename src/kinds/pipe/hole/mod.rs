@@ -21,7 +21,7 @@ pub mod station;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Grade, Place, Raise, Rule, Said, Size};
+use crate::finding::{Finding, Grade, Limit, Place, Raise, Rule, Said, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::lines::write_block;
@@ -266,7 +266,9 @@ fn height_refused(design: &Design, place: &TooHigh) -> Finding {
             let other = one_of(joint.into_iter().chain(torch));
             let told = TorchTooHigh { alpha, sigma: Size::degrees(sigma.to_degrees(), 2), height, most, other };
             let keys = [GAMMA.key()].into_iter().chain(eccentric).chain([D_MAX.key(), G0.key()]);
-            told.at(Place::Parameters(keys.collect())).with(height.said(Language::En), most.said(Language::En))
+            let told = told.at(Place::Parameters(keys.collect()));
+            let told = told.with(height.said(Language::En), most.said(Language::En));
+            told.measuring(height.value, Limit::AtMost(design.D_max))
         }
         None => {
             let theta = (design.theta != 90.0).then(|| t("un ángulo θ más cerca de 90°", "an angle θ nearer to 90°"));

@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::Vector3;
 
-use crate::finding::{Raise, Said, Size};
+use crate::finding::{Limit, Raise, Said, Size};
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
 use crate::kinds::pipe::hole::cut::{Cut, Follows, Leg, Place, axes, way_in};
@@ -145,7 +145,7 @@ impl Judge for Clearance<'_> {
             Whence::LeadIn => asked.of_parameters([LEAD_IN.key()]),
             Whence::Above => asked.of_parameters([Z_S.key()]),
         };
-        let asked = self.near.put(asked, 0).measuring(least);
+        let asked = self.near.put(asked, 0).measuring(least).against(Limit::AtLeast(limit));
         vec![asked.holds(least >= limit, |place| {
             let (whence, other) = (self.whence.said(), self.whence.other(self.design, self.cut));
             TorchTooNear { whence, distance: Size::length(down, 4), g0: Size::length(self.design.g0, 4), other }

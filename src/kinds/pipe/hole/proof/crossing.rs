@@ -20,7 +20,7 @@
 //! # Units
 //! Millimetres and radians.
 
-use crate::finding::{Raise, Said, Size};
+use crate::finding::{Figures, Limit, Raise, Said, Size};
 use crate::gcode::program::Program;
 use crate::kinds::pipe::form::E;
 use crate::kinds::pipe::hole::parameters::GAMMA;
@@ -98,6 +98,8 @@ impl Crossing {
         let limit = Text::same(length.said(Language::En).into_owned());
         let asked = Question::new("crossing", name, program).showing(value, limit);
         let asked = self.found.put(asked.of_parameters([GAMMA.key(), E.key()]), 0).measuring(most);
+        // The lines may cross no nearer than they are long.
+        let asked = asked.comparing(Figures::of(lambda / most, Some(Limit::AtLeast(lambda))));
         let alpha = Size::degrees(alpha.to_degrees(), 0);
         asked.holds(most < 1.0, |place| BeamsCross { alpha, height, length }.at(place))
     }

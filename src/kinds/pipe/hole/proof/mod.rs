@@ -20,7 +20,7 @@ pub mod rules;
 
 use crate::kinds::pipe::hole::parameters::{self, ARC_TOLERANCE, F_MAX, GAMMA, H};
 
-use crate::finding::{Raise, Size};
+use crate::finding::{Figures, Limit, Raise, Size};
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::gcode::word::Distance;
@@ -166,6 +166,7 @@ impl Judge for BeamOnRoot<'_> {
                 let asked = errors
                     .put(edge, 0)
                     .measuring(errors.at_most(0))
+                    .against(Limit::AtMost(tolerance))
                     .of_parameters([parameters::B.key(), ARC_TOLERANCE.key()]);
                 asked.holds(false, |place| told.at(place))
             }
@@ -193,6 +194,7 @@ impl Judge for BeamOnRoot<'_> {
         let most = (angle * 1e3 - 1e-6).ceil() / 1e3;
         let value = Text::same(format!("≤ {}°", shown(most, 3)));
         let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
+        let asked = asked.comparing(Figures::of(angle, Some(Limit::AtMost(BEVEL))));
         let asked = errors.put(asked.of_parameters([key, ARC_TOLERANCE.key()]), 1);
         let bevel = asked.holds(angle <= BEVEL, |place| BevelOff { angle: Size::degrees(most, 2), other }.at(place));
         vec![beam, branch, bevel, self.crossing.check(program)]
@@ -335,6 +337,7 @@ impl CutSpeed<'_> {
             format!("{least} … {most} mm/min, with F = {F} mm/min"),
         );
         let asked = Question::new("feed", name, program).showing(value, Text::same("")).seen(self.seen);
+        let asked = asked.comparing(Figures { found: Some(self.speed), limit: None });
         if let Some((speed, at)) = self.off {
             let speed = Size::feed(speed, 1);
             return asked.at(Some(at)).holds(false, |place| NotItsTime { line: at.line, speed }.at(place));

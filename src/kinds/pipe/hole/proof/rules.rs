@@ -37,7 +37,7 @@ crate::finding::rule::rules! {
     "V0305" NotItsTime Stop { line: usize, speed: Size }
         es "el movimiento de la línea {line} no va a la velocidad planeada: {speed}"
         en "the motion in line {line} does not run at its planned speed: {speed}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "A otra velocidad el chorro se desvía o no atraviesa la pared.",
             "At another speed the jet bends, or does not go through the wall.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "F664.367", to: "F864.367" };

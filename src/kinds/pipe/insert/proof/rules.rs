@@ -8,7 +8,7 @@ crate::finding::rule::rules! {
     "V0201" CutOffSpeed Stop { speed: Size, line: usize, F: Size }
         es "la velocidad de corte es {speed} en la línea {line}, pero F es {F}"
         en "the cutting speed is {speed} in line {line}, but F is {F}"
-        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        remedy fault;
         why "A otra velocidad el chorro se desvía o no atraviesa la pared.",
             "At another speed the jet bends, or does not go through the wall.";
         example Example::Slip { kind: "pipe-insert", cells: &[], program: "insert", from: "F925.899", to: "F1025.899" };

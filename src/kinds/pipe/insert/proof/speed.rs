@@ -1,7 +1,7 @@
 //! How fast the torch goes along the cut.
 
 use super::{Moves, Surface};
-use crate::finding::{Raise, Size};
+use crate::finding::{Figures, Limit, Raise, Size};
 use crate::gcode::control::FeedLaw;
 use crate::gcode::feed_word::step as least_step;
 use crate::gcode::motion::MotionKind;
@@ -85,6 +85,8 @@ impl CutSpeed<'_> {
         let show = |speed: f64| shown(speed, 1);
         let value = Text::same(format!("{} … {} mm/min", show(self.slowest.unwrap_or(most)), show(most)));
         let asked = asked.showing(value, Text::same(format!("{} mm/min", shown(F, 3)))).at(self.fastest.at());
+        let found = Some([self.slowest.unwrap_or(most), most]);
+        let asked = asked.comparing(Figures { found, limit: Some(Limit::Exactly(F)) });
         match (self.off, self.untimed) {
             (None, None) => asked.passes(),
             (None, Some(at)) => asked
