@@ -358,7 +358,7 @@ impl Reader<'_, '_> {
         if odd & !obeyed != 0 {
             return refuse(block.group_column(odd & !obeyed), ("código G", "G code"));
         }
-        let time = if dwell { 1 << letter::P } else { 0 };
+        let time = if dwell { 1 << self.dwell_time()?.0.index() } else { 0 };
         let idle = block.present & !LETTERS.mask() & !time;
         if idle != 0 { Err(self.unused(idle)) } else { Ok(()) }
     }

@@ -109,8 +109,9 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// What a lathe keeps in mind when a motion begins.
-    pub(super) fn lathe_motion(&mut self, motion: G) {
+    /// What is kept in mind when a motion begins: the passes of a turning cycle end with another motion code, and a drilling cycle has
+    /// the motion code before it under it, which comes back behind G80 where the control says so.
+    pub(super) fn begin_motion(&mut self, motion: G) {
         if !matches!(motion, G::Pass(_) | G::Cancel) {
             self.state.modal.pass = None;
         }

@@ -72,7 +72,7 @@ impl Reader<'_, '_> {
         let column = cursor.column();
         if cursor.accept(b'n') {
             let number = block_number(&mut cursor)?;
-            if self.memory.control.lexis.language.computes() {
+            if self.memory.control.lexis.language.numbers_with_fraction() {
                 pass_fraction(&mut cursor);
             }
             let most = self.memory.control.lexis.greatest_number;

@@ -91,7 +91,7 @@ impl Reader<'_, '_> {
                     let setting = self.setting(cursor)?;
                     self.block.settings.push(setting);
                 }
-                b'@' | b'^' if self.memory.control.lexis.language.computes() => self.read_polar(cursor)?,
+                b'@' | b'^' if self.memory.control.lexis.polar.by_signs() => self.read_polar(cursor)?,
                 _ => return Err(cursor.refuse_character()),
             }
         }
