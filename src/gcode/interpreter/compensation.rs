@@ -56,7 +56,7 @@ struct Carried {
 
 impl Carried {
     fn spot(&self) -> Spot {
-        Spot { text: self.control.file, line: self.motion.line, n: self.motion.n }
+        Spot { text: self.control.file, line: self.motion.line, n: self.motion.n, again: false }
     }
 }
 
@@ -195,7 +195,7 @@ impl Reader<'_, '_> {
             && side != Compensation::Off
             && !self.memory.compensator.stage.idle()
         {
-            let spot = Spot { text: self.block.spot.text, line: motion.line, n: motion.n };
+            let spot = Spot { line: motion.line, n: motion.n, ..self.block.spot };
             self.memory.remarks.row(&MotionNotSeen { still, sees }, spot, None);
         }
     }
