@@ -7,20 +7,14 @@ use rayon::prelude::*;
 use rodete::cli::rows;
 use rodete::finding::{Example, Finding, Rule};
 use rodete::gcode::header::Origin;
-use rodete::kind::Wants;
-use rodete::kind::method::{Method, judged};
 use rodete::kinds::KINDS;
-use rodete::kinds::impeller::Impeller;
-use rodete::kinds::pipe::hole::{self, Hole};
-use rodete::kinds::pipe::insert::Insert;
+use rodete::kinds::pipe::hole;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Value, Values};
 use rodete::proof::Judged;
 use rodete::proof::account::Account;
 use rodete::proof::verification::Verification;
 use rodete::text::{Language, Text, t};
-
-use crate::common::with_text;
 
 /// What makes a program of a test shorter.
 const FEWER: Text = t("una arc_tolerance mayor", "a larger arc_tolerance");
@@ -45,40 +39,16 @@ fn values(cases: &'static [Case], case: Option<&str>, cells: &[(&'static str, &'
     values
 }
 
-/// What is told of the program of an example.
-fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, slip: [&str; 2]) -> Vec<Finding> {
-    let (kind, case) = words.split_once(" --case ").map_or((words, None), |(kind, case)| (kind, Some(case)));
-    let told = match kind {
-        "impeller" => told_of::<Impeller>,
-        "pipe-insert" => told_of::<Insert>,
-        "pipe-hole" => told_of::<Hole>,
-        _ => panic!("{kind} is not judged"),
+/// What is told of the program of an example, the first `from` in its text replaced.
+fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to]: [&str; 2]) -> Vec<Finding> {
+    let (name, case) = words.split_once(" --case ").map_or((words, None), |(kind, case)| (kind, Some(case)));
+    let kind = KINDS.iter().find(|kind| kind.form().kind == name).expect(name);
+    let fields = Fields::of(kind.form(), values(kind.cases(), case, cells)).unwrap();
+    let edited = |text: &str| {
+        assert!(text.contains(from), "{from} is not in\n{text}");
+        text.replacen(from, &to.replace('|', "\n"), 1)
     };
-    told(case, cells, key, slip)
-}
-
-/// What is told of a program of a method, the first `from` in its text replaced.
-fn told_of<M: Method>(
-    case: Option<&str>,
-    cells: &[(&'static str, &'static str)],
-    key: &str,
-    [from, to]: [&str; 2],
-) -> Vec<Finding> {
-    let design = match M::design(&Fields::of(M::FORM, values(M::CASES, case, cells)).unwrap()) {
-        Ok(design) => design,
-        Err(refused) => return refused,
-    };
-    let model = M::model(&design).unwrap();
-    let origin = Origin { workbook: "W.XLSX", sha256: "0", version: "0.0.0", language: Language::En };
-    let programs = M::programs(&design, &model, &origin).unwrap().programs;
-    let program = programs.iter().find(|program| program.key == key).unwrap();
-    let text = program.text();
-    assert!(text.contains(from), "{from} is not in\n{text}");
-    let text = with_text(program, &text.replacen(from, &to.replace('|', "\n"), 1));
-    let mut memo = M::memo(&design, &model, Wants::default());
-    let mut verification = Verification::default();
-    verification.add(&text, judged::<M>(&design, &model, &mut memo, program, &text), M::fewer(&design, program));
-    verification.findings
+    kind.judged_text(&fields, key, &edited).unwrap_or_else(|| panic!("{name} judges no {key}"))
 }
 
 #[test]
