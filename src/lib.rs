@@ -59,10 +59,11 @@ pub mod scene;
 pub mod removal;
 
 pub mod kind;
-pub mod typeset;
 
 pub mod kinds;
 pub mod sweep;
+
+pub mod typeset;
 
 pub mod drawing;
 pub mod report;

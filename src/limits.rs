@@ -1,4 +1,4 @@
-//! What work, memory and lists may not exceed: every limit with what it counts and why it is there.
+//! What work, memory and lists may not exceed: each limit with what it counts and why it is there.
 //!
 //! Where nothing else is said the value is chosen here: far above what the work of a shop takes, and low enough that an
 //! input made to be large or endless ends in a refusal. Limits of the workbook's package stand with its gate.
@@ -121,6 +121,18 @@ pub const MOVE_CELLS: usize = 20_000;
 /// Looks that a track may take at the way of its tip, beyond three at each block. It bounds the time; the bound reached by
 /// then holds.
 pub const TIP_LOOKS: u32 = 200_000;
+/// Looks that a judge of a cut through a pipe takes beyond the first at each motion: at its path, its edges, and the torch's
+/// clearance. It bounds the time; what is not decided by then is reported with its bound (V0025).
+pub const CUT_LOOKS: u32 = 100_000;
+/// Looks of a search over the whole curve of a cut branch, for its extent and its tightest bend. It bounds the time; the bounds reached
+/// by then hold, and a bend that they do not rule out is reported (P2103).
+pub const CURVE_LOOKS: u32 = 50_000;
+/// Looks at one lead-in against the curve that it leads to. It bounds the time; a lead-in that is not known to keep off the curve by then
+/// is refused (P2117).
+pub const LEAD_IN_LOOKS: u32 = 20_000;
+/// Poses of one block, in the search for what the flank of a tool leaves. It bounds the time; of a longer block they lie farther
+/// apart, and what it leaves is told with the cusp between them.
+pub const BLOCK_POSES: f64 = 400.0;
 /// Blocks of a track that are computed to find the n for a tolerance, all tries together. A fraction of a second.
 pub const TRIED_BLOCKS: usize = 100_000;
 /// Cuts that wait for the second library. It bounds the memory where the library is slower than the removal.
@@ -177,6 +189,16 @@ pub const PRINTED_DIFFERENCES: usize = 400;
 /// Differing rows of a table that are shown on the terminal; the workbook and the JSON document have all. A person reads
 /// the first ones.
 pub const LISTED_DIFFERENCES: usize = 60;
+/// Characters that a message repeats of a text that it found: a cell, a name, a heading, a word. A message stays one that a person reads.
+pub const EXCERPT: usize = 40;
+/// The same of a name in a workbook that sheets are put into. It may hold a path.
+pub const NAME_EXCERPT: usize = 60;
+/// The same of a logo's name. It may hold a path.
+pub const LOGO_EXCERPT: usize = 80;
+/// The same of a comment that LinuxCNC would show or obey. It is a sentence to the operator.
+pub const COMMENT_EXCERPT: usize = 250;
+/// Codes that are named where a typed one is not known. One of them is the one that was meant, or none.
+pub const NEAR_CODES: usize = 4;
 /// Unknown symbols or labels of a workbook that are mentioned. A person reads the first ones.
 pub const LISTED_SYMBOLS: usize = 20;
 /// Cells with formulas that are named. A person reads the first ones.

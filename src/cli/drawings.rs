@@ -145,6 +145,7 @@ mod tests {
                 key,
                 title: Text::same(key),
                 figure: Figure {
+                    letters: Figure::LETTERS,
                     key,
                     height: Figure::HEIGHT,
                     caption: Text::same(""),

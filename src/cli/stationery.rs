@@ -12,15 +12,12 @@ use crate::escape::{excerpt, printable};
 use crate::finding::answer::answer;
 use crate::finding::{Finding, Place, Raise};
 use crate::kind::{NamedFile, Outcome};
-use crate::limits::{LOGO_BYTES, TEMPLATE_BYTES, TEMPLATE_FILES, TEMPLATE_FOLDERS};
+use crate::limits::{LOGO_BYTES, LOGO_EXCERPT, TEMPLATE_BYTES, TEMPLATE_FILES, TEMPLATE_FOLDERS};
 use crate::parameter::{Values, at, title_block};
 use crate::report::rules::{LogoNotRead, NamedFileChanged, TemplatesNotRead};
 use crate::report::stationery::{Logo, Template};
 use crate::store;
 use crate::text::{Text, t};
-
-/// Characters of a logo's name shown in a message.
-const SHOWN: usize = 80;
 
 /// The logo that a workbook names, with the SHA-256 of its file; `None` where it names none. Results stand in a folder beside the
 /// workbook that they are of: the very file that they were `verified` with is found in the folder above theirs, too.
@@ -37,7 +34,7 @@ pub(super) fn logo(
         return Ok(None);
     }
     let located = |finding| Box::new(values.locate(finding));
-    let shown = || excerpt(name, SHOWN);
+    let shown = || excerpt(name, LOGO_EXCERPT);
     let place = || at([title_block::LOGO.key()]);
     let not_read = |reason| located(LogoNotRead { name: shown(), reason }.at(place()));
     // Windows writes folders with a backslash; workbooks go from one machine to another.
@@ -77,7 +74,7 @@ pub(super) fn named(workbook: &Path, outcome: &Outcome, verified: &[NamedFile]) 
     let changed = |then: &&NamedFile| then.name == name && now.as_ref().is_some_and(|now| *now != then.sha256);
     if verified.iter().any(|then| changed(&then)) {
         let place = at([title_block::LOGO.key()]);
-        findings.push(outcome.fields.locate(NamedFileChanged { name: excerpt(name, SHOWN) }.at(place)));
+        findings.push(outcome.fields.locate(NamedFileChanged { name: excerpt(name, LOGO_EXCERPT) }.at(place)));
     }
     findings
 }

@@ -108,6 +108,7 @@ mod tests {
 
     fn figure(points: Vec<[f64; 2]>) -> Figure {
         Figure {
+            letters: Figure::LETTERS,
             key: "f",
             height: Figure::HEIGHT,
             caption: Text::same("f"),

@@ -164,6 +164,7 @@ mod tests {
         let arch =
             (0..=400_u16).map(|at| f64::from(at) / 400.0).map(|part| [1500.0 * part, 3200.0 * part * (1.0 - part)]);
         let figure = Figure {
+            letters: Figure::LETTERS,
             key: "arch",
             height: Figure::HEIGHT,
             caption: t("", ""),

@@ -133,6 +133,8 @@ pub struct Figure {
     /// Greatest height in print, mm: what its page leaves beside the table that it belongs to. A graph has that of its
     /// plot.
     pub height: f64,
+    /// How high the letters of its labels are, mm on its own paper: [`Self::LETTERS`], or [`Self::SKETCHED`].
+    pub letters: f64,
     /// The caption under the figure.
     pub caption: Text,
     /// Titles of the axes, for a graph.
@@ -148,6 +150,10 @@ pub struct Figure {
 impl Figure {
     /// The height of a figure that shares its page with a table, mm.
     pub const HEIGHT: f64 = 62.0;
+    /// The letters of a figure that a page of the report sets at down to 64 %: 7.5 pt or more on paper, mm.
+    pub const LETTERS: f64 = 4.2;
+    /// The letters of a sketch, which the set-up sheet shows as it is, mm.
+    pub const SKETCHED: f64 = 3.3;
 }
 
 choices! {

@@ -220,7 +220,7 @@ impl Sketch {
     #[must_use]
     pub fn figure(self, key: &'static str, height: f64, caption: Text) -> Figure {
         let Self { strokes, labels, .. } = self;
-        Figure { key, height, caption, axes: None, strokes, labels, legend: Vec::new() }
+        Figure { key, height, letters: Figure::SKETCHED, caption, axes: None, strokes, labels, legend: Vec::new() }
     }
 }
 

@@ -172,6 +172,13 @@ impl<'a> Iterator for Moves<'a> {
 }
 
 impl Program {
+    /// True where it is written for a control. Each control stands at one place, so that the two are the same where they stand at the
+    /// same. It tells apart two that are given: what a control does is asked of its data.
+    #[must_use]
+    pub fn is_for(&self, control: &'static Control) -> bool {
+        std::ptr::eq(self.control, control)
+    }
+
     /// The moves in order. Moves of no length are left out, as they are in the text.
     #[must_use]
     pub fn moves(&self) -> Moves<'_> {

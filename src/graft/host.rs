@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::limits::NAME_EXCERPT;
 use crate::store::sha256;
 use crate::text::{Text, t};
 use crate::workbook::gate;
@@ -18,8 +19,6 @@ use super::parts::{CONTENT_TYPES, ContentTypes, Parts, Relation, kind, normal, o
 use super::rules::*;
 use super::sheet::{strings, title};
 
-/// Characters of a name shown in a message.
-const SHOWN: usize = 60;
 /// The types of workbooks that are taken.
 const WORKBOOKS: [&str; 2] = [
     "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml",
@@ -153,7 +152,7 @@ impl<'a> Host<'a> {
             let Some(index) = self.book.sheets.iter().position(there) else { continue };
             let lost = || {
                 let title = marks::title(&said);
-                refused(&MarkLost { sheet: excerpt(&sheet, SHOWN), mark: excerpt(&name, SHOWN), title })
+                refused(&MarkLost { sheet: excerpt(&sheet, NAME_EXCERPT), mark: excerpt(&name, NAME_EXCERPT), title })
             };
             let part = self.sheets.get(index).cloned().ok_or_else(lost)?;
             if cells.get(index) != Some(&true) || !seen.insert(index) {
@@ -178,7 +177,7 @@ impl<'a> Host<'a> {
             let Some(text) = self.parts.bytes(&self.sheets[index])? else { continue };
             let text = String::from_utf8_lossy(&text);
             if text.contains(&rule) || stamp::stamps(&text).next().is_some() {
-                let sheet = self.book.sheets.get(index).map(|one| excerpt(&one.name, SHOWN)).unwrap_or_default();
+                let sheet = self.book.sheets.get(index).map(|one| excerpt(&one.name, NAME_EXCERPT)).unwrap_or_default();
                 found.push(SheetCopied { sheet }.at(Place::File));
             }
         }
@@ -217,7 +216,7 @@ fn admitted(book: &Book, relations: &[Relation], kind: &str) -> Result<(), Refus
         return Err(refused(&BookStrict {}));
     }
     if !WORKBOOKS.iter().any(|one| one.eq_ignore_ascii_case(kind)) {
-        return Err(refused(&BookOfOtherKind { kind: excerpt(kind, SHOWN) }));
+        return Err(refused(&BookOfOtherKind { kind: excerpt(kind, NAME_EXCERPT) }));
     }
     if root
         .child("calcPr")

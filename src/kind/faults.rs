@@ -36,14 +36,14 @@ pub(super) fn quantities(quantities: &[Quantity]) -> Option<Finding> {
 /// What is wrong with the programs as they are handed over, `due` being what the judges of one must answer.
 pub(super) fn programs(
     form: &Form,
-    control: &Control,
+    control: &'static Control,
     programs: &[Program],
     due: impl Fn(&Program) -> Vec<Due>,
 ) -> Vec<Finding> {
     let mut found = Vec::new();
     if programs.is_empty() {
         found.push(NoProgramWritten {}.at(Place::File));
-    } else if !programs.iter().any(|program| program.control.is(control)) {
+    } else if !programs.iter().any(|program| program.is_for(control)) {
         found.push(
             ProgramsForOtherControl { control: control.name, programs: programs[0].control.name }.at(Place::File),
         );

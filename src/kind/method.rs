@@ -7,7 +7,7 @@ use super::live_form::LiveForm;
 use super::measure::{Limits, Measure, Source, Suggested};
 use super::rules::NotNumbered;
 use super::{
-    Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Wants, faults, staging,
+    Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants, faults, staging,
 };
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal, Rule, gravest_first};
@@ -15,7 +15,7 @@ use crate::gcode::control::Control;
 use crate::gcode::fields::RAPID_LINEAR;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
-use crate::gcode::program::{Program, Style};
+use crate::gcode::program::{Part as ProgramPart, Program, Style};
 use crate::machine::rapids::Rapids;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
@@ -163,6 +163,11 @@ pub trait Method: Send + Sync + 'static {
         None
     }
 
+    /// Bodies with files of their own, each of a key of [`Form::solids`].
+    fn solids(_: &Self::Design, _: &Self::Model) -> Vec<Solid> {
+        Vec::new()
+    }
+
     /// Charts for the sheets.
     fn charts(_: &Self::Design, _: &Self::Model) -> Vec<Chart> {
         Vec::new()
@@ -289,6 +294,26 @@ impl<M: Method> Kind for Of<M> {
         M::SUGGESTED
     }
 
+    fn judged_text(&self, fields: &Fields, key: &str, edited: &dyn Fn(&str) -> String) -> Option<Vec<Finding>> {
+        let judge = || {
+            let design = M::design(fields)?;
+            let model = M::model(&design)?;
+            let origin = Origin { workbook: "", sha256: "", version: "", language: fields.language() };
+            let programs = unproved::<M>(&design, &model, &origin)?.programs;
+            let Some(program) = programs.iter().find(|program| program.key == key) else { return Ok(None) };
+            let lines = edited(&program.text());
+            let text = Program {
+                parts: lines.lines().map(|line| ProgramPart::Line(line.to_owned())).collect(),
+                ..program.clone()
+            };
+            let (mut memo, mut verification) = (M::memo(&design, &model, Wants::default()), Verification::default());
+            let judged = judged::<M>(&design, &model, &mut memo, program, &text);
+            verification.add(&text, judged, M::fewer(&design, program));
+            Ok(Some(verification.findings))
+        };
+        judge().unwrap_or_else(Some)
+    }
+
     fn limits(&self, fields: &Fields) -> Result<Limits, Refusal> {
         let refused = |findings: Vec<Finding>| Refusal { exit: ended(&findings, Exit::Refused), findings };
         let design = M::design(fields).map_err(refused)?;
@@ -349,6 +374,7 @@ impl<M: Method> Kind for Of<M> {
         let whole = end == End::Whole;
         let scene = (wants.scene && whole)
             .then(|| staging::scene(M::part(&design, &model), &programs, |one| M::setting(&design, one), &findings));
+        let solids = M::solids(&design, &model);
         Ok(Outcome {
             files: Vec::new(),
             kind: const { &Self::new() },
@@ -361,7 +387,7 @@ impl<M: Method> Kind for Of<M> {
             drawings: M::drawings(&design, &model),
             setup: M::setup(&design, &model),
             figures: LazyLock::new(Box::new(move || M::figures(&design, &model, &memo))),
-            solids: Vec::new(),
+            solids,
             scene,
             checks: verification.checks,
             findings,

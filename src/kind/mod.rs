@@ -81,6 +81,13 @@ pub trait Kind: Send + Sync {
         &Suggested::NOTHING
     }
 
+    /// What is found of one of its programs, by its key, when another text is read in the place of its own: `edited` makes that of
+    /// it. The refusals of a form whose values contradict each other. `None` of a kind that judges no programs of its own, and of a key
+    /// that none of them has.
+    fn judged_text(&self, _: &Fields, _key: &str, _edited: &dyn Fn(&str) -> String) -> Option<Vec<Finding>> {
+        None
+    }
+
     /// What is known of a filled-in form before its programs are read back.
     ///
     /// # Errors

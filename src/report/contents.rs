@@ -133,7 +133,7 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Manuscript, ReportFai
 
 /// What F is in the programs for the outcome's own control: a blank is turned on another.
 fn feed_law(outcome: &Outcome) -> FeedLaw {
-    let own = outcome.programs.iter().find(|program| program.control.is(outcome.control));
+    let own = outcome.programs.iter().find(|program| program.is_for(outcome.control));
     own.map_or(outcome.control.feed.law, |program| program.law)
 }
 

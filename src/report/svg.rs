@@ -20,10 +20,6 @@ const GRAPH_HEIGHT: f64 = 52.0;
 const MARGIN: [f64; 4] = [5.0, 4.0, 5.0, 4.0];
 /// Margins around a plot for ticks and titles.
 const GRAPH_MARGIN: [f64; 4] = [21.0, 3.0, 5.0, 13.5];
-/// Height of letters in mm: of a sketch for the set-up sheet, which shows it as it is, and of a figure, which a page sets at down to
-/// 64 %. So they are 7.5 pt or more on paper.
-const SKETCHED: f64 = 3.3;
-const LETTERS: f64 = 4.2;
 /// Points of a stroke nearer than this to the last one drawn are left out, in mm of paper.
 const FINEST: f64 = 0.05;
 /// Width of the hairline that closes the seam between two filled shapes, mm.
@@ -65,7 +61,7 @@ pub(super) fn svg(figure: &Figure, language: Language) -> Option<String> {
         // Paper about the letters keeps those that stand on a line legible.
         body.push_str("<g stroke=\"#ffffff\" stroke-width=\"1.2\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n");
         for label in &figure.labels {
-            word(&mut body, frame.at(label.at), letters(figure), "middle", "#1d232b", label.text.get(language));
+            word(&mut body, frame.at(label.at), figure.letters, "middle", "#1d232b", label.text.get(language));
         }
         body.push_str("</g>\n");
     }
@@ -118,11 +114,6 @@ fn document(body: &str, [width, height]: [f64; 2]) -> String {
     )
 }
 
-/// How high the letters of its labels are.
-fn letters(figure: &Figure) -> f64 {
-    if figure.key.starts_with("setup") { SKETCHED } else { LETTERS }
-}
-
 /// Minimum and maximum coordinates: x, then y.
 fn bounds(figure: &Figure) -> Option<[[f64; 2]; 2]> {
     let points =
@@ -145,7 +136,7 @@ fn drawing([[x0, x1], [y0, y1]]: [[f64; 2]; 2], figure: &Figure, language: Langu
     let [mut left, top, mut right, bottom] = MARGIN;
     let (dx, dy) = ((x1 - x0).max(1e-9), (y1 - y0).max(1e-9));
     let fit = |left: f64, right: f64| ((WIDTH - left - right) / dx).min((figure.height - top - bottom) / dy);
-    let letter = figure::LETTER * letters(figure) / SKETCHED;
+    let letter = figure::LETTER * figure.letters / Figure::SKETCHED;
     // A drawing that fills the width gets smaller, and its labels then project more: a few rounds are enough.
     for _ in 0..4 {
         let scale = fit(left, right);
@@ -174,20 +165,20 @@ fn graph(body: &mut String, axes: &Axes, [[x0, x1], [y0, y1]]: [[f64; 2]; 2], la
     for (value, text) in ticks(x0, x1, 10) {
         let [x, _] = frame.at([value, y0]);
         rule(body, [x, top], [x, foot]);
-        word(body, [x, foot + 4.4], LETTERS, "middle", "#333b44", &text);
+        word(body, [x, foot + 4.4], Figure::LETTERS, "middle", "#333b44", &text);
     }
     for (value, text) in ticks(y0, y1, 6) {
         let [_, y] = frame.at([x0, value]);
         rule(body, [left, y], [end, y]);
-        word(body, [left - 1.5, y + 1.2], LETTERS, "end", "#333b44", &text);
+        word(body, [left - 1.5, y + 1.2], Figure::LETTERS, "end", "#333b44", &text);
     }
     let _ = writeln!(
         body,
         "<rect x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" fill=\"none\" stroke=\"#333b44\" stroke-width=\"0.25\"/>"
     );
-    word(body, [left + width / 2.0, foot + 10.0], LETTERS, "middle", "#1d232b", axes.x.get(language));
+    word(body, [left + width / 2.0, foot + 10.0], Figure::LETTERS, "middle", "#1d232b", axes.x.get(language));
     let _ = write!(body, "<g transform=\"translate(4.2 {:.2}) rotate(-90)\">", top + height / 2.0);
-    word(body, [0.0, 0.0], LETTERS, "middle", "#1d232b", axes.y.get(language));
+    word(body, [0.0, 0.0], Figure::LETTERS, "middle", "#1d232b", axes.y.get(language));
     body.push_str("</g>\n");
     frame
 }
@@ -244,7 +235,7 @@ fn fill(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
 mod tests {
     use std::path::Path;
 
-    use super::LETTERS;
+    use crate::figure::Figure;
 
     /// The parts of their width that templates set figures at, in %.
     #[expect(clippy::disallowed_methods, reason = "the templates of the tree, not of the binary")]
@@ -266,7 +257,7 @@ mod tests {
         parts(&Path::new(env!("CARGO_MANIFEST_DIR")).join("report-templates"), &mut found);
         assert!(found.len() > 4, "{found:?}");
         for part in found {
-            let points = LETTERS * part / 100.0 * 72.0 / 25.4;
+            let points = Figure::LETTERS * part / 100.0 * 72.0 / 25.4;
             assert!(points >= 7.5, "{points} pt at {part} %");
         }
     }

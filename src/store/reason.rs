@@ -22,7 +22,10 @@ pub(super) fn put_back(path: &Path, error: &io::Error) -> Refusal {
 /// The same where files stand in their new version beside others of before.
 pub(super) fn mixed(path: &Path, error: &io::Error, stuck: String) -> Refusal {
     let plain = row(path, error, t("", ""));
-    refusal(&SetMixed { failure: plain.what(), stuck, mend: plain.remedy() })
+    let mut refused = refusal(&SetMixed { failure: plain.what(), stuck });
+    // What to do about the failure is its own row's.
+    refused.findings.push(plain.at(Place::File));
+    refused
 }
 
 /// The refusal of a set that cannot be written.

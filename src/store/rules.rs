@@ -91,11 +91,11 @@ rules! {
         why "El sistema no puede escribir el archivo, por la razón indicada.", "The system cannot write the file, for the reason given.";
         example made!("link-to-nothing", "una carpeta de salida que es un enlace a una que no existe",
             "an output folder that is a link to one that does not exist");
-    "S0111" SetMixed Stop { failure: Text, stuck: String, mend: Text }
+    "S0111" SetMixed Stop { failure: Text, stuck: String }
         es "{failure}; de este juego ya son de la versión nueva: {stuck}"
         en "{failure}; of this set, these files are already the new version: {stuck}"
-        remedy "no use ningún programa de esta carpeta hasta haber repetido el comando; {mend}",
-            "use no program from this folder until the command has run again; {mend}";
+        remedy "no use ningún programa de esta carpeta hasta haber repetido el comando",
+            "use no program from this folder until the command has run again";
         why "Un programa nuevo con una hoja anterior corta otra pieza.", "A new program with an old sheet cuts another part.";
         example by_the_system!();
     "S0121" FolderHeld Stop { lock: String, owner: String }

@@ -18,7 +18,7 @@ use crate::sweep::sobol;
 use crate::text::{Language, Text};
 
 /// Characters of a text that are shown.
-const SHOWN: usize = 40;
+const SHOWN: usize = crate::limits::EXCERPT;
 
 /// The designs of a list.
 #[derive(Clone, Debug)]

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use crate::escape::excerpt;
 use crate::finding::{Finding, Place, Raise};
-use crate::limits::COVERED_ROWS;
+use crate::limits::{COVERED_ROWS, EXCERPT};
 use crate::parameter::Parameter;
 use crate::parameter::list::{List, Row, Rows};
 use crate::text::Text;
@@ -22,8 +22,6 @@ use super::words::fold;
 
 /// Columns A to X.
 pub const COLUMNS: u32 = 24;
-/// Characters of a heading shown in a message.
-const SHOWN: usize = 40;
 
 /// The rows of a sheet; `None` where the list may be left out and has none. What is wrong goes to `findings`.
 pub fn read(list: &'static List, sheet: &SheetCells, findings: &mut Vec<Finding>) -> Option<Rows> {
@@ -115,7 +113,7 @@ fn columns(
     let mut found: Vec<(&'static Parameter, u32)> = Vec::new();
     for at in 0..COLUMNS {
         let Some(text) = sheet.text((head, at)) else { continue };
-        let heading = excerpt(text, SHOWN);
+        let heading = excerpt(text, EXCERPT);
         // Capitals count where two headings differ by them alone.
         let exact = list.columns.iter().find(|one| one.symbol() == text);
         match exact.or_else(|| list.columns.iter().find(|one| fold(one.symbol()) == fold(text))) {
@@ -144,7 +142,7 @@ fn units(sheet: &SheetCells, row: u32, columns: &[(&'static Parameter, u32)], fi
             continue;
         }
         let (column, unit) = (parameter.key(), parameter.unit.label());
-        let (cell, shown) = (address::format((row, at)), excerpt(written, SHOWN));
+        let (cell, shown) = (address::format((row, at)), excerpt(written, EXCERPT));
         let place = Place::Cells(vec![sheet.place((row, at))]);
         let finding = match (unit, written) {
             ("", _) => ColumnUnitWhereNone { column, cell, written: shown }.at(place),

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal};
-use crate::limits::LISTED_SYMBOLS;
+use crate::limits::{EXCERPT, LISTED_SYMBOLS};
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::{Unfit, VarFile};
 use crate::machine::work_offset::{ACTIVE, G92_FIRST, G92_SWITCH, System};
@@ -28,8 +28,6 @@ use super::words::fold;
 
 /// Columns A to P: those of the sheet, and some that a user may have put between them.
 const COLUMNS: u32 = 16;
-/// Characters of a label shown in a message.
-const SHOWN: usize = 40;
 
 /// The offsets that a sheet holds.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -116,7 +114,7 @@ fn check_schema(sheet: &SheetCells) -> Result<(), Refusal> {
     let finding = if found.is_empty() {
         OffsetsSchemaMissing { known: SCHEMA }.at(place)
     } else {
-        OffsetsOtherSchema { found: excerpt(found, SHOWN), known: SCHEMA }.at(place)
+        OffsetsOtherSchema { found: excerpt(found, EXCERPT), known: SCHEMA }.at(place)
     };
     Err(Refusal::new(Exit::Refused, finding))
 }
@@ -202,7 +200,7 @@ impl Reading<'_> {
             let (cell, unit) = (address::format((row, at)), wanted);
             let other = [LengthUnit::Inch, LengthUnit::Millimetre].into_iter().find(|unit| *unit != self.unit);
             let is_other = |other: LengthUnit| spellings(column.0.unit(other)).contains(&fold(written).as_str());
-            let (column, shown) = (column.1, excerpt(written, SHOWN));
+            let (column, shown) = (column.1, excerpt(written, EXCERPT));
             let row_of: Box<dyn Raise> = match other.filter(|other| is_other(*other)) {
                 _ if written.is_empty() => Box::new(OffsetsUnitNotSaid { column, unit, cell }),
                 Some(LengthUnit::Inch) => Box::new(OffsetsInInches { column, written: shown, unit, cell }),
@@ -302,7 +300,7 @@ impl Reading<'_> {
         lost: &[&'static str],
     ) {
         for (label, cells) in twice {
-            self.stop(cells, &HeadingTwice { heading: excerpt(&label, SHOWN) });
+            self.stop(cells, &HeadingTwice { heading: excerpt(&label, EXCERPT) });
         }
         let squeezed = |label: &str| fold(label).chars().filter(|one| one.is_alphanumeric()).collect::<String>();
         // Of a name of one letter every other letter is another name.
@@ -315,10 +313,10 @@ impl Reading<'_> {
         };
         for (label, cell) in unknown.into_iter().take(LISTED_SYMBOLS) {
             if let Some(name) = mistyped(&label) {
-                self.stop(vec![cell], &LabelMistyped { label: excerpt(&label, SHOWN), name });
+                self.stop(vec![cell], &LabelMistyped { label: excerpt(&label, EXCERPT), name });
                 continue;
             }
-            let row = HeadingUnknown { heading: excerpt(&label, SHOWN) };
+            let row = HeadingUnknown { heading: excerpt(&label, EXCERPT) };
             self.table.findings.push(row.at(Place::Cells(vec![self.sheet.place(cell)])));
         }
     }

@@ -2,14 +2,15 @@
 
 use crate::escape::excerpt;
 use crate::finding::{Finding, Place, Raise};
+use crate::limits::EXCERPT;
 use crate::parameter::Form;
 use crate::parameter::list::{List, Naming};
-use crate::text::{Language, Text, one_of, t};
+use crate::text::{Language, Text, one_of};
 
 use super::book::Book;
 use super::list_rows;
 use super::listing::SheetKind;
-use super::rules::form::SheetPassedOver;
+use super::rules::form::{SheetOfUnknownPlace, SheetPassedOver, SheetUnderOtherName};
 use super::schema::rows_by_symbol;
 use super::sheet_cells::SheetCells;
 use super::survey::COLUMNS;
@@ -17,8 +18,6 @@ use super::words::fold;
 
 /// Letters by which a mistyped name may differ.
 const MISTYPED: usize = 2;
-/// Characters of a name shown in a message.
-const SHOWN: usize = 40;
 
 /// A caution for each sheet beside those that were read whose name is nearly that of one of the form's, or that has defined names of
 /// its own, as a copy has, and that holds what such a sheet holds. A sheet that cannot be read is passed over.
@@ -49,23 +48,18 @@ pub(super) fn cautions(book: &mut Book<'_>, form: &'static Form, language: Langu
         };
         let alike = laid_out(form, language, &sheet);
         let Some(likeliest) = alike.iter().copied().min_by_key(near) else { continue };
-        let name = excerpt(&entry.name, SHOWN);
-        let quoted = |name: &&str| Text::same(format!("\"{name}\""));
+        let name = excerpt(&entry.name, EXCERPT);
         // Of several sheets with one layout, all of them there, nothing but the name of a copy says which one this may replace.
         let certain = !taken(likeliest) || fold(likeliest) == copied || alike.len() == 1;
-        let like = if certain { quoted(&likeliest) } else { one_of(alike.iter().map(quoted)) };
-        let how = match (taken(likeliest), certain) {
-            (false, _) => Text::new(format!("llámela \"{likeliest}\""), format!("name it \"{likeliest}\"")),
-            (true, true) => Text::new(
-                format!("borre la hoja \"{likeliest}\" y dé a esta su nombre"),
-                format!("delete the sheet \"{likeliest}\" and give this one its name"),
-            ),
-            (true, false) => t(
-                "decida a cuál de ellas sustituye, borre esa y dé a esta su nombre",
-                "decide which of them it replaces, delete that one and give this one its name",
-            ),
-        };
-        findings.push(SheetPassedOver { name, like, how }.at(Place::Sheet(entry.name.clone())));
+        let (place, like) = (Place::Sheet(entry.name.clone()), likeliest.to_owned());
+        findings.push(match (taken(likeliest), certain) {
+            (false, _) => SheetUnderOtherName { name, like }.at(place),
+            (true, true) => SheetPassedOver { name, like }.at(place),
+            (true, false) => {
+                let like = one_of(alike.iter().map(|name| Text::same(format!("\"{name}\""))));
+                SheetOfUnknownPlace { name, like }.at(place)
+            }
+        });
     }
     findings
 }

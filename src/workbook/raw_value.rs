@@ -2,11 +2,10 @@
 
 use crate::escape::excerpt;
 use crate::finding::Raise;
+use crate::limits::EXCERPT;
 
 use super::rules::cell::*;
 
-/// Characters of a value shown in a message.
-const SHOWN: usize = 40;
 /// Most bytes of a number.
 const NUMBER: usize = 400;
 /// The errors that calamine knows; another one makes it give the sheet up.
@@ -34,7 +33,7 @@ impl Fault {
 
 /// Judges the value of a cell by its type (`t`) and the number of shared texts in the workbook.
 pub fn judge(kind: Option<&str>, value: &str, texts: usize, cell: impl FnOnce() -> String) -> Option<Fault> {
-    let shown = || excerpt(value, SHOWN);
+    let shown = || excerpt(value, EXCERPT);
     match kind {
         None | Some("n" | "s" | "b" | "e" | "str" | "inlineStr" | "d") if value.is_empty() => None,
         None | Some("n") => number(kind, value, cell),
@@ -52,12 +51,12 @@ pub fn judge(kind: Option<&str>, value: &str, texts: usize, cell: impl FnOnce() 
         Some("e") if ERRORS.contains(&value) => None,
         Some("e") => Fault::wrong(UnknownError { cell: cell(), error: shown() }, true),
         Some("str" | "inlineStr" | "d") => None,
-        Some(other) => Fault::damage(UnknownType { cell: cell(), kind: excerpt(other, SHOWN) }),
+        Some(other) => Fault::damage(UnknownType { cell: cell(), kind: excerpt(other, EXCERPT) }),
     }
 }
 
 fn number(kind: Option<&str>, value: &str, cell: impl FnOnce() -> String) -> Option<Fault> {
-    let shown = || excerpt(value, SHOWN);
+    let shown = || excerpt(value, EXCERPT);
     if is_number(value) {
         let overflows = !value.parse::<f64>().is_ok_and(f64::is_finite);
         return if overflows { Fault::wrong(NotFinite { cell: cell(), value: shown() }, false) } else { None };

@@ -11,7 +11,7 @@ use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal, gravest_first};
 use crate::gcode::fields::SCHEMA;
 use crate::kind::NamedFile;
-use crate::limits::{LISTED_FORMULAS, LISTED_SYMBOLS};
+use crate::limits::{EXCERPT, LISTED_FORMULAS, LISTED_SYMBOLS};
 use crate::number::decimal;
 use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values};
 use crate::text::{Language, Text, t};
@@ -35,8 +35,6 @@ use super::words::fold;
 
 /// Values are looked for in the columns before this one.
 const MOVED: u32 = 26;
-/// Characters of a name or a symbol shown in a message.
-const SHOWN: usize = 40;
 
 /// A form, read.
 #[derive(Debug)]
@@ -308,7 +306,7 @@ pub(super) fn refusal(exit: Exit, mut findings: Vec<Finding>) -> Refusal {
 
 /// A note on a sheet that is read although it is not shown.
 pub(super) fn hidden(entry: &SheetEntry) -> Option<Finding> {
-    let sheet = excerpt(&entry.name, SHOWN);
+    let sheet = excerpt(&entry.name, EXCERPT);
     entry.hidden.then(|| SheetHidden { sheet }.at(Place::Sheet(entry.name.clone())))
 }
 
@@ -355,9 +353,9 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Option<Languag
     };
     let at = (*row, sheet.columns.value);
     let found = match sheet.cell(at).map(|cell| &cell.content) {
-        Some(Content::Text(text, _)) => excerpt(text.trim(), SHOWN),
+        Some(Content::Text(text, _)) => excerpt(text.trim(), EXCERPT),
         Some(Content::Number(number)) => decimal(*number),
-        Some(Content::Error(error)) => excerpt(error, SHOWN),
+        Some(Content::Error(error)) => excerpt(error, EXCERPT),
         Some(Content::Truth(_) | Content::Date(..)) | None => String::new(),
     };
     for (form, _) in &wanted {
@@ -453,16 +451,11 @@ fn mistyped<'a>(parameter: &Parameter, rows: &BTreeMap<&'a str, Vec<u32>>, known
 fn missing_row(parameter: &'static Parameter, mistyped: Option<(u32, &str)>, sheet: &SheetCells) -> Finding {
     let (name, expected, symbol) = (named(parameter), expected(parameter), parameter.key());
     let Some((row, found)) = mistyped else {
-        let told = RowMissing { name, symbol, expected, mistyped: t("", "") };
-        return told.at(Place::Sheet(sheet.name.clone()));
+        return RowMissing { name, symbol, expected }.at(Place::Sheet(sheet.name.clone()));
     };
     let at = (row, sheet.columns.symbol);
-    let (cell, found, right) = (address::format(at), excerpt(found, SHOWN), symbol.symbol());
-    let mistyped = Text::new(
-        format!("corrija {cell}, que dice \"{found}\", a \"{right}\"; si esa fila es otra, "),
-        format!("correct {cell}, which says \"{found}\", to \"{right}\"; if that row is another one, "),
-    );
-    RowMissing { name, symbol, expected, mistyped }.at(Place::Cells(vec![sheet.place(at)]))
+    let (cell, found) = (address::format(at), excerpt(found, EXCERPT));
+    SymbolMistyped { name, cell, found, symbol, expected }.at(Place::Cells(vec![sheet.place(at)]))
 }
 
 /// Mentions rows that have a value and a symbol that the form does not know. Headings are not among them: what stands
@@ -476,7 +469,7 @@ fn unknown(sheet: &SheetCells, symbols: &[&str], findings: &mut Vec<Finding>) {
     let rows: Vec<u32> = rows.collect();
     for row in rows.iter().take(LISTED_SYMBOLS) {
         let symbol =
-            sheet.text((*row, sheet.columns.symbol)).map_or_else(|| "?".to_owned(), |symbol| excerpt(symbol, SHOWN));
+            sheet.text((*row, sheet.columns.symbol)).map_or_else(|| "?".to_owned(), |symbol| excerpt(symbol, EXCERPT));
         findings.push(SymbolUnknown { symbol }.at(Place::Cells(vec![sheet.place((*row, sheet.columns.symbol))])));
     }
     if let Some(count) = rows.len().checked_sub(LISTED_SYMBOLS).filter(|more| *more > 0) {

@@ -2,6 +2,7 @@
 
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::limits::EXCERPT;
 use crate::parameter::Form;
 use crate::parameter::list::{List, Naming};
 use crate::text::{Language, Text, one_of};
@@ -9,9 +10,6 @@ use crate::text::{Language, Text, one_of};
 use super::listing::{SheetEntry, SheetKind};
 use super::rules::form::*;
 use super::words;
-
-/// Characters of a name shown in a message.
-const SHOWN: usize = 40;
 
 /// The sheet that a form begins with, and its language.
 pub(super) fn first_sheet(
@@ -54,7 +52,7 @@ pub(super) fn sheet_named(
             let there = list(sheets);
             let finding = match alike.iter().find(|entry| is_it(entry)) {
                 Some(entry) => {
-                    let name = excerpt(&entry.name, SHOWN);
+                    let name = excerpt(&entry.name, EXCERPT);
                     let right =
                         names.iter().find(|name| same_but_for_case(name.0, &entry.name)).map_or("", |name| name.0);
                     SheetMisnamed { wanted, there, name, right: right.to_owned() }.at(Place::File)
@@ -99,7 +97,7 @@ pub(super) fn find(
         return Ok(Some((*entry).clone()));
     }
     // The name that it has in a workbook of this language, whatever the language of the message.
-    let (right, name) = (name.get(language), excerpt(&entry.name, SHOWN));
+    let (right, name) = (name.get(language), excerpt(&entry.name, EXCERPT));
     findings.push(SheetNotRead { name, right }.at(Place::Sheet(entry.name.clone())));
     Ok(None)
 }
@@ -134,14 +132,15 @@ fn is_numbered(name: &str) -> bool {
 }
 
 fn ambiguous(alike: &[&SheetEntry]) -> Refusal {
-    let names = alike.iter().map(|entry| format!("\"{}\"", excerpt(&entry.name, SHOWN))).collect::<Vec<_>>().join(", ");
+    let names =
+        alike.iter().map(|entry| format!("\"{}\"", excerpt(&entry.name, EXCERPT))).collect::<Vec<_>>().join(", ");
     SheetAmbiguous { names }.refused(Exit::Refused, Place::File)
 }
 
 /// The names of the sheets, ten of them at most.
 fn list(sheets: &[SheetEntry]) -> String {
     let mut names: Vec<_> =
-        sheets.iter().take(10).map(|entry| format!("\"{}\"", excerpt(&entry.name, SHOWN))).collect();
+        sheets.iter().take(10).map(|entry| format!("\"{}\"", excerpt(&entry.name, EXCERPT))).collect();
     if sheets.len() > 10 {
         names.push("…".to_owned());
     }
@@ -155,6 +154,6 @@ pub(super) fn same_but_for_case(one: &str, other: &str) -> bool {
 
 /// Refuses a sheet without cells: a sheet of a chart, or an empty one.
 pub(super) fn no_cells(entry: &SheetEntry) -> Refusal {
-    let sheet = excerpt(&entry.name, SHOWN);
+    let sheet = excerpt(&entry.name, EXCERPT);
     SheetWithoutCells { sheet }.refused(Exit::Refused, Place::Sheet(entry.name.clone()))
 }

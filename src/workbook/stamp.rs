@@ -19,6 +19,7 @@ use super::xml;
 use crate::escape::excerpt;
 use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::kind::Outcome;
+use crate::limits::EXCERPT;
 use crate::parameter::Value;
 
 /// The defined name of how many inputs differ.
@@ -27,8 +28,6 @@ pub const STALE: &str = "stale_inputs";
 pub const NAME: &str = "build_stamp";
 /// Its digits: those of the beginning of a SHA-256, in hexadecimal.
 const DIGITS: usize = 16;
-/// Characters of a sheet's name in a message.
-const SHOWN: usize = 40;
 /// How many sheets a message names.
 const LISTED: usize = 8;
 
@@ -111,7 +110,7 @@ pub fn others(bytes: &[u8]) -> Result<Option<Finding>, Refusal> {
         let bytes = book.gated.package.part(&sheet.part, limits::PART)?.unwrap_or_default();
         let text = xml::text(&sheet.part, bytes)?;
         if stamps(&text).any(|stamp| Some(stamp) != present.as_deref()) {
-            found.push(excerpt(&sheet.name, SHOWN));
+            found.push(excerpt(&sheet.name, EXCERPT));
         }
     }
     if found.is_empty() {

@@ -9,7 +9,7 @@ use quick_xml::events::{BytesStart, Event};
 
 use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Place, Raise, Refusal};
-use crate::limits::SHEET_FINDINGS;
+use crate::limits::{EXCERPT, SHEET_FINDINGS};
 
 use super::address::{self, Position, Range};
 use super::limits;
@@ -23,8 +23,6 @@ pub const COLUMNS: u32 = 5;
 const MARKS: u32 = u64::BITS;
 /// Cells beyond this row or column, and beyond the columns that are read, are so far out that they are mentioned.
 const FAR: Position = (10_000, 26);
-/// Characters of a raw value kept for a message.
-const SHOWN: usize = 40;
 
 /// What the walk over a sheet's part saw.
 #[derive(Debug, Default)]
@@ -197,7 +195,7 @@ impl Walk<'_> {
                 self.state = State::Inside;
             }
             (State::Rows | State::Row | State::Cell | State::Value, _) => {
-                let element = excerpt(name, SHOWN);
+                let element = excerpt(name, EXCERPT);
                 return Err(damaged(self.part, &ForeignElement { sheet: self.name(), element }));
             }
             (_, "sheetData") => {
@@ -325,7 +323,7 @@ impl Walk<'_> {
 
     /// A cell or row whose address lies outside of the grid.
     fn outside(&mut self, written: &str) {
-        let address = excerpt(written, SHOWN);
+        let address = excerpt(written, EXCERPT);
         self.survey.unsound = true;
         self.survey.findings.push(CellOutsideGrid { address }.at(Place::Sheet(self.sheet.to_owned())));
     }

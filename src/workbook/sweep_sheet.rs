@@ -26,7 +26,7 @@ use super::words::fold;
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal};
 use crate::kind::measure::{Suggested, Varied};
-use crate::limits::SWEEP_INPUTS;
+use crate::limits::{EXCERPT, SWEEP_INPUTS};
 use crate::parameter::field::{Fields, Stated};
 use crate::parameter::list::{List, Row, Rows};
 use crate::parameter::{Form, Parameter, Sheet, Value, Values};
@@ -38,8 +38,6 @@ use crate::text::{Language, Text, t};
 
 /// Rows that stand ready below those that are filled in.
 const SPARE: usize = 8;
-/// Characters of a symbol that are shown.
-const SHOWN: usize = 40;
 
 /// How the sheet is filled in.
 static HOW: Text = t(
@@ -197,7 +195,7 @@ fn designs(form: &'static Form, sheet: &SheetCells, findings: &mut Vec<Finding>)
         let symbol = sheet.text((head, at)).unwrap_or_default();
         match input(form, symbol) {
             None if symbol.is_empty() => findings.push(SymbolUnknown { symbol: "?".to_owned() }.at(place)),
-            None => findings.push(NoSuchInput { symbol: excerpt(symbol, SHOWN) }.at(place)),
+            None => findings.push(NoSuchInput { symbol: excerpt(symbol, EXCERPT) }.at(place)),
             Some(one) if !varies(one) => findings.push(InputNotVaried { symbol: one.key() }.at(place)),
             Some(one) if columns.iter().any(|(other, _)| other.key == one.key) => {
                 findings.push(InputTwice { symbol: one.key() }.at(place));

@@ -2,6 +2,7 @@
 
 use crate::escape::excerpt;
 use crate::finding::{Finding, Place, Raise, Typed};
+use crate::limits::EXCERPT;
 use crate::number::decimal;
 use crate::parameter::{Choice, FieldKind, Parameter, Value};
 use crate::text::{Text, t};
@@ -18,8 +19,6 @@ use super::{unit, words};
 const CODES: usize = 200;
 /// Most characters of a date.
 pub const DATE: usize = 40;
-/// Characters of a cell's text shown in a message.
-const SHOWN: usize = 40;
 
 /// Reads the value of a parameter from a row; what is wrong with it goes to `findings`. `None` where it is empty or
 /// wrong.
@@ -126,7 +125,7 @@ impl Reading<'_> {
                 None if !self.parameter.required => return None,
                 None => Box::new(ValueMissing { name, cell, expected: expected() }),
                 Some((Content::Error(error), _)) => {
-                    Box::new(ValueIsError { name, error: excerpt(error, SHOWN), cell, expected: expected() })
+                    Box::new(ValueIsError { name, error: excerpt(error, EXCERPT), cell, expected: expected() })
                 }
                 Some((Content::Truth(truth), _)) => {
                     let truth = if *truth { t("VERDADERO", "TRUE") } else { t("FALSO", "FALSE") };
@@ -190,7 +189,7 @@ impl Reading<'_> {
 
     fn text(&mut self, typed: &str, characters: usize) -> Option<Value> {
         let text = typed.trim();
-        let (name, shown) = (named(self.parameter), excerpt(text, SHOWN));
+        let (name, shown) = (named(self.parameter), excerpt(text, EXCERPT));
         match &self.parameter.kind {
             FieldKind::Real { .. } | FieldKind::Whole { .. } => {
                 let row = typed_number::told(name, text, shown.clone(), self.parameter.unit, &self.parameter.kind);
@@ -216,7 +215,7 @@ impl Reading<'_> {
             return None;
         }
         if crate::escape::printable(text) != text {
-            self.caution(&HiddenCharacters { name: named(self.parameter), text: excerpt(text, SHOWN) });
+            self.caution(&HiddenCharacters { name: named(self.parameter), text: excerpt(text, EXCERPT) });
         }
         Some(Value::Line(text.to_owned()))
     }
@@ -230,13 +229,13 @@ impl Reading<'_> {
             (Ok(key), None) => return Some(Value::Choice(key)),
             (Ok(_), Some(odd)) => {
                 let (name, cell) = (named(self.parameter), address::format(self.at));
-                let (text, character) = (excerpt(text, SHOWN), format!("U+{:04X}", u32::from(odd)));
+                let (text, character) = (excerpt(text, EXCERPT), format!("U+{:04X}", u32::from(odd)));
                 self.stop(&ChoiceWithOddBlank { name, text: text.clone(), character, cell }, text);
                 return None;
             }
             (Err(near), _) => near,
         };
-        let (name, text, choices) = (named(self.parameter), excerpt(text, SHOWN), expected(self.parameter));
+        let (name, text, choices) = (named(self.parameter), excerpt(text, EXCERPT), expected(self.parameter));
         let value = text.clone();
         match near {
             Some(label) => self.stop(&ChoiceMisspelt { name, text, choices, label: label.clone() }, value),
@@ -252,9 +251,9 @@ impl Reading<'_> {
         }
         let wrong = match read {
             Ok(codes) => return Some(Value::Line(codes)),
-            Err(wrong) => excerpt(&wrong, SHOWN),
+            Err(wrong) => excerpt(&wrong, EXCERPT),
         };
-        let (name, value) = (named(self.parameter), excerpt(text, SHOWN));
+        let (name, value) = (named(self.parameter), excerpt(text, EXCERPT));
         let (cell, expected) = (address::format(self.at), expected(self.parameter));
         if matches!(self.parameter.kind, FieldKind::Block) {
             self.stop(&WrongBlock { name, wrong, cell, expected }, value);
@@ -277,7 +276,7 @@ impl Reading<'_> {
         if unit::says(unit, &written) {
             return;
         }
-        let (written, label, cell) = (excerpt(&written, SHOWN), unit.label(), address::format(at));
+        let (written, label, cell) = (excerpt(&written, EXCERPT), unit.label(), address::format(at));
         let (name, place) = (named(self.parameter), Place::Cells(vec![self.sheet.place(at)]));
         let finding = if written.is_empty() {
             // A label or a value merged over it hides it, and was not typed in its place.

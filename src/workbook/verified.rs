@@ -4,7 +4,7 @@
 use crate::escape::excerpt;
 use crate::finding::{CellPlace, Finding, Place, Raise, Refusal};
 use crate::kind::NamedFile;
-use crate::limits::{LISTED_CELLS, LISTED_SYMBOLS};
+use crate::limits::{EXCERPT, LISTED_CELLS, LISTED_SYMBOLS};
 use crate::parameter::{Form, Parameter, Values};
 
 use super::address::{self, Position};
@@ -14,9 +14,6 @@ use super::listing::SheetEntry;
 use super::names::MARK;
 use super::rules::form::{InputsChanged, NamesAstray};
 use super::stamp;
-
-/// Characters of a sheet's name in a message.
-const SHOWN: usize = 40;
 
 /// What the guard of a results workbook tells.
 #[derive(Debug, Default)]
@@ -86,7 +83,7 @@ fn changed(guard::Stale { inputs, lists, files }: guard::Stale, put_in: bool) ->
 
 /// The sheet of a list with the first cells of it that were changed.
 fn list_told(sheet: &str, cells: &[Position]) -> String {
-    let mut told = excerpt(sheet, SHOWN);
+    let mut told = excerpt(sheet, EXCERPT);
     if !cells.is_empty() {
         let named = cells.iter().take(LISTED_CELLS).map(|cell| address::format(*cell)).collect::<Vec<_>>().join(" ");
         let more = if cells.len() > LISTED_CELLS { " …" } else { "" };

@@ -156,7 +156,9 @@ fn the_top_of_the_repository_holds_what_it_should() {
     }
 }
 
-/// What a control does is data: code that asks for its name or identity would do something else for the next control.
+/// What a control does is data: code that asks for its name or identity would do something else for the next control. Whether a
+/// program is for the control of its design is asked of two that are given, at one place; and no code names a control to hold
+/// another against it.
 #[test]
 fn no_code_asks_which_control_it_is() {
     let asks = |line: &str| {
@@ -166,20 +168,38 @@ fn no_code_asks_which_control_it_is() {
             let behind = behind.trim_start();
             ["==", "!=", ".", "{"].into_iter().any(|one| behind.starts_with(one))
                 || ["==", "!=", "match"].into_iter().any(|one| before.ends_with(one))
-        }) || line.contains("ptr::eq") && (line.contains("control") || line.contains("dialect"))
+        }) || (line.contains("ptr::eq") || line.contains(".is("))
+            && (line.contains("control") || line.contains("dialect"))
     };
     assert!(asks("if design.control.name == \"linuxcnc\" {") && asks("match dialect.name {"));
     assert!(asks("control.name.starts_with(\"fanuc\")") && asks("\"linuxcnc\" != self.control.name"));
+    assert!(asks("if program.control.is(control) {"));
     assert!(!asks("format!(\"{}\", program.control.name)") && !asks("let name = self.control.name;"));
+    let mut found = Vec::new();
     for (path, code) in sources("").into_iter().filter(|(path, _)| !path.starts_with("gcode/control")) {
-        let found = code.iter().find(|line| asks(line));
-        assert_eq!(found, None, "{}", path.display());
+        found.extend(above_tests(&code).filter(|line| asks(line)).map(|line| (path.clone(), line.clone())));
+    }
+    let is_for = "std::ptr::eq(self.control, control)".to_owned();
+    assert_eq!(found, [(PathBuf::from("gcode/program.rs"), is_for)]);
+
+    let word = |one: char| one.is_alphanumeric() || one == '_';
+    let own = sources("gcode/control");
+    let statics = own.iter().flat_map(|(_, code)| code).filter_map(|line| {
+        let (name, of) = line.strip_prefix("pub static ")?.split_once(':')?;
+        of.trim_start().starts_with("Control ").then_some(name)
+    });
+    let statics: BTreeSet<&str> = statics.collect();
+    assert_eq!(statics.len(), ALL.len(), "every control is seen: {statics:?}");
+    for (path, code) in sources("").iter().filter(|(path, _)| !path.starts_with("gcode/control")) {
+        let names = |line: &str| without_literals(line).split(|one| !word(one)).any(|name| statics.contains(name));
+        let named = above_tests(code).find(|line| names(line));
+        assert_eq!(named, None, "{}", path.display());
     }
 }
 
-/// What a value of a control does stands beside its enum, in a `match` without a wildcard. A comparison with one value elsewhere
-/// would give a new value the answer of the others, and nobody would be asked. Enums that share their name with one of another
-/// room are not looked for.
+/// What a value of a control does stands beside its enum, in a `match` without a wildcard. A comparison with one value elsewhere, as
+/// `==`, `matches!`, a pattern of `let`, `.eq(` or a `match` with a wildcard, would give a new value the answer of the others, and nobody
+/// would be asked. Enums that share their name with one of another room are not looked for.
 #[test]
 fn no_code_compares_with_a_value_of_a_control() {
     let word = |one: char| one.is_alphanumeric() || one == '_';
@@ -196,17 +216,17 @@ fn no_code_compares_with_a_value_of_a_control() {
     let elsewhere: BTreeSet<String> = others.iter().flat_map(named).collect();
     let enums: BTreeSet<String> = of_controls.iter().flat_map(named).filter(|name| !elsewhere.contains(name)).collect();
     assert!(enums.len() > 30 && enums.contains("RotaryMode") && enums.contains("CallBy"), "{enums:?}");
-    // Either side of the comparison, with or without a path before the enum.
+    // Either side of a comparison, with or without a path before the enum.
+    let value = |side: &str| {
+        side.split(|one: char| !word(one) && one != ':').any(|path| {
+            let mut names = path.rsplit("::").skip(1);
+            path.contains("::") && names.next().is_some_and(|name| enums.contains(name))
+        })
+    };
     let compares = |line: &str| {
         line.split("&&").flat_map(|part| part.split("||")).any(|part| {
             let sides = part.split_once("==").or_else(|| part.split_once("!="));
             sides.is_some_and(|(left, right)| {
-                let value = |side: &str| {
-                    side.split(|one: char| !word(one) && one != ':').any(|path| {
-                        let mut names = path.rsplit("::").skip(1);
-                        path.contains("::") && names.next().is_some_and(|name| enums.contains(name))
-                    })
-                };
                 // A method of a value, as its name, is no value.
                 let (left, right) = (left.trim_end(), right.trim_start());
                 let first = right.split(|one: char| !word(one) && !":.(&*".contains(one)).next().unwrap_or_default();
@@ -215,16 +235,104 @@ fn no_code_compares_with_a_value_of_a_control() {
             })
         })
     };
+    // Over lines, as a macro or a pattern may be broken.
+    let asks = |code: &str| {
+        let called = [".eq(", ".ne(", ".is(", "matches!("]
+            .into_iter()
+            .any(|call| code.match_indices(call).any(|(at, _)| value(within(&code[at + call.len()..], ['(', ')']))));
+        let bound = code.match_indices("let ").any(|(at, _)| {
+            let rest = &code[at + 4..];
+            value(rest.split_once('=').map_or("", |(pattern, _)| pattern))
+        });
+        called || bound || matches_by_wildcard(code, &value)
+    };
     assert!(compares("if self.memory.control.calls.by != CallBy::Label {"));
     assert!(
         compares("self.ready && self.counting == RotaryMode::Rollover {") && compares("control::CallBy::Label == by")
     );
     assert!(!compares("let by = CallBy::Label;") && !compares("rule == RotaryMode::Rollover.name()"));
     assert!(!compares("Self { by: CallBy::Label, deep: depth == 4 }") && !compares("grade == Grade::Stop"));
+    assert!(asks("called && matches!(\nself.memory.control.tool,\nToolCall::Digits\n)"));
+    assert!(asks("if let CallBy::Label = calls.by {") && asks("let Some(CallBy::Label) = by else {"));
+    assert!(asks("by.eq(&CallBy::Label)") && asks("by.is(&CallBy::Label)"));
+    assert!(asks("match calls.by {\nCallBy::Label => call(),\n_ => {}\n}"));
+    assert!(!asks("match calls.by {\nCallBy::Label => match code {\n_ => {}\n}\nCallBy::Number => {}\n}"));
+    assert_eq!(without_literals(r#"match b'(' { "a\"{" => '\'', x: &'a str"#), "match b {  => , x: &a str");
+    assert!(!asks("let by = CallBy::Label;") && !asks("match grade {\nGrade::Stop => CallBy::Label,\n_ => by,\n}"));
     for (path, code) in &others {
-        let found = above_tests(code).find(|line| compares(line));
+        let code: Vec<&str> = above_tests(code).map(String::as_str).collect();
+        let found = code.iter().find(|line| compares(line));
         assert_eq!(found, None, "{}: give the enum a method that says what is done", path.display());
+        assert!(
+            !asks(&without_literals(&code.join("\n"))),
+            "{}: give the enum a method that says what is done",
+            path.display()
+        );
     }
+}
+
+/// Code without what stands in quotes.
+fn without_literals(code: &str) -> String {
+    let (mut bare, mut rest) = (String::new(), code);
+    while let Some((at, quote)) = rest.char_indices().find(|(_, one)| ['"', '\''].contains(one)) {
+        let (before, behind) = (&rest[..at], &rest[at + 1..]);
+        bare.push_str(before);
+        let (mut escaped, mut ends) = (false, None);
+        for (at, one) in behind.char_indices() {
+            if one == quote && !escaped {
+                ends = Some(at);
+                break;
+            }
+            escaped = one == '\\' && !escaped;
+        }
+        // A lifetime has no second quote near it.
+        let literal = |end: &usize| quote == '"' || behind.starts_with('\\') || behind[..*end].chars().count() == 1;
+        rest = ends.filter(literal).map_or(behind, |end| &behind[end + 1..]);
+    }
+    bare + rest
+}
+
+/// The text up to the bracket that closes what stands open before it.
+fn within(text: &str, [open, close]: [char; 2]) -> &str {
+    let mut depth = 1_u32;
+    let end = text.char_indices().find(|(_, one)| {
+        depth = if *one == open { depth + 1 } else { depth - u32::from(*one == close) };
+        depth == 0
+    });
+    end.map_or(text, |(at, _)| &text[..at])
+}
+
+/// True where a `match` has a value in one of its patterns and `_` for another.
+fn matches_by_wildcard(code: &str, value: &impl Fn(&str) -> bool) -> bool {
+    code.match_indices("match ").any(|(at, _)| {
+        let Some((_, arms)) = code[at..].split_once('{') else { return false };
+        // The patterns alone, without what the arms do.
+        let (mut depth, mut patterns, mut pattern) = (0_u32, Vec::new(), String::new());
+        let mut body = false;
+        for (place, one) in within(arms, ['{', '}']).char_indices() {
+            match one {
+                '(' | '[' | '{' => depth += 1,
+                ')' | ']' | '}' => {
+                    depth = depth.saturating_sub(1);
+                    if one == '}' && depth == 0 {
+                        body = false;
+                        continue;
+                    }
+                }
+                ',' if depth == 0 => body = false,
+                '=' if depth == 0 && !body && arms[place..].starts_with("=>") => {
+                    patterns.push(std::mem::take(&mut pattern));
+                    body = true;
+                }
+                _ => {}
+            }
+            if !body {
+                pattern.push(one);
+            }
+        }
+        let bare = |pattern: &String| pattern.trim_matches(|one: char| one == ',' || one.is_whitespace()) == "_";
+        patterns.iter().any(bare) && patterns.iter().any(|pattern| value(pattern))
+    })
 }
 
 /// A formula asks for a control as code does: it takes the names from the data of the controls.

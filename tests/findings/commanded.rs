@@ -504,8 +504,16 @@ fn set(key: &str) -> Option<Vec<Finding>> {
             let points = vec![[0.0, 0.0], [20_000.0, 20_000.0]];
             let stroke = Stroke { ink: Ink::Cut, points, filled: false, arrow: false };
             let (strokes, labels, legend) = (vec![stroke], Vec::new(), Vec::new());
-            let figure =
-                Figure { key: "wide", caption: Text::same(""), height: 1.0, axes: None, strokes, labels, legend };
+            let figure = Figure {
+                key: "wide",
+                letters: Figure::LETTERS,
+                caption: Text::same(""),
+                height: 1.0,
+                axes: None,
+                strokes,
+                labels,
+                legend,
+            };
             let (title, source) = (Text::same("wide"), common::source());
             let drawing = Drawing {
                 figure: &figure,

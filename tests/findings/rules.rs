@@ -2,7 +2,9 @@
 //! tells, and of what a row must have whatever its room.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
 use std::io::{self, BufRead, Read, Seek, SeekFrom};
+use std::path::Path;
 
 use rodete::cli::rows;
 use rodete::finding::answer::answer;
@@ -296,13 +298,62 @@ fn a_refusal_carries_its_row_and_the_alarm_of_a_control_that_has_one() {
     assert_eq!(twice.data, [("first", word("K")), ("second", word("R"))]);
 }
 
-/// A remedy is written in its row, so that one code has one remedy: no row tells another's.
+/// The fields of rows that hold words, by code and name: what the sources declare them to be.
+fn texts() -> BTreeSet<(String, String)> {
+    let (mut folders, mut texts) = (vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("src")], BTreeSet::new());
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let source = fs::read_to_string(&path).unwrap();
+            for line in source.lines().map(str::trim) {
+                let Some((code, rest)) = line.strip_prefix('"').and_then(|line| line.split_once("\" ")) else {
+                    continue;
+                };
+                let Some((_, fields)) = rest.split_once('{').filter(|_| code.len() == 5) else { continue };
+                for field in fields.trim_end_matches('}').split(',') {
+                    let (name, of) = field.split_once(':').unwrap_or_default();
+                    if of.trim() == "Text" {
+                        texts.insert((code.to_owned(), name.trim().to_owned()));
+                    }
+                }
+            }
+        }
+    }
+    texts
+}
+
+/// The field that a part of a remedy takes its verb from: one that it begins with, or all that is behind a verb that says nothing
+/// by itself.
+fn verb(part: &str) -> Option<&str> {
+    let part = part.trim();
+    let bare = ["choose ", "use ", "elija ", "use los ", "take ", "do "];
+    let behind = bare.into_iter().find_map(|verb| part.strip_prefix(verb).filter(|rest| rest.ends_with('}')));
+    let (name, _) = behind.unwrap_or(part).strip_prefix('{')?.split_once('}')?;
+    Some(name)
+}
+
+/// A remedy is written in its row, so that one code has one remedy: no row tells another's, and none leaves what to do to a field. A
+/// field may name a cell, a letter, an axis, or what a value may be.
 #[test]
 fn a_code_has_one_remedy() {
-    let told_by_another = |rule: &&Rule| {
-        let bare = rule.remedy.en.trim();
-        bare.starts_with('{') && bare.ends_with('}') && !bare[1..].contains('{')
+    // N = 38, or that it must be larger.
+    const NAMED: [&str; 1] = ["V0024"];
+    assert_eq!(verb("{advice}, and take the word {axis} out"), Some("advice"));
+    assert_eq!((verb("choose {other}"), verb("{todo}")), (Some("other"), Some("todo")));
+    assert_eq!((verb("in {cell} write {expected}"), verb("choose N of {n} at least")), (None, None));
+    assert_eq!((verb("choose {joint}a slimmer torch"), verb("use {code} to finish")), (None, None));
+    let texts = texts();
+    assert!(texts.len() > 200, "the words of rows are found: {}", texts.len());
+    let left_to_a_field = |rule: &&Rule| {
+        [&rule.remedy.es, &rule.remedy.en].into_iter().any(|remedy| {
+            let mut verbs = remedy.split("; ").filter_map(verb);
+            verbs.any(|name| texts.contains(&(rule.code.to_owned(), name.to_owned())))
+        })
     };
-    let codes: Vec<_> = rules().filter(told_by_another).map(|rule| rule.code).collect();
-    assert!(codes.is_empty(), "{codes:?}");
+    let codes: Vec<_> = rules().filter(left_to_a_field).map(|rule| rule.code).collect();
+    assert_eq!(codes, NAMED);
 }

@@ -1,18 +1,15 @@
 //! Every row of a verification is raised by its own example: a program that a workbook writes, judged with a text in it
 //! replaced.
 
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use rayon::prelude::*;
 use rodete::cli::rows;
 use rodete::finding::{Example, Finding, Place, Rule};
 use rodete::gcode::header::Origin;
-use rodete::kind::Wants;
-use rodete::kind::method::{Method, judged};
 use rodete::kinds::KINDS;
-use rodete::kinds::impeller::Impeller;
-use rodete::kinds::pipe::hole::{self, Hole};
-use rodete::kinds::pipe::insert::Insert;
+use rodete::kinds::pipe::hole;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Value, Values};
 use rodete::proof::Judged;
@@ -20,8 +17,6 @@ use rodete::proof::account::Account;
 use rodete::proof::rules::{ChecksPassed, NotAsPlanned, NotClosed};
 use rodete::proof::verification::Verification;
 use rodete::text::{Language, Text, t};
-
-use crate::common::with_text;
 
 /// What the slips of cautions break that is graver: the tip is too fast on the longer way, its points are others, the beam leaves
 /// the root, the torch comes near the pipe.
@@ -58,41 +53,20 @@ pub fn values(cases: &'static [Case], case: Option<&str>, cells: &[(&'static str
 /// What is told of the program of an example, and how many lines the text has; none of a design that is refused.
 type Told = (Vec<Finding>, usize);
 
-/// What is told of the program of an example.
-fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, slip: [&str; 2]) -> Told {
-    let (kind, case) = words.split_once(" --case ").map_or((words, None), |(kind, case)| (kind, Some(case)));
-    let told = match kind {
-        "impeller" => told_of::<Impeller>,
-        "pipe-insert" => told_of::<Insert>,
-        "pipe-hole" => told_of::<Hole>,
-        _ => panic!("{kind} is not judged"),
+/// What is told of the program of an example, the first `from` in its text replaced.
+fn told(words: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to]: [&str; 2]) -> Told {
+    let (name, case) = words.split_once(" --case ").map_or((words, None), |(kind, case)| (kind, Some(case)));
+    let kind = KINDS.iter().find(|kind| kind.form().kind == name).expect(name);
+    let fields = Fields::of(kind.form(), values(kind.cases(), case, cells)).unwrap();
+    let lines = Cell::new(0);
+    let edited = |text: &str| {
+        assert!(text.contains(from), "{from} is not in\n{text}");
+        let text = text.replacen(from, &to.replace('|', "\n"), 1);
+        lines.set(text.lines().count());
+        text
     };
-    told(case, cells, key, slip)
-}
-
-/// What is told of a program of a method, the first `from` in its text replaced.
-fn told_of<M: Method>(
-    case: Option<&str>,
-    cells: &[(&'static str, &'static str)],
-    key: &str,
-    [from, to]: [&str; 2],
-) -> Told {
-    let design = match M::design(&Fields::of(M::FORM, values(M::CASES, case, cells)).unwrap()) {
-        Ok(design) => design,
-        Err(refused) => return (refused, 0),
-    };
-    let model = M::model(&design).unwrap();
-    let origin = Origin { workbook: "W.XLSX", sha256: "0", version: "0.0.0", language: Language::En };
-    let programs = M::programs(&design, &model, &origin).unwrap().programs;
-    let program = programs.iter().find(|program| program.key == key).unwrap();
-    let text = program.text();
-    assert!(text.contains(from), "{from} is not in\n{text}");
-    let text = text.replacen(from, &to.replace('|', "\n"), 1);
-    let (lines, text) = (text.lines().count(), with_text(program, &text));
-    let mut memo = M::memo(&design, &model, Wants::default());
-    let mut verification = Verification::default();
-    verification.add(&text, judged::<M>(&design, &model, &mut memo, program, &text), M::fewer(&design, program));
-    (verification.findings, lines)
+    let found = kind.judged_text(&fields, key, &edited).unwrap_or_else(|| panic!("{name} judges no {key}"));
+    (found, lines.get())
 }
 
 /// True where a finding says where it is: a line of the program, or what is to be changed.

@@ -331,7 +331,8 @@ fn no_smaller_tool_is_advised_where_the_straight_ends_of_thick_blades_close_the_
     let mut cells: Vec<_> = sizes.map(|(key, value)| (key, Value::Real(value))).into();
     cells.push(("N", Value::Whole(1)));
     let made = outcome(&cells);
-    let stops: Vec<_> = made.findings.iter().filter(|finding| ["V0126", "V0131"].contains(&finding.code())).collect();
+    let stops: Vec<_> =
+        made.findings.iter().filter(|finding| ["V0126", "V0131", "V0136", "V0137"].contains(&finding.code())).collect();
     assert!(stops.iter().any(|stop| stop.code() == "V0131"), "{:?}", made.findings);
     for stop in stops {
         let [es, en] = [&stop.remedy.es, &stop.remedy.en];

@@ -618,17 +618,17 @@ fn the_lead_in_and_the_safe_height_that_a_torch_too_near_asks_for_do() {
         design
     };
     let joints = [
-        (pipe([60.3, 4.0], [168.3, 20.0], 32.33), "lead_in", "a lead-in of "),
-        (pipe([88.9, 4.0], [323.9, 20.0], 94.56), "lead_in", "a lead-in of "),
-        (vec![real("Z_s", 1.0)], "Z_s", "a Z_s of "),
-        (vec![real("Z_s", 1.0), real("gamma", 45.0), real("D_max", 40.0)], "Z_s", "a Z_s of "),
+        (pipe([60.3, 4.0], [168.3, 20.0], 32.33), "lead_in", "a shorter lead-in, of "),
+        (pipe([88.9, 4.0], [323.9, 20.0], 94.56), "lead_in", "a shorter lead-in, of "),
+        (vec![real("Z_s", 1.0)], "Z_s", "a larger Z_s, of "),
+        (vec![real("Z_s", 1.0), real("gamma", 45.0), real("D_max", 40.0)], "Z_s", "a larger Z_s, of "),
         // Too near where the rapid down begins: no lead-in is to blame.
-        (vec![real("Z_s", 5.0), real("gamma", 45.0), real("D_max", 40.0), real("e", 20.0)], "Z_s", "a Z_s of "),
+        (vec![real("Z_s", 5.0), real("gamma", 45.0), real("D_max", 40.0), real("e", 20.0)], "Z_s", "a larger Z_s, of "),
     ];
     for (design, key, words) in joints {
         let found = stops(&design);
         let [near] = &found[..] else { panic!("{design:?}: {found:?}") };
-        assert_eq!(near.code(), "V0302");
+        assert_eq!(near.code(), if key == "Z_s" { "V0309" } else { "V0308" });
         let value = named(near, words).unwrap_or_else(|| panic!("{near:?}"));
         assert_eq!(stops(&with(&design, key, value)), [], "{value}");
         let too_much = if key == "Z_s" { value - 0.2 } else { value + 0.2 };
@@ -640,5 +640,5 @@ fn the_lead_in_and_the_safe_height_that_a_torch_too_near_asks_for_do() {
 #[test]
 fn a_large_tolerance_of_arcs_does_not_let_the_torch_come_near() {
     let stops = stops(&[real("Z_s", 1.0), real("arc_tolerance", 5.0)]);
-    assert_eq!(stops.iter().map(Finding::code).collect::<Vec<_>>(), ["V0302"]);
+    assert_eq!(stops.iter().map(Finding::code).collect::<Vec<_>>(), ["V0309"]);
 }

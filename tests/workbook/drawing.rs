@@ -35,6 +35,7 @@ fn curve(length: f64, height: f64) -> Vec<[f64; 2]> {
 /// A development as that of a cut pipe: the cut, the seam at both ends, a base line, a label.
 fn development(length: f64, height: f64) -> Figure {
     Figure {
+        letters: Figure::LETTERS,
         key: "wrap",
         height: Figure::HEIGHT,
         caption: t("Desarrollo", "Development"),

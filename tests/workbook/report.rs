@@ -71,6 +71,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
         charts: Vec::new(),
         figures: LazyLock::new(Box::new(move || {
             vec![Figure {
+                letters: Figure::LETTERS,
                 key: "angles",
                 height: Figure::HEIGHT,
                 caption: t("Ángulos", "Angles"),

@@ -88,8 +88,8 @@ pub fn controls(language: Language) -> String {
     for Chapter { title, of, rows } in chapters() {
         let _ = write!(page, "\n## {}\n", title.get(language));
         // All controls side by side are wider than a page of a book.
-        for (class, name) in [(Class::Mill, t("fresadoras", "mills")), (Class::Lathe, t("tornos", "lathes"))] {
-            let _ = write!(page, "\n### {}: {}\n", title.get(language), name.get(language));
+        for class in Class::ALL {
+            let _ = write!(page, "\n### {}: {}\n", title.get(language), class.machines().get(language));
             write_table(&mut page, class, &of, &rows, language);
         }
     }

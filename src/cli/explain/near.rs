@@ -1,10 +1,8 @@
 //! The codes that are meant where one is not known: what is nearly typed.
 
 use crate::finding::Rule;
+use crate::limits::NEAR_CODES;
 use crate::text::{Text, one_of};
-
-/// How many are named at most.
-const MOST: usize = 4;
 
 /// How a question names the codes near a typed one; empty where none is.
 ///
@@ -38,8 +36,9 @@ fn parted(code: &str) -> Option<(&str, u64)> {
 
 fn nearest(typed: &str, known: &[String]) -> Vec<String> {
     let typed = typed.trim().to_uppercase();
-    let of =
-        |same: &dyn Fn(&str) -> bool| known.iter().filter(|code| same(code)).take(MOST).cloned().collect::<Vec<_>>();
+    let of = |same: &dyn Fn(&str) -> bool| {
+        known.iter().filter(|code| same(code)).take(NEAR_CODES).cloned().collect::<Vec<_>>()
+    };
     if let Some((letters, number)) = parted(&typed) {
         let same = of(&|code| parted(code) == Some((letters, number)));
         if !same.is_empty() {

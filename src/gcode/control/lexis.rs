@@ -8,7 +8,7 @@ use crate::gcode::letters::Letters;
 pub enum Language {
     /// Nothing: words alone.
     Words,
-    /// Parameters `#`, expressions, polar words, and O-words that steer the program.
+    /// Parameters `#`, expressions, and O-words that steer the program.
     OWords,
     /// A macro language (IF, WHILE, GOTO, `#`), which is refused by name.
     Macros,
@@ -18,6 +18,15 @@ impl Language {
     /// True where numbers may be computed and O steers the program; else O numbers a program.
     #[must_use]
     pub const fn computes(self) -> bool {
+        match self {
+            Self::OWords => true,
+            Self::Words | Self::Macros => false,
+        }
+    }
+
+    /// True where a block number may have a fraction, which is passed over.
+    #[must_use]
+    pub const fn numbers_with_fraction(self) -> bool {
         match self {
             Self::OWords => true,
             Self::Words | Self::Macros => false,
@@ -282,6 +291,15 @@ pub enum PolarWords {
 }
 
 impl PolarWords {
+    /// True where `@` and `^` are read.
+    #[must_use]
+    pub const fn by_signs(self) -> bool {
+        match self {
+            Self::Signs => true,
+            Self::None | Self::RadiusAndAngle => false,
+        }
+    }
+
     /// True where R and Q of a motion are refused as polar words.
     #[must_use]
     pub const fn by_letters(self) -> bool {

@@ -54,6 +54,7 @@ use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 pub use crate::gcode::feed_law::{FeedLaw, Slower};
 use crate::gcode::motion::{FeedMode, Plane};
+use crate::text::{Text, t};
 
 /// What stands in the chuck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,6 +63,20 @@ pub enum Class {
     Mill,
     /// The part, turned about Z: X is written as a diameter and shown so.
     Lathe,
+}
+
+impl Class {
+    /// Every one.
+    pub const ALL: [Self; 2] = [Self::Mill, Self::Lathe];
+
+    /// What machines of it are called.
+    #[must_use]
+    pub const fn machines(self) -> Text {
+        match self {
+            Self::Mill => t("fresadoras", "mills"),
+            Self::Lathe => t("tornos", "lathes"),
+        }
+    }
 }
 
 /// What is in force at the start.
@@ -90,7 +105,8 @@ pub enum UnitChange {
 
 /// A control: how its programs are read and, where rodete writes for it, how they are written.
 ///
-/// It is data: each behaviour is obeyed at one place, and no code asks which control it is. Controls cannot be compared.
+/// It is data: each behaviour is obeyed at one place, and no code asks which control it is. It has no `==`; that a program is for the
+/// control of its design, [`Program::is_for`](crate::gcode::program::Program::is_for) says, of two that are given and of none that is named.
 #[derive(Debug)]
 pub struct Control {
     /// The name in workbooks and on the command line.
@@ -159,12 +175,6 @@ pub static MILLING: [&Control; 3] = [&FAGOR_8055, &FAGOR_8070, &LINUXCNC];
 pub static TURNING: [&Control; 2] = [&FANUC_LATHE_A, &FAGOR_8055_T];
 
 impl Control {
-    /// True for the same control: its name is its alone.
-    #[must_use]
-    pub fn is(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-
     /// True for a lathe, whose part turns and whose X is a diameter.
     #[must_use]
     pub const fn turns(&self) -> bool {

@@ -33,6 +33,16 @@ impl ToolCall {
             Self::Digits | Self::Words => false,
         }
     }
+
+    /// The word that calls a tool and no offset, where a cut under it is told: a T that names both may have its 0 by slip. `None` where
+    /// an offset has a word of its own.
+    #[must_use]
+    pub fn without_offset(self, tool: u32) -> Option<String> {
+        match self {
+            Self::Digits => Some(format!("T{tool:02}00")),
+            Self::Change | Self::Words => None,
+        }
+    }
 }
 
 /// The blocks that call a tool with its offset.

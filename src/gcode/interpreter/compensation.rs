@@ -35,12 +35,11 @@ use crate::gcode::turning::pace::Pace;
 use crate::gcode::turning::rules::{
     ArcOfOtherPlane, CompensationBeginsOnArc, CompensationEndsOnArc, CompensationPlane, CompensationWithoutOffset,
     MachineMoveCancelsNose, MotionNotSeen, NoseChanges, NoseCutsContour, NoseInArc, NoseInCorner, NoseInShortPiece,
-    NoseNotInTable, NoseTaken, NoseWithoutTable, PassTip, PassesNotCompensated, SharpNose, ThreadUnderCompensation,
-    TooManyStillBlocks,
+    NoseNotInTable, NoseTaken, NoseWithoutTable, PassTip, PassesNeverCompensated, PassesNotCompensated, SharpNose,
+    ThreadUnderCompensation, TooManyStillBlocks,
 };
 use crate::limits::STILL_PIECES;
 use crate::machine::axis::{Axis, Pose};
-use crate::text::{Text, t};
 
 /// The sharpest outer corner that a Fagor goes round straight: 300 degrees between the paths, a turn of 120.
 const STRAIGHT_TO_120: f64 = PI * 2.0 / 3.0;
@@ -56,7 +55,7 @@ struct Carried {
 
 impl Carried {
     fn spot(&self) -> Spot {
-        Spot { text: self.control.file, line: self.motion.line, n: self.motion.n }
+        Spot { text: self.control.file, line: self.motion.line, n: self.motion.n, again: false }
     }
 }
 
@@ -169,17 +168,10 @@ impl Reader<'_, '_> {
             return;
         }
         let spot = self.block.spot;
-        let finish = match self.memory.control.codes.names(G::Turning(TurningCycle::Finish)).first() {
-            Some(code) => Text::new(
-                format!("use {code} para acabar con compensación"),
-                format!("use {code} to finish with compensation"),
-            ),
-            None => t(
-                "para acabar con compensación escriba el contorno con G1, G2 y G3",
-                "to finish with compensation write the contour with G1, G2 and G3",
-            ),
-        };
-        self.memory.remarks.row(&PassesNotCompensated { finish }, spot, None);
+        match self.memory.control.codes.names(G::Turning(TurningCycle::Finish)).into_iter().next() {
+            Some(finish) => self.memory.remarks.row(&PassesNotCompensated { finish }, spot, None),
+            None => self.memory.remarks.row(&PassesNeverCompensated {}, spot, None),
+        }
     }
 
     /// Counts a block, by which it is seen how far ahead the control would have to look.
@@ -195,7 +187,7 @@ impl Reader<'_, '_> {
             && side != Compensation::Off
             && !self.memory.compensator.stage.idle()
         {
-            let spot = Spot { text: self.block.spot.text, line: motion.line, n: motion.n };
+            let spot = Spot { line: motion.line, n: motion.n, ..self.block.spot };
             self.memory.remarks.row(&MotionNotSeen { still, sees }, spot, None);
         }
     }

@@ -154,23 +154,22 @@ impl Reader<'_, '_> {
         let mut reader = Reader { memory: &mut *self.memory, block: &mut block, state: &mut probe };
         let read = reader.read_contour(cycle, ends);
         if let Ok(contour) = &read {
-            self.see_contour(contour, ends);
+            self.see_contour(contour, ends, block.spot);
         }
-        self.memory.remarks.behind_contour();
         read.map_err(|mut fault| {
             fault.line = if fault.line == 0 { block.spot.line } else { fault.line };
             fault
         })
     }
 
-    /// Keeps a contour for those who follow the program, and tells one that has no motion at feed. While it is told the cycle counts as the
-    /// contour's reader, so that G71 and G70 tell it once.
-    fn see_contour(&mut self, contour: &Contour, ends: Ends) {
+    /// Keeps a contour for those who follow the program, and tells one that has no motion at feed, as its reader does, who
+    /// stands in its `last` block: G71 and G70 tell it once.
+    fn see_contour(&mut self, contour: &Contour, ends: Ends, last: Spot) {
         let Contour { profile, blocks, .. } = contour;
         let (file, line) = (self.block.spot.text, ends.first_line());
         if profile.elements.iter().all(|element| element.rapid) {
             let n = blocks.first().and_then(|block| block.words.spot.n);
-            self.memory.remarks.row(&ContourWithoutCut {}, Spot { text: file, line, n }, None);
+            self.memory.remarks.row(&ContourWithoutCut {}, Spot { text: file, line, n, ..last }, None);
         }
         let kept = &self.memory.contours;
         // A file of nothing but contours must not fill the memory.
@@ -207,7 +206,7 @@ impl Reader<'_, '_> {
             let Some(behind) = self.memory.library.line(next, &mut line)? else { break };
             next = behind;
             self.count_line(behind)?;
-            self.memory.remarks.in_contour(self.block.spot);
+            self.block.spot.again = self.memory.remarks.counted(self.block.spot);
             let Some(mut cursor) = self.open_line(&line)? else { continue };
             if matches!(cursor.peek(), b'%' | b'o') {
                 return Err(Refused::of(&ContourWithoutEnd { cycle }, &[cursor.column()]));
@@ -241,7 +240,9 @@ impl Reader<'_, '_> {
             _ => before,
         };
         let ns = contour.blocks.is_empty();
-        contour.blocks.push(ContourBlock { words: self.block.clone(), side });
+        let mut words = self.block.clone();
+        words.spot.again = false;
+        contour.blocks.push(ContourBlock { words, side });
         if let Some(motion) = self.block.g(Group::Motion) {
             self.state.modal.motion = motion;
         }
@@ -358,7 +359,7 @@ impl Reader<'_, '_> {
         if odd & !obeyed != 0 {
             return refuse(block.group_column(odd & !obeyed), ("código G", "G code"));
         }
-        let time = if dwell { 1 << letter::P } else { 0 };
+        let time = if dwell { 1 << self.dwell_time()?.0.index() } else { 0 };
         let idle = block.present & !LETTERS.mask() & !time;
         if idle != 0 { Err(self.unused(idle)) } else { Ok(()) }
     }

@@ -157,12 +157,12 @@ impl Reader<'_, '_> {
         if let Some(code) = self.block.g(Group::SetPosition) {
             self.change_position(code);
         }
-        if self.memory.control.order.motion_beside()
-            && let Some(code) = at_once.filter(|code| *code != G::Dwell)
-        {
+        if let Some(code) = at_once.filter(|code| *code != G::Dwell) {
+            // A code for one block ends the passes of a turning cycle.
             self.state.modal.pass = None;
-            if let Some(under) = self.block.g(Group::Motion).filter(|_| one_shot(code)) {
-                self.lathe_motion(under);
+            let under = self.block.g(Group::Motion).filter(|_| one_shot(code));
+            if let Some(under) = under.filter(|_| self.memory.control.order.motion_beside()) {
+                self.begin_motion(under);
                 self.state.modal.motion = under;
             }
         }
@@ -410,9 +410,7 @@ impl Reader<'_, '_> {
         if !matches!(motion, G::Cycle(_)) {
             self.state.modal.sticky.initial = None;
         }
-        if self.memory.control.cancel.restores() {
-            self.lathe_motion(motion);
-        }
+        self.begin_motion(motion);
         self.straight_behind_cutter(motion);
         if matches!(motion, G::Rapid | G::Linear | G::Arc(_)) {
             self.take_up_length(motion)?;

@@ -17,13 +17,13 @@ use crate::gcode::letters::Letters;
 use crate::gcode::motion::{Arc, Feed, FeedMode, MotionKind, Thread};
 use crate::gcode::turning::pace::Pace;
 use crate::gcode::turning::rules::{
-    AxisNotFollowed, AxisNotOfLathe, BeyondAxis, G91InSystemA, MachineMoveByIncrements, ReferencePointNotKnown,
-    ReferencePointNotSupported, ReferenceWithoutAxes, SecondPointNotKnown, StaleFeed, SystemShifted, TwoWordsAnAxis,
+    AxisNotFollowed, AxisNotOfLathe, BeyondAxis, G91InSystemA, IncrementNotFollowed, IncrementNotOfLathe,
+    MachineMoveByIncrements, ReferencePointNotKnown, ReferencePointNotSupported, ReferenceWithoutAxes,
+    SecondPointNotKnown, StaleFeed, SystemShifted, TwoWordsAnAxis,
 };
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::work_offset::{ACTIVE, ActiveOffsets, G28_FIRST, G30_FIRST, WorkOffset};
-use crate::text::{Text, t};
 
 /// The axes of a lathe with the letters of their absolute and their incremental words.
 const WORDS: [(Axis, usize, usize); 2] = [(Axis::X, letter::X, letter::U), (Axis::Z, letter::Z, letter::W)];
@@ -63,24 +63,22 @@ impl Reader<'_, '_> {
                 continue;
             }
             let (name, column) = (axis.letter(), self.block.column(letter));
-            let advice = match axis {
-                Axis::U | Axis::W => {
-                    let along = if axis == Axis::U { 'X' } else { 'Z' };
-                    Text::new(
-                        format!("escriba la cota con {along}, o el incremento con G91 y {along}"),
-                        format!("write the end point with {along}, or the increment with G91 and {along}"),
-                    )
-                }
-                Axis::X | Axis::Y | Axis::Z | Axis::A | Axis::B | Axis::C | Axis::V => {
-                    t("escriba la cota con X o Z", "write the end point with X or Z")
-                }
+            // The axis that U and W would move by an increment, had the control such words.
+            let along = match axis {
+                Axis::U => Some('X'),
+                Axis::W => Some('Z'),
+                Axis::X | Axis::Y | Axis::Z | Axis::A | Axis::B | Axis::C | Axis::V => None,
             };
-            match self.memory.setting.axes {
-                Some(axes) if axes.has(name as u8 - b'A') => {}
-                Some(_) => return Err(Refused::of(&AxisNotOfLathe { axis: name, advice }, &[column])),
-                None => {
-                    let spot = self.block.spot;
-                    self.memory.remarks.row(&AxisNotFollowed { axis: name, advice }, spot, Some(column));
+            let spot = self.block.spot;
+            match (self.memory.setting.axes, along) {
+                (Some(axes), _) if axes.has(name as u8 - b'A') => {}
+                (Some(_), None) => return Err(Refused::of(&AxisNotOfLathe { axis: name }, &[column])),
+                (Some(_), Some(along)) => {
+                    return Err(Refused::of(&IncrementNotOfLathe { axis: name, along }, &[column]));
+                }
+                (None, None) => self.memory.remarks.row(&AxisNotFollowed { axis: name }, spot, Some(column)),
+                (None, Some(along)) => {
+                    self.memory.remarks.row(&IncrementNotFollowed { axis: name, along }, spot, Some(column));
                 }
             }
         }
@@ -109,8 +107,9 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// What a lathe keeps in mind when a motion begins.
-    pub(super) fn lathe_motion(&mut self, motion: G) {
+    /// What is kept in mind when a motion begins: the passes of a turning cycle end with another motion code, and a drilling cycle has
+    /// the motion code before it under it, which comes back behind G80 where the control says so.
+    pub(super) fn begin_motion(&mut self, motion: G) {
         if !matches!(motion, G::Pass(_) | G::Cancel) {
             self.state.modal.pass = None;
         }

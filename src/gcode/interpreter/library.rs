@@ -16,12 +16,14 @@ pub(super) struct Mark {
     pub(super) line: Position,
 }
 
-/// The place of a block: its text, 0 for the program's own, its line, counted from 1, and its number.
+/// The place of a block: its text, 0 for the program's own, its line, counted from 1, and its number; and who reads it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Spot {
     pub(super) text: usize,
     pub(super) line: usize,
     pub(super) n: Option<u32>,
+    /// It is read as a block of a contour that a cycle before this one has read: what is remarked of it has been counted.
+    pub(super) again: bool,
 }
 
 /// A text with its indices, each made when it is first asked for.

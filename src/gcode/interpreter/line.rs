@@ -14,10 +14,8 @@ use crate::gcode::rules::lexis::{
     NoProgramNumbers, Percent, PercentAgain, ProgramNumber,
 };
 use crate::gcode::rules::words::LocalSubroutine;
-use crate::limits::LEADER_LINES;
+use crate::limits::{COMMENT_EXCERPT, LEADER_LINES};
 
-/// Most characters of a comment that a message repeats.
-const SHOWN: usize = 250;
 /// Most characters of a program's name in its header.
 const LONGEST_NAME: usize = 20;
 
@@ -72,7 +70,7 @@ impl Reader<'_, '_> {
         let column = cursor.column();
         if cursor.accept(b'n') {
             let number = block_number(&mut cursor)?;
-            if self.memory.control.lexis.language.computes() {
+            if self.memory.control.lexis.language.numbers_with_fraction() {
                 pass_fraction(&mut cursor);
             }
             let most = self.memory.control.lexis.greatest_number;
@@ -266,13 +264,13 @@ impl Reader<'_, '_> {
             let word: String = text.trim_start().chars().take(10).collect::<String>().to_uppercase();
             self.memory.aborted |= self.memory.control.lexis.comments.obeyed() && word.starts_with("ABORT,");
             if self.memory.aborted {
-                let shown = excerpt(text.trim(), SHOWN);
+                let shown = excerpt(text.trim(), COMMENT_EXCERPT);
                 self.memory.remarks.row(&Aborts { comment: shown }, self.block.spot, Some(column));
                 return Ok(());
             }
             if self.memory.control.lexis.comments.obeyed() && ACTIVE.iter().any(|active| word.starts_with(active)) {
                 let spot = self.block.spot;
-                let shown = excerpt(text.trim(), SHOWN);
+                let shown = excerpt(text.trim(), COMMENT_EXCERPT);
                 self.memory.remarks.row(&ActiveComment { comment: shown }, spot, Some(column));
             }
         }

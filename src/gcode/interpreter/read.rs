@@ -10,10 +10,11 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
-    BlockRepeated, CodeNotSupported, CodeParted, CoordinateTooGreat, CycleInOneBlock, DecimalsTooMany, EdgeNoSize,
-    EdgeTwice, FeedOrSpeedTooGreat, LetterNotSupported, LetterUnknown, LocalSubroutine, MachineCodeNotFollowed,
-    MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany, MacroLanguage, Macros, Negative, NumberParted,
-    TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, UnknownToAll, WordTooGreat, WordTwice, WordsOutOfOrder,
+    BlockRepeated, ChamferWithoutComma, CodeNotSupported, CodeParted, CoordinateTooGreat, CycleInOneBlock,
+    DecimalsTooMany, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat, LetterNotSupported, LetterUnknown, LocalSubroutine,
+    MachineCodeNotFollowed, MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany, MacroLanguage, Macros,
+    Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, UnknownToAll, WordTooGreat, WordTwice,
+    WordsOutOfOrder,
 };
 use crate::limits::COUNT;
 use crate::machine::length_unit::LengthUnit;
@@ -91,7 +92,7 @@ impl Reader<'_, '_> {
                     let setting = self.setting(cursor)?;
                     self.block.settings.push(setting);
                 }
-                b'@' | b'^' if self.memory.control.lexis.language.computes() => self.read_polar(cursor)?,
+                b'@' | b'^' if self.memory.control.lexis.polar.by_signs() => self.read_polar(cursor)?,
                 _ => return Err(cursor.refuse_character()),
             }
         }
@@ -359,25 +360,22 @@ impl Reader<'_, '_> {
             return Refused::of(&CycleInOneBlock { letter: name, number: cycle.number() }, &[column]);
         }
         if self.memory.control.lexis.refused.has(letter - b'a') {
-            let comma = self.without_comma(letter, cursor);
-            Refused::of(&LetterNotSupported { letter: name, dialect, comma }, &[column])
+            match self.without_comma(letter, cursor) {
+                Some(size) => Refused::of(&ChamferWithoutComma { letter: name, dialect, size }, &[column]),
+                None => Refused::of(&LetterNotSupported { letter: name, dialect }, &[column]),
+            }
         } else {
             Refused::of(&LetterUnknown { letter: name, dialect }, &[column])
         }
     }
 
-    /// What to write in place of a C that stands as a chamfer without its comma; nothing where it can be none: the control breaks
-    /// no corners by words, or the block is no line at feed.
-    fn without_comma(&self, letter: u8, cursor: &Cursor<'_>) -> Text {
+    /// The size of a C that stands as a chamfer without its comma; `None` where it can be none: the control breaks no corners by
+    /// words, or the block is no line at feed.
+    fn without_comma(&self, letter: u8, cursor: &Cursor<'_>) -> Option<String> {
         let line = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion) == G::Linear;
         let size = cursor.size_behind();
-        if letter != b'c' || !self.memory.control.corners.by_words() || !line || size.is_empty() {
-            return t("", "");
-        }
-        Text::new(
-            format!("para un chaflán escriba ,C{size} con coma; "),
-            format!("for a chamfer write ,C{size} with a comma; "),
-        )
+        let chamfer = letter == b'c' && self.memory.control.corners.by_words() && line && !size.is_empty();
+        chamfer.then(|| size.to_owned())
     }
 }
 

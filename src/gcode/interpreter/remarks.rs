@@ -20,9 +20,8 @@ pub(super) struct Remarks {
     turns: Option<Greatest>,
     /// Dwells beyond a minute of a word that counts seconds, s.
     dwells: Option<Greatest>,
-    /// The lines, each in its text, that cycles have read as blocks of their contour, and whether the one in hand is of them.
+    /// The lines, each in its text, that cycles have read as blocks of their contour.
     contours: BTreeSet<(usize, usize)>,
-    again: bool,
 }
 
 /// Blocks that a program has several of, told once with the greatest of them.
@@ -77,17 +76,13 @@ impl Greatest {
 }
 
 impl Remarks {
-    /// The line in hand is a block of a contour. What several cycles read of it, G71 and G70, is counted once.
-    pub(super) fn in_contour(&mut self, spot: Spot) {
-        self.again = !self.contours.insert((spot.text, spot.line));
+    /// True where a line, a block of a contour, has been read by a cycle before: what several read of it, G71 and G70, is counted once.
+    pub(super) fn counted(&mut self, spot: Spot) -> bool {
+        !self.contours.insert((spot.text, spot.line))
     }
 
-    /// The contour has been read.
-    pub(super) const fn behind_contour(&mut self) {
-        self.again = false;
-    }
-
-    /// Remarks a row at a place and column (counted from 0). Row and values tell one thing from another.
+    /// Remarks a row at a place and column (counted from 0). Row and values tell one thing from another. Of a place that is read again it
+    /// is counted once.
     pub(super) fn row(&mut self, row: &dyn Raise, spot: Spot, column: Option<usize>) {
         self.row_as(row.rule().grade, row, spot, column);
     }
@@ -97,7 +92,7 @@ impl Remarks {
         let (rule, data) = (row.rule(), row.carries());
         let same = |finding: &Finding| finding.is(rule) && finding.data == data;
         if let Some((count, ..)) = self.list.iter_mut().find(|(.., finding)| same(finding)) {
-            *count += u64::from(!self.again);
+            *count += u64::from(!spot.again);
         } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
             self.list.push((1, spot.text, row.at(place(None, spot.line, columns)).graded(grade)));

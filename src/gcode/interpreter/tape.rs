@@ -73,7 +73,7 @@ impl Tape {
         let mut cursor = Cursor::new(line, self.comments);
         let percent =
             if self.percent.bare() { line.trim_ascii() == b"%" } else { cursor.accept(b'%') && cursor.peek() == 0 };
-        let percent = percent || matches!(self.percent, Percent::Leader) && titled(line);
+        let percent = percent || self.percent.leader() && titled(line);
         let begun = match self.percent {
             Percent::Named => return false,
             // A `%` that none has opened is refused where it is executed.

@@ -10,6 +10,7 @@ use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::interpreter::setting::{ToolOffset, Tools};
 use crate::gcode::turning::nose::{Nose, Tip};
 use crate::gcode::turning::rules::{NoWordOfToolTable, ToolTwiceInTable};
+use crate::limits::EXCERPT;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
 use crate::number::grid::LIMIT;
@@ -39,11 +40,8 @@ pub fn parse(bytes: &[u8], unit: LengthUnit) -> Result<Tools, Refusal> {
     if findings.is_empty() { Ok(tools) } else { Err(Refusal { exit: Exit::Refused, findings }) }
 }
 
-/// Most characters of a word that a message repeats.
-const SHOWN: usize = 40;
-
 fn refused(line: usize, column: usize, word: &str, twice: bool) -> Finding {
-    let word = excerpt(word, SHOWN);
+    let word = excerpt(word, EXCERPT);
     let place = Place::Line { line, columns: vec![column] };
     if twice { ToolTwiceInTable { word }.at(place) } else { NoWordOfToolTable { word }.at(place) }
 }

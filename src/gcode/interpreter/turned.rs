@@ -6,7 +6,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::Size;
 use crate::gcode::code::M;
-use crate::gcode::control::ToolCall;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::Thread;
@@ -26,8 +25,8 @@ pub(super) struct TurnedSeen {
     pub(super) offset: bool,
     /// The first cut.
     cut: Option<Spot>,
-    /// The first cut under each T whose offset is 0.
-    without: BTreeMap<u32, Spot>,
+    /// The first cut under each T whose offset is 0, with the tool's number and that word.
+    without: BTreeMap<u32, (Spot, String)>,
     /// The places of the turret whose thread has been told to be too fast.
     fast: BTreeSet<u32>,
 }
@@ -44,10 +43,12 @@ impl Reader<'_, '_> {
         self.memory.turned.started |= self.in_doubt(doubt::SPINDLE);
         self.memory.turned.cut.get_or_insert(spot);
         let modal = &self.state.modal;
-        let called = modal.selected.is_some() && matches!(self.memory.control.tool, ToolCall::Digits);
-        if called && modal.offset == 0 && !self.in_doubt(doubt::TOOL) {
-            let tool = modal.tool;
-            self.memory.turned.without.entry(tool).or_insert(spot);
+        if modal.selected.is_some()
+            && modal.offset == 0
+            && !self.in_doubt(doubt::TOOL)
+            && let Some(word) = self.memory.control.tool.without_offset(modal.tool)
+        {
+            self.memory.turned.without.entry(modal.tool).or_insert((spot, word));
         }
     }
 
@@ -97,17 +98,13 @@ impl Reader<'_, '_> {
         {
             self.memory.remarks.row(&SpindleNeverStarts {}, spot, None);
         }
-        let mut without = std::mem::take(&mut self.memory.turned.without);
-        let word = |tool: u32| format!("T{tool:02}00");
+        let without = std::mem::take(&mut self.memory.turned.without).into_values();
         if self.memory.turned.offset {
-            for (tool, spot) in without {
-                self.memory.remarks.row(&CutsWithoutOffset { word: word(tool) }, spot, None);
+            for (spot, word) in without {
+                self.memory.remarks.row(&CutsWithoutOffset { word }, spot, None);
             }
-        } else if let Some((tool, spot)) =
-            without.iter().min_by_key(|(_, spot)| spot.line).map(|(&tool, &spot)| (tool, spot))
-        {
-            without.clear();
-            self.memory.remarks.row(&NoOffsetAnywhere { word: word(tool) }, spot, None);
+        } else if let Some((spot, word)) = without.min_by_key(|(spot, _)| spot.line) {
+            self.memory.remarks.row(&NoOffsetAnywhere { word }, spot, None);
         }
     }
 }

@@ -120,10 +120,10 @@ rules! {
         why "Ningún control admite un número así: será erróneo.",
             "No control accepts such a number: it is probably wrong.";
         example Example::program("linuxcnc", "G21 G90 F100|T10000000000|M2", "2:2");
-    "G0117" LetterNotSupported Stop { letter: char, dialect: &'static str, comma: Text }
+    "G0117" LetterNotSupported Stop { letter: char, dialect: &'static str }
         es "rodete no admite la letra {letter} del dialecto {dialect}"
         en "rodete does not follow letter {letter} of the dialect {dialect}"
-        remedy "{comma}si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, escriba lo que hace en bloques sencillos, o compruebe el programa en el control: si solo lo borra, el programa hace otra cosa", "{comma}if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, write what it does as plain blocks, or check the program at the control: if you only delete it, the program does something else";
+        remedy "si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, escriba lo que hace en bloques sencillos, o compruebe el programa en el control: si solo lo borra, el programa hace otra cosa", "if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, write what it does as plain blocks, or check the program at the control: if you only delete it, the program does something else";
         why "El control conoce esta letra y rodete no: rodete no puede comprobarla.",
             "The control knows this letter but rodete does not, and so cannot verify it.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 Y5.|M30", "2:4");
@@ -289,4 +289,11 @@ rules! {
         why "El control ejecuta la subrutina en cada llamada: sin seguirla no se sabe qué hace el programa.",
             "The control runs the subroutine at each call: without following it nobody knows what the program does.";
         example Example::program("fagor-8070", "%L CUT|G91 G1 Z-5 F100|M29|%MAIN|G0 X0|LL CUT|M30", "1:1");
+    "G0140" ChamferWithoutComma Stop { letter: char, dialect: &'static str, size: String }
+        es "rodete no admite la letra {letter} del dialecto {dialect}"
+        en "rodete does not follow letter {letter} of the dialect {dialect}"
+        remedy "para un chaflán escriba ,{letter}{size} con coma; si el programa es de otro control, indíquelo: con --dialect, o en la hoja DATOS de un libro; si no, escriba lo que hace en bloques sencillos, o compruebe el programa en el control: si solo lo borra, el programa hace otra cosa", "for a chamfer write ,{letter}{size} with a comma; if the program is for another control, name it: with --dialect, or on the sheet DATA of a workbook; if not, write what it does as plain blocks, or check the program at the control: if you only delete it, the program does something else";
+        why "C sola es un eje giratorio; tras una coma es el chaflán entre dos líneas.",
+            "C by itself is a rotary axis; behind a comma it is the chamfer between two lines.";
+        example Example::program("fanuc-lathe-a", "G21 G98|G1 X40. C1.5 F100.|M30", "2:9");
 }

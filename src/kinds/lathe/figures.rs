@@ -36,6 +36,7 @@ pub fn contour(part: &[Contour], wanted: Vec<Vec<[f64; 2]>>) -> Figure {
     strokes.extend(wanted.into_iter().map(|points| Stroke::line(Ink::Profile, points)));
     strokes.extend(axis(part));
     Figure {
+        letters: Figure::LETTERS,
         key: "contour",
         height: Figure::HEIGHT,
         caption: t("Contorno de la pieza torneada", "Contour of the turned part"),
@@ -122,6 +123,7 @@ fn half_section(drawn: &Drawn) -> Figure {
     }
     strokes.extend(axis(&drawn.stock));
     Figure {
+        letters: Figure::LETTERS,
         key: "half-section",
         height: Figure::HEIGHT,
         caption: if whole { caption } else { chuck_cut_off(&caption) },
@@ -210,6 +212,7 @@ fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
         t("Comienzo del recorrido de las herramientas", "Beginning of the path of the tools")
     };
     Figure {
+        letters: Figure::LETTERS,
         key,
         height: Figure::HEIGHT,
         caption: Text::new(format!("{}{}", what.es, set_up.es), format!("{}{}", what.en, set_up.en)),

@@ -56,6 +56,7 @@ struct Slab {
 pub(super) fn cover(part: &[Contour]) -> Figure {
     let camera = Camera::new(-56.0, 24.0);
     Figure {
+        letters: Figure::LETTERS,
         key: "cover",
         height: 118.0,
         caption: t("La pieza torneada", "The turned part"),

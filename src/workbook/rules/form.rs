@@ -94,11 +94,11 @@ rules! {
         remedy "deje una sola fila {symbol}", "keep only one row {symbol}";
         why "No se sabe cuál de los valores vale.", "It is not clear which value counts.";
         example book!("impeller", "r:symbol" = "R");
-    "W0516" RowMissing Stop { name: Text, symbol: Key, expected: Text, mistyped: Text }
+    "W0516" RowMissing Stop { name: Text, symbol: Key, expected: Text }
         es "falta la fila {name}"
         en "the row {name} is missing"
-        remedy "{mistyped}añada una fila con {symbol} en la columna A y {expected} en la columna C",
-            "{mistyped}add a row with {symbol} in column A and {expected} in column C";
+        remedy "añada una fila con {symbol} en la columna A y {expected} en la columna C",
+            "add a row with {symbol} in column A and {expected} in column C";
         why "El cálculo necesita este valor, y rodete no lo supone.", "The calculation needs this value, and rodete does not assume one.";
         example book!("impeller", "R:symbol" = "");
     "W0517" SymbolUnknown Note { symbol: String }
@@ -135,14 +135,37 @@ rules! {
         why "rodete lee los datos por su símbolo; las hojas de resultados los leen por estos nombres.",
             "rodete reads the inputs by their symbols; the sheets of results read them by these names.";
         example made!("lost-name", "un libro de resultados sin el nombre thickness_e", "a results workbook without the name thickness_e");
-    "W0522" SheetPassedOver Caution { name: String, like: Text, how: Text }
-        es "rodete no lee la hoja \"{name}\", que está hecha como {like}"
-        en "rodete does not read the sheet \"{name}\", which is laid out like {like}"
-        remedy "si es la que vale, {how}; si no, bórrela o guárdela en otro libro",
-            "if it is the one that counts, {how}; if not, delete it or keep it in another workbook";
+    "W0522" SheetPassedOver Caution { name: String, like: String }
+        es "rodete no lee la hoja \"{name}\", que está hecha como \"{like}\""
+        en "rodete does not read the sheet \"{name}\", which is laid out like \"{like}\""
+        remedy "si es la que vale, borre la hoja \"{like}\" y dé a esta su nombre; si no, bórrela o guárdela en otro libro",
+            "if it is the one that counts, delete the sheet \"{like}\" and give this one its name; if not, delete it or keep it in another workbook";
         why "rodete lee las hojas por su nombre: lo que se cambia en una copia no llega a ningún programa, y la línea de la copia habla de la hoja leída.",
             "rodete reads sheets by their names: what is changed on a copy gets into no program, and the line on the copy speaks of the sheet that is read.";
         example made!("copied-form", "un libro con la hoja DATOS (2), copia de DATOS", "a workbook with the sheet DATA (2), a copy of DATA");
+    "W0523" SheetOfUnknownPlace Caution { name: String, like: Text }
+        es "rodete no lee la hoja \"{name}\", que está hecha como {like}"
+        en "rodete does not read the sheet \"{name}\", which is laid out like {like}"
+        remedy "si es la que vale, decida a cuál de ellas sustituye, borre esa y dé a esta su nombre; si no, bórrela o guárdela en otro libro",
+            "if it is the one that counts, decide which of them it replaces, delete that one and give this one its name; if not, delete it or keep it in another workbook";
+        why "rodete lee las hojas por su nombre: lo que se cambia en otra no llega a ningún programa, y nada dice a cuál de varias hechas igual sustituye.",
+            "rodete reads sheets by their names: what is changed on another gets into no program, and nothing says which of several with one layout it replaces.";
+        example made!("third-program", "un libro de torno con la hoja PROGRAMA 3, hecha como PROGRAMA y PROGRAMA 2", "a lathe workbook with the sheet PROGRAM 3, laid out like PROGRAM and PROGRAM 2");
+    "W0524" SheetUnderOtherName Caution { name: String, like: String }
+        es "rodete no lee la hoja \"{name}\", que está hecha como \"{like}\""
+        en "rodete does not read the sheet \"{name}\", which is laid out like \"{like}\""
+        remedy "si es la que vale, llámela \"{like}\"; si no, bórrela o guárdela en otro libro",
+            "if it is the one that counts, name it \"{like}\"; if not, delete it or keep it in another workbook";
+        why "rodete lee las hojas por su nombre: lo que hay en una que se llama de otro modo no llega a ningún programa.",
+            "rodete reads sheets by their names: what stands on one of another name gets into no program.";
+        example made!("renamed-form", "un libro con la hoja CALIBRACIÓN llamada de otro modo", "a workbook with the sheet CALIBRATION under another name");
+    "W0525" SymbolMistyped Stop { name: Text, cell: String, found: String, symbol: Key, expected: Text }
+        es "falta la fila {name}"
+        en "the row {name} is missing"
+        remedy "corrija {cell}, que dice \"{found}\", a \"{symbol}\"; si esa fila es otra, añada una fila con {symbol} en la columna A y {expected} en la columna C",
+            "correct {cell}, which says \"{found}\", to \"{symbol}\"; if that row is another one, add a row with {symbol} in column A and {expected} in column C";
+        why "El cálculo necesita este valor, y rodete no lo supone.", "The calculation needs this value, and rodete does not assume one.";
+        example book!("impeller", "R:symbol" = "RR");
     "W0601" HeadingsMissing Stop { first: Text }
         es "falta la fila de títulos, que empieza por \"{first}\" en la columna A"
         en "the row of headings, which begins with \"{first}\" in column A, is missing"

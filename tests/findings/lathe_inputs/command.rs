@@ -178,22 +178,22 @@ fn the_note_names_the_tailstock_that_is_assumed_and_an_alarm_of_it_the_option() 
 
 #[test]
 fn a_chamfer_without_its_comma_is_told_with_it_and_any_other_c_is_not() {
-    let remedy = |blocks: &str| {
+    let remedy = |blocks: &str, code: &str| {
         let folder = bench(blocks);
         let said = simulate(folder.path(), &["--stock", "D50xL120", "--json"]);
         let document: Json = serde_json::from_str(&said.out).unwrap();
         let findings = document["findings"].as_array().unwrap();
-        let found = findings.iter().find(|one| one["code"] == "G0117").unwrap();
+        let found = findings.iter().find(|one| one["code"] == code).unwrap();
         ["es", "en"].map(|language| found["remedy"][language].as_str().unwrap().to_owned())
     };
     for blocks in ["G1 X40. C1.5 F.2|Z-20.", "G1 Z0. F.2|X40. C1.5|Z-20."] {
-        let [es, en] = remedy(blocks);
+        let [es, en] = remedy(blocks, "G0140");
         assert!(es.starts_with("para un chaflán escriba ,C1.5 con coma; si "), "{es}");
         assert!(en.starts_with("for a chamfer write ,C1.5 with a comma; if "), "{en}");
     }
     // In rapid, of another letter, or with a sign it is no chamfer.
     for blocks in ["G0 X40. C1.5", "G1 X40. B1.5 F.2", "G1 X40. C-1.5 F.2"] {
-        let [es, en] = remedy(blocks);
+        let [es, en] = remedy(blocks, "G0117");
         assert!(es.starts_with("si el programa") && en.starts_with("if the program"), "{es} {en}");
     }
 }

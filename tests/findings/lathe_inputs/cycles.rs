@@ -158,6 +158,6 @@ fn an_axis_that_the_lathe_of_a_workbook_lacks_stops() {
     let (document, exit) = simulate(&text, &[], &["--dialect", "fagor-8055-t"]);
     let stops: Vec<_> = document["findings"].as_array().unwrap().iter().filter(|one| one["grade"] == "stop").collect();
     assert_eq!((exit, stops.len()), (3, 1), "{document}");
-    assert_eq!(stops[0]["code"], "G0836");
+    assert_eq!(stops[0]["code"], "G0838");
     assert!(stops[0]["remedy"]["en"].as_str().unwrap().contains("G91 and Z"), "{document}");
 }

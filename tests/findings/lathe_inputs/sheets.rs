@@ -139,16 +139,16 @@ fn a_third_program_is_taken_for_a_copy_of_neither_of_the_two() {
             &format!("name=\"{name}\""),
         )
     };
-    let told = |name: &str| {
+    let told = |name: &str, code: &str| {
         let (_folder, document, _) = build(&with(name).zip());
-        let found = document["findings"].as_array().unwrap().iter().find(|one| one["code"] == "W0522").cloned();
+        let found = document["findings"].as_array().unwrap().iter().find(|one| one["code"] == code).cloned();
         let found = found.unwrap_or_else(|| panic!("{:?}", lines(&document)));
         [&found["what"]["en"], &found["remedy"]["en"]].map(|text| text.as_str().unwrap().to_owned())
     };
-    let [what, remedy] = told("PROGRAM 3");
+    let [what, remedy] = told("PROGRAM 3", "W0523");
     assert!(what.ends_with("laid out like \"PROGRAM\" or \"PROGRAM 2\""), "{what}");
     assert!(remedy.starts_with("if it is the one that counts, decide which of them it replaces"), "{remedy}");
-    let [what, remedy] = told("PROGRAM (2)");
+    let [what, remedy] = told("PROGRAM (2)", "W0522");
     assert!(what.ends_with("laid out like \"PROGRAM\""), "{what}");
     assert!(remedy.contains("delete the sheet \"PROGRAM\" and give this one its name"), "{remedy}");
 }

@@ -61,20 +61,38 @@ rules! {
         why "El camino hasta el punto de referencia puede cruzar la pieza.",
             "The path to the reference point may cross the work.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.|G30 U0. W0.|M30", "3:1");
-    "G0836" AxisNotOfLathe Stop { axis: char, advice: Text }
+    "G0836" AxisNotOfLathe Stop { axis: char }
         es "el torno no tiene el eje {axis}"
         en "the lathe has no axis {axis}"
-        remedy "{advice}, y quite la palabra {axis}", "{advice}, and take the word {axis} out";
+        remedy "escriba la cota con X o Z, y quite la palabra {axis}", "write the end point with X or Z, and take the word {axis} out";
+        why "El control se para con una alarma, o mueve otro eje.",
+            "The control stops with an alarm, or moves another axis.";
+        example Example::Turning { control: "fagor-8055-t", stock: "D50xL120",
+            program: "G71 G90 G95 F0.2|G92 S2500|T1 D1|G97 S800 M3 M8|G0 X54 Z2|X48|G1 Y5|G0 X100 Z50|M30",
+            machine: &[("dialect", "fagor-8055-t")] };
+    "G0837" AxisNotFollowed Caution { axis: char }
+        es "rodete no sabe si el torno tiene el eje {axis}, y no simula lo que mueve"
+        en "rodete does not know whether the lathe has an axis {axis}, and does not simulate what it moves"
+        remedy "escriba la cota con X o Z; si el torno tiene ese eje, compruebe en la máquina lo que mueve",
+            "write the end point with X or Z; if the lathe has that axis, check on the machine what it moves";
+        why "Sin ese eje el control se para con una alarma.",
+            "Without that axis the control stops with an alarm.";
+        example Example::program("fagor-8055-t", "G71 G90 G95 F0.2 S500 M3|G0 X48 Z2|G1 Y5|M30", "3:4");
+    "G0838" IncrementNotOfLathe Stop { axis: char, along: char }
+        es "el torno no tiene el eje {axis}"
+        en "the lathe has no axis {axis}"
+        remedy "escriba la cota con {along}, o el incremento con G91 y {along}, y quite la palabra {axis}",
+            "write the end point with {along}, or the increment with G91 and {along}, and take the word {axis} out";
         why "El control se para con una alarma, o mueve otro eje; un Fanuc leería U y W como incrementos de X y Z.",
             "The control stops with an alarm, or moves another axis; a Fanuc would read U and W as increments of X and Z.";
         example Example::Turning { control: "fagor-8055-t", stock: "D50xL120",
             program: "G71 G90 G95 F0.2|G92 S2500|T1 D1|G97 S800 M3 M8|G0 X54 Z2|X48|G1 W-22|G0 X100 Z50|M30",
             machine: &[("dialect", "fagor-8055-t")] };
-    "G0837" AxisNotFollowed Caution { axis: char, advice: Text }
+    "G0839" IncrementNotFollowed Caution { axis: char, along: char }
         es "rodete no sabe si el torno tiene el eje {axis}, y no simula lo que mueve"
         en "rodete does not know whether the lathe has an axis {axis}, and does not simulate what it moves"
-        remedy "{advice}; si el torno tiene ese eje, compruebe en la máquina lo que mueve",
-            "{advice}; if the lathe has that axis, check on the machine what it moves";
+        remedy "escriba la cota con {along}, o el incremento con G91 y {along}; si el torno tiene ese eje, compruebe en la máquina lo que mueve",
+            "write the end point with {along}, or the increment with G91 and {along}; if the lathe has that axis, check on the machine what it moves";
         why "Sin ese eje el control se para con una alarma; un Fanuc leería U y W como incrementos de X y Z.",
             "Without that axis the control stops with an alarm; a Fanuc would read U and W as increments of X and Z.";
         example Example::program("fagor-8055-t", "G71 G90 G95 F0.2 S500 M3|G0 X48 Z2|G1 W-22|M30", "3:4");

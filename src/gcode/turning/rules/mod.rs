@@ -45,15 +45,15 @@ pub use self::holes::{
 };
 pub use self::lathe::{
     AddedLength, AxisNotFollowed, AxisNotOfLathe, BeyondAxis, ChangeWithoutTool, EndlessLoop, G91InSystemA,
-    LengthWithoutAxes, MachineMoveByIncrements, NoOrientation, NoToolNumber, NoToolTable, NoTurretPlace,
-    NoWordOfToolTable, OffsetAlone, OffsetMeasuredAtMachine, OffsetNotInTable, ReferencePointNotKnown,
-    ReferencePointNotSupported, ReferenceWithoutAxes, RefusedInLoop, SecondPointNotKnown, SetToolWithoutQ, StaleFeed,
-    SystemShifted, TooManyCycleMotions, ToolNotInTable, ToolNotInTurret, ToolOffsetWithoutValues, ToolTableNotKnown,
-    ToolTwiceInTable, TwoWordsAnAxis,
+    IncrementNotFollowed, IncrementNotOfLathe, LengthWithoutAxes, MachineMoveByIncrements, NoOrientation, NoToolNumber,
+    NoToolTable, NoTurretPlace, NoWordOfToolTable, OffsetAlone, OffsetMeasuredAtMachine, OffsetNotInTable,
+    ReferencePointNotKnown, ReferencePointNotSupported, ReferenceWithoutAxes, RefusedInLoop, SecondPointNotKnown,
+    SetToolWithoutQ, StaleFeed, SystemShifted, TooManyCycleMotions, ToolNotInTable, ToolNotInTurret,
+    ToolOffsetWithoutValues, ToolTableNotKnown, ToolTwiceInTable, TwoWordsAnAxis,
 };
 pub use self::nose::{
     ArcOfOtherPlane, CompensationBeginsOnArc, CompensationEndsOnArc, CompensationPlane, CompensationWithoutOffset,
     MachineMoveCancelsNose, MotionNotSeen, NoseChanges, NoseCutsContour, NoseInArc, NoseInCorner, NoseInShortPiece,
-    NoseNotInTable, NoseTaken, NoseWithoutTable, PassTip, PassesNotCompensated, SharpNose, ThreadUnderCompensation,
-    TooManyStillBlocks,
+    NoseNotInTable, NoseTaken, NoseWithoutTable, PassTip, PassesNeverCompensated, PassesNotCompensated, SharpNose,
+    ThreadUnderCompensation, TooManyStillBlocks,
 };

@@ -2,7 +2,6 @@
 
 use crate::finding::rule::rules;
 use crate::finding::{Example, Size};
-use crate::text::Text;
 
 rules! {
     /// The rows of this file.
@@ -28,13 +27,21 @@ rules! {
         why "Con esta orientación no se sabe a qué lado de la pasada queda el centro de la punta.",
             "With this orientation it is not clear on which side of the pass the nose centre lies.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0606|M3 S500 F120.|G0 X40. Z5.|G42|G90 X30. Z-10.|G40 G0 X50.|M30", at: "6:1", given: &[("--tools", "T6 D1.6 Q5")] };
-    "G0773" PassesNotCompensated Note { finish: Text }
+    "G0773" PassesNotCompensated Note { finish: String }
         es "las pasadas del ciclo no llevan compensación del radio de punta, como en el control"
         en "the cycle's passes have no nose radius compensation, as on the control"
-        remedy "{finish}; programe G40 antes de los demás ciclos", "{finish}; program G40 before other cycles";
+        remedy "use {finish} para acabar con compensación; programe G40 antes de los demás ciclos", "use {finish} to finish with compensation; program G40 before other cycles";
         why "El desbaste se desvía del contorno hasta el radio de punta: la demasía debe cubrirlo.",
             "Roughing misses the contour by up to the nose radius: the finishing allowance must cover that.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98 G97|T0101|M3 S500 F120.|G0 X40. Z5.|G42|G71 U2. R1.|G71 P10 Q20|N10 G0 X20.|G1 Z-10.|N20 X40.|G40 G0 X50.|M30", at: "7", given: &[("--tools", "T1 D1.6 Q2")] };
+    "G0790" PassesNeverCompensated Note {}
+        es "las pasadas del ciclo no llevan compensación del radio de punta, como en el control, que no tiene un ciclo de acabado con ella"
+        en "the cycle's passes have no nose radius compensation, as on the control, which has no cycle that finishes with it"
+        remedy "para acabar con compensación escriba el contorno con G1, G2 y G3; programe G40 antes de los demás ciclos",
+            "to finish with compensation write the contour with G1, G2 and G3; program G40 before other cycles";
+        why "El desbaste se desvía del contorno hasta el radio de punta: la demasía debe cubrirlo.",
+            "Roughing misses the contour by up to the nose radius: the finishing allowance must cover that.";
+        example Example::Program { control: "fagor-8055-t", program: "G71 G95 F0.2 S500 M3|T1 D1|G0 X60 Z5|G42 G1 X54 Z3|G81 X20 Z0 Q30 R-30 C2 D1|G40 G0 X100 Z50|M30", at: "5", given: &[("--tools", "T1 D1.6 Q2")] };
     "G0774" MachineMoveCancelsNose Caution {}
         es "G53 anula G41 y G42"
         en "G53 cancels G41 and G42"

@@ -17,6 +17,7 @@ use nalgebra::Vector3;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::nearest::Axis;
+use crate::limits::BLOCK_POSES;
 use crate::machine::rotary::TiltingTable;
 
 /// How far apart the poses of a block are at most, mm at the tip: on a flank 3 mm wide that leaves cusps of 0.003 mm.
@@ -27,8 +28,6 @@ pub fn cusp(tool: Tool) -> f64 {
     APART * APART / (8.0 * tool.a())
 }
 
-/// Poses of one block at most.
-const MOST: f64 = 400.0;
 /// So many poses on both sides of one are looked at before all.
 const NEAR: usize = 24;
 /// A bunch of no more poses than this is not parted again.
@@ -83,7 +82,7 @@ pub fn along(machine: TiltingTable, points: &[Stand], apart: f64) -> Vec<Pose> {
     let mut poses: Vec<Pose> = points.first().map(pose).into_iter().collect();
     for pair in points.windows(2) {
         let (from, to) = (poses[poses.len() - 1], pose(&pair[1]));
-        let steps = ((to.tip - from.tip).norm() / apart).ceil().clamp(1.0, MOST);
+        let steps = ((to.tip - from.tip).norm() / apart).ceil().clamp(1.0, BLOCK_POSES);
         let mut step = 1.0;
         while step < steps {
             poses.push(pose(&pair[0].towards(&pair[1], step / steps)));

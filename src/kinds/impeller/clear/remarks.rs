@@ -420,20 +420,8 @@ fn left_out(told: &Told) -> Vec<Finding> {
     let place = || at([form::D_T.key(), fields::D_F.key(), form::SPLITTERS.key()]);
     let passes =
         longest(told, By::Blade).map(|(count, what, [from, to])| PassesLeftOut { count, what, from, to }.at(place()));
-    let ends = longest(told, By::Ends).map(|(count, what, [from, to])| {
-        let smaller = if told.finish_from > 0.0 {
-            t(
-                "use una herramienta menor, que quepa también en el cubo",
-                "use a smaller tool, which fits at the hub, too",
-            )
-        } else {
-            t(
-                "otro diámetro de la herramienta, u otra c_s, da otras pasadas, que pueden llegar",
-                "another diameter of the tool, or another c_s, gives other passes, which may reach them",
-            )
-        };
-        StretchesNotReached { count, what, from, to, smaller }.at(place())
-    });
+    let ends = longest(told, By::Ends)
+        .map(|(count, what, [from, to])| StretchesNotReached { count, what, from, to }.at(place()));
     passes.into_iter().chain(ends).collect()
 }
 

@@ -180,10 +180,11 @@ rules! {
         why "La regla publicada pide un tercio más que la herramienta; con canal rodete comprueba cada pasada con los álabes vecinos.",
             "The published rule asks for a third more than the tool; of a clear cut rodete checks each pass against the neighbouring blades.";
         example book!("impeller", "splitters" = "no");
-    "P1226" StretchesNotReached Caution { count: usize, what: Text, from: Size, to: Size, smaller: Text }
+    "P1226" StretchesNotReached Caution { count: usize, what: Text, from: Size, to: Size }
         es "tramos de cada canal que no se cortan porque a la herramienta le cierran el paso por los dos extremos: {count}; el mayor: {what}, del {from} al {to} % del camino del cubo al borde"
         en "stretches of each channel not cut because the tool is shut off at both ends: {count}; the longest: {what}, from {from} to {to} % of the way from hub to rim"
-        remedy "{smaller}; quite a mano lo que quede", "{smaller}; remove by hand what is left";
+        remedy "con partly = sí use una herramienta menor, que quepa también en el cubo; si no, otro diámetro de la herramienta, u otra c_s, da otras pasadas, que pueden llegar; quite a mano lo que quede",
+            "with partly = yes use a smaller tool, which fits at the hub, too; otherwise another diameter of the tool, or another c_s, gives other passes, which may reach them; remove by hand what is left";
         why "Una pasada entra por el cubo o por el borde. Junto a un álabe intermedio pueden cerrarse los dos; con partly = sí no entra por el cubo.",
             "A pass comes in at the hub or at the rim. Beside a splitter both may be shut; with partly = yes none comes in at the hub.";
         example book!("impeller", "r" = "18", "e" = "1", "d_f" = "", "T_f" = "", "D_f" = "", "c_s" = "0.1", "tol" = "0.02", "partly" = "yes");

@@ -173,6 +173,7 @@ fn roughing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
         .collect();
     let s = shown(design.clear.as_ref().map_or(0.0, |asked| asked.cut.s), 3);
     Figure {
+        letters: Figure::LETTERS,
         key: "roughing",
         height: HEIGHT,
         caption: Text::new(
@@ -234,6 +235,7 @@ fn finishing(design: &Design, blade: &Blade, plan: &Plan) -> Figure {
         t("caras", "faces")
     };
     Figure {
+        letters: Figure::LETTERS,
         key: "finishing",
         height: HEIGHT,
         caption: Text::new(

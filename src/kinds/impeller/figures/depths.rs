@@ -89,6 +89,7 @@ pub(super) fn depths(design: &Design, model: &Model) -> Option<Figure> {
     }
     let mm = shown(off, 3);
     Some(Figure {
+        letters: Figure::LETTERS,
         key: "depths",
         height: 110.0,
         caption: Text::new(

@@ -85,6 +85,7 @@ pub(super) fn villarceau(blade: &Blade) -> Figure {
     strokes.push(arrow(Ink::Outline, foot, rim));
     let middle = |a: [f64; 2], b: [f64; 2], lift: f64| [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0 + lift];
     Figure {
+        letters: Figure::LETTERS,
         key: "villarceau",
         height: 56.0,
         caption: t(
@@ -135,6 +136,7 @@ pub(super) fn plan(design: &Design, blade: &Blade, splitter: Option<&Splitter>, 
         legend.insert(1, (Ink::Splitter, t("álabes intermedios", "splitters")));
     }
     Figure {
+        letters: Figure::LETTERS,
         key: "plan",
         height: 104.0,
         caption: t("Los álabes en planta", "The blades in plan"),
@@ -179,6 +181,7 @@ pub(super) fn frame(blade: &Blade) -> Figure {
         }
     }
     Figure {
+        letters: Figure::LETTERS,
         key: "frame",
         height: 82.0,
         caption: t("El triedro de Darboux a lo largo de la fibra media", "The Darboux frame along the mean line"),
@@ -208,6 +211,7 @@ pub(super) fn tool_paths(design: &Design, blade: &Blade) -> Figure {
         strokes.push(camera.curve(ink, sampled(path.len(), FINE).filter_map(|at| path.get(at).copied())));
     }
     Figure {
+        letters: Figure::LETTERS,
         key: "tool-path",
         height: 92.0,
         caption: t(
@@ -236,6 +240,7 @@ pub(super) fn crossing(design: &Design, blade: &Blade, splitter: &Splitter) -> F
     let size = 0.035 * design.torus.R;
     let mark: Vec<[f64; 2]> = round(size).into_iter().map(|[x, y]| [x + at[0], y + at[1]]).collect();
     Figure {
+        letters: Figure::LETTERS,
         key: "crossing",
         height: 92.0,
         caption: match splitter.fade {

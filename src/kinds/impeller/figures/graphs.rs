@@ -17,6 +17,7 @@ fn over_index(count: usize, value: impl Fn(usize) -> Option<f64>) -> Vec<[f64; 2
 pub(super) fn angles(blade: &Blade) -> Figure {
     let degrees = |values: &[f64]| over_index(values.len(), |at| values.get(at).map(|one| one.to_degrees()));
     Figure {
+        letters: Figure::LETTERS,
         key: "angles",
         height: Figure::HEIGHT,
         caption: t("Ángulos de giro a lo largo del álabe", "Rotary angles along the blade"),
@@ -38,6 +39,7 @@ pub(super) fn fraction(splitter: &Splitter) -> Figure {
         Fade::EachSide => &[Track::Out, Track::Back],
     };
     Figure {
+        letters: Figure::LETTERS,
         key: "fraction",
         height: Figure::HEIGHT,
         caption: t(
@@ -66,6 +68,7 @@ const fn ink(track: Track) -> Ink {
 /// How far the tip goes into the metal in the middle of each block, along each track.
 pub(super) fn deviation(curves: &[Curve]) -> Figure {
     Figure {
+        letters: Figure::LETTERS,
         key: "deviation",
         height: Figure::HEIGHT,
         caption: t(

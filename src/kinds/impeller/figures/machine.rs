@@ -34,6 +34,7 @@ pub(super) fn positions(design: &Design, blade: &Blade) -> Figure {
     strokes.push(line(Ink::Outline, ring(pivot, size)));
     labels.push(label([pivot[0] + 5.0 * size, pivot[1] - 0.5 * size], t("pivote", "pivot")));
     Figure {
+        letters: Figure::LETTERS,
         key: "positions",
         height: 104.0,
         caption: t(
@@ -116,6 +117,7 @@ pub(super) fn safe_points(passes: &ToolPaths) -> Figure {
     strokes.push(line(Ink::Obverse, obverse));
     strokes.push(line(Ink::Reverse, reverse));
     Figure {
+        letters: Figure::LETTERS,
         key: "safety",
         height: Figure::HEIGHT,
         caption: t(
@@ -164,6 +166,7 @@ pub(super) fn safe_ends(design: &Design, blade: &Blade, passes: &ToolPaths) -> F
         labels.push(label([shift, -1.5 * reach], name));
     }
     Figure {
+        letters: Figure::LETTERS,
         key: "safe-ends",
         height: 82.0,
         caption: t(
@@ -207,6 +210,7 @@ pub(super) fn blank(design: &Design) -> Figure {
     let stock = vec![[-torus.r, torus.R], [0.0, torus.R], [0.0, torus.R - torus.r]];
     let overhang = 0.08 * length;
     Figure {
+        letters: Figure::LETTERS,
         key: "blank",
         height: Figure::HEIGHT,
         caption: t(

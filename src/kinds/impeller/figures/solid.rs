@@ -37,6 +37,7 @@ pub(super) fn cover(design: &Design, blade: &Blade, splitter: Option<&Splitter>,
         }
     }
     Figure {
+        letters: Figure::LETTERS,
         key: "cover",
         height: 118.0,
         caption: t(

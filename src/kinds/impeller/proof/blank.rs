@@ -15,7 +15,7 @@
 
 use crate::finding::figures;
 use crate::finding::{Figures, Grade, Limit, Raise, Size};
-use crate::gcode::control::FAGOR_8055_T;
+use crate::gcode::control::POST_8055_T;
 use crate::gcode::in_force::{InForce, Speed, Spindle};
 use crate::gcode::interpreter::{Setting, Start, ToolOffset};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
@@ -60,7 +60,7 @@ pub fn setting(design: &Design) -> Setting {
         start: Start { machine, tool: blank.T_b, offset: blank.D_b },
         places: Some([blank.T_b].into()),
         tools: Some([(blank.D_b, ToolOffset::default())].into()),
-        ..Setting::new(&FAGOR_8055_T)
+        ..Setting::new(POST_8055_T.control)
     }
 }
 

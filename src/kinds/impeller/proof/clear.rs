@@ -29,12 +29,12 @@ use crate::kinds::impeller::part::Part;
 use crate::kinds::impeller::proof::holder;
 use crate::kinds::impeller::proof::nose::Nose;
 use crate::kinds::impeller::proof::rules::{
-    AxisInBlade, ClearCutsBlade, ClearCutsSplitter, ClearMayCut, ClearPassesDiffer, FloorUnder, RoughingLeavesLess,
+    AxisInBlade, AxisInThinBlade, ClearCutsBlade, ClearCutsSplitter, ClearCutsThickBlade, ClearMayCut,
+    ClearPassesDiffer, FloorUnder, RoughingLeavesLess,
 };
 use crate::kinds::impeller::sweep::Sweep;
 use crate::machine::axis::{Axis, Pose, Position};
 use crate::number::grid::{HALF, Milli, TURN};
-use crate::number::shown;
 use crate::proof::check::{At, Check, Question, bounded, mm, up};
 use crate::proof::step::{Judge, Stage, Step};
 use crate::text::{Text, t};
@@ -286,27 +286,6 @@ fn nearest(found: [Option<(Bounds, At)>; 3]) -> Option<(Bounds, At)> {
     })
 }
 
-/// What helps a tool that enters a face, where the ends of the blades keep apart.
-const SMALLER: Text = t(
-    "una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o menos álabes o más delgados",
-    "a smaller tool in this program (d_t in roughing, d_f in finishing), or fewer or thinner blades",
-);
-/// What may help beside thinner blades, where they perhaps do not.
-const PERHAPS_SMALLER: Text = t(
-    "si ningún eje atraviesa una cara, puede bastar una fresa menor en este programa (d_t en el desbaste, d_f en el acabado)",
-    "where no axis goes through a face, a smaller tool in this program (d_t in roughing, d_f in finishing) may do",
-);
-/// What does not help where the axis goes through a face, beside thinner blades.
-const NOTHING_ELSE: Text = t(
-    "no basta con una fresa menor ni con menos álabes, y rara vez con un fondo menos profundo (a_p)",
-    "neither a smaller tool nor fewer blades will do, and seldom a shallower floor (a_p)",
-);
-
-/// Two sentences in one.
-fn followed(one: &Text, other: &Text) -> Text {
-    Text::new(format!("{}; {}", one.es, other.es), format!("{}; {}", one.en, other.en))
-}
-
 impl ClearCutting<'_> {
     /// Whether as many passes are run as the plan has.
     fn passes_check(&self, program: &Program) -> Check {
@@ -328,37 +307,29 @@ impl ClearCutting<'_> {
             let d = self.asked.cut.tool(self.which).d;
             // The search for a face that the axis reaches ends at a hundredth of the radius.
             if self.is_into(bounds, self.turned() - (1.0 - AT_AXIS) * d / 2.0) {
-                let other = self
-                    .thin_blades()
-                    .map_or(t("álabes más delgados (e) o menos", "thinner blades (e) or fewer"), |thin| {
-                        followed(&thin, &NOTHING_ELSE)
-                    });
-                AxisInBlade { line, program, other }.at(place)
+                match self.thin_blades() {
+                    Some(thin) => AxisInBlade { line, program, thin }.at(place),
+                    None => AxisInThinBlade { line, program }.at(place),
+                }
             } else if self.is_into(bounds, -limit) {
                 let (depth, limit) = (Size::length(-bounds.upper, 4), Size::length(limit, 4));
-                let other = self.thin_blades().map_or(SMALLER, |thin| followed(&thin, &PERHAPS_SMALLER));
-                ClearCutsBlade { depth, limit, line, program, other }.at(place)
+                match self.thin_blades() {
+                    Some(thin) => ClearCutsThickBlade { depth, limit, line, program, thin }.at(place),
+                    None => ClearCutsBlade { depth, limit, line, program }.at(place),
+                }
             } else {
                 self.nearer(bounds, line, program, place)
             }
         })
     }
 
-    /// What blades are surely thin enough for their straight ends to keep apart at the hub; `None` where they are. Along the hub a blade
+    /// How thick, mm, blades are surely thin enough for their straight ends to keep apart at the hub; `None` where they are. Along the hub a blade
     /// takes e·R/r, and they keep apart up to the radius of the floor there. Thicker ones may leave room, too; a wide tool may need
     /// thinner ones.
-    fn thin_blades(&self) -> Option<Text> {
+    fn thin_blades(&self) -> Option<Size> {
         let Design { torus, a_p, e, .. } = self.design;
         let thin = ((torus.R - torus.r - a_p) * torus.r / torus.R * 100.0).floor() / 100.0;
-        let [es, en] = [
-            [
-                "álabes más delgados (con una e de unos",
-                "o menos sus extremos rectos no se juntan; una mayor también puede servir)",
-            ],
-            ["thinner blades (with e of about", "or less their straight ends keep apart; more may do)"],
-        ]
-        .map(|[blades, ends]| format!("{blades} {} mm {ends}", shown(thin, 2)));
-        (*e > thin).then(|| Text::new(es, en))
+        (*e > thin).then(|| Size::length(thin, 2))
     }
 
     /// How far it keeps from all splitters.

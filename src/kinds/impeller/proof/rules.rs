@@ -156,10 +156,10 @@ crate::finding::rule::rules! {
         remedy fault;
         why "Si falta una pasada queda metal en el canal.", "A missing pass leaves metal in the channel.";
         example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N120 G0 Z-241.183", to: "N120 M30" };
-    "V0126" ClearCutsBlade Stop { depth: Size, limit: Size, line: usize, program: Text, other: Text }
+    "V0126" ClearCutsBlade Stop { depth: Size, limit: Size, line: usize, program: Text }
         es "la herramienta entra {depth} en la cara de un álabe, en la línea {line} de «{program}»; la tolerancia admite {limit}"
         en "the tool enters the face of a blade by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
-        remedy "use {other}", "use {other}";
+        remedy "use una fresa menor en este programa (d_t en el desbaste, d_f en el acabado), o menos álabes o más delgados", "use a smaller tool in this program (d_t in roughing, d_f in finishing), or fewer or thinner blades";
         why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
         example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N23350 G1 X-2.836", to: "N23350 G1 X-3.136" };
     "V0127" ClearCutsSplitter Stop { depth: Size, limit: Size, line: usize, program: Text }
@@ -187,10 +187,11 @@ crate::finding::rule::rules! {
         remedy fault;
         why "Con la otra fresa la misma trayectoria corta las caras o deja metal.", "With the other tool the same path cuts into faces or leaves metal.";
         example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N30 T2 D2", to: "N30 T1 D2" };
-    "V0131" AxisInBlade Stop { line: usize, program: Text, other: Text }
+    "V0131" AxisInBlade Stop { line: usize, program: Text, thin: Size }
         es "el eje de la herramienta atraviesa la cara de un álabe, en la línea {line} de «{program}»: ahí no cabe esta herramienta, y quizá ninguna"
         en "the axis of the tool goes through the face of a blade, in line {line} of \"{program}\": this tool has no room there, and perhaps none has"
-        remedy "use {other}", "use {other}";
+        remedy "use álabes más delgados (con una e de unos {thin} o menos sus extremos rectos no se juntan; una mayor también puede servir); no basta con una fresa menor ni con menos álabes, y rara vez con un fondo menos profundo (a_p)",
+            "use thinner blades (with e of about {thin} or less their straight ends keep apart; more may do); neither a smaller tool nor fewer blades will do, and seldom a shallower floor (a_p)";
         why "Si el cubo es más estrecho que el álabe, las caras pasan el eje de la pieza y llegan a los canales del otro lado.",
             "Where the hub is narrower than the blade, the faces pass the axis of the part and come into the channels on the other side.";
         example book!("impeller", "r" = "15.5", "N" = "1", "e" = "7", "a_p" = "4", "d_t" = "4", "d_f" = "", "splitters" = "no", "c_s" = "0.2", "tol" = "0.03");
@@ -220,6 +221,20 @@ crate::finding::rule::rules! {
         why "El voladizo se mide a décimas: si queda algo más corto, el portaherramientas toca la pieza.",
             "Stick-outs are measured to tenths: set a little shorter, the holder touches the part.";
         example book!("impeller", "splitters" = "no", "l_t" = "17", "d_h" = "40");
+    "V0136" ClearCutsThickBlade Stop { depth: Size, limit: Size, line: usize, program: Text, thin: Size }
+        es "la herramienta entra {depth} en la cara de un álabe grueso, en la línea {line} de «{program}»; la tolerancia admite {limit}"
+        en "the tool enters the face of a thick blade by {depth}, in line {line} of \"{program}\"; the tolerance allows {limit}"
+        remedy "use álabes más delgados (con una e de unos {thin} o menos sus extremos rectos no se juntan; una mayor también puede servir); si ningún eje atraviesa una cara, puede bastar una fresa menor en este programa (d_t en el desbaste, d_f en el acabado)",
+            "use thinner blades (with e of about {thin} or less their straight ends keep apart; more may do); where no axis goes through a face, a smaller tool in this program (d_t in roughing, d_f in finishing) may do";
+        why "El metal que falta en una cara no se recupera.", "Metal missing from a face is lost.";
+        example book!("impeller", "r" = "15.5", "N" = "1", "e" = "7", "a_p" = "4", "d_t" = "4", "d_f" = "", "splitters" = "no", "c_s" = "0.2", "tol" = "0.03");
+    "V0137" AxisInThinBlade Stop { line: usize, program: Text }
+        es "el eje de la herramienta atraviesa la cara de un álabe, en la línea {line} de «{program}», aunque los extremos rectos de los álabes no se juntan: ahí no cabe esta herramienta, y quizá ninguna"
+        en "the axis of the tool goes through the face of a blade, in line {line} of \"{program}\", though the straight ends of the blades keep apart: this tool has no room there, and perhaps none has"
+        remedy "use álabes más delgados (e) o menos", "use thinner blades (e) or fewer";
+        why "Una herramienta cuyo eje está dentro de un álabe lo parte.",
+            "A tool whose axis is inside a blade cuts through it.";
+        example Example::Slip { kind: "impeller", cells: CLEAR, program: "finish", from: "N23350 G1 X-2.836", to: "N23350 G1 X-5.836" };
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} {found} is in force, but the form asks for {wanted}"

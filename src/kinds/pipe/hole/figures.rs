@@ -128,6 +128,7 @@ fn cover(design: &Design, stations: &[Station]) -> Figure {
         strokes.push(camera.curve(Ink::Safe, [one.root, one.pose.tip + one.pose.axis * (0.5 * R)]));
     }
     Figure {
+        letters: Figure::LETTERS,
         key: "cover",
         height: 118.0,
         caption: t(
@@ -151,6 +152,7 @@ fn over_alpha(stations: &[Station], value: impl Fn(&Station) -> f64) -> Vec<[f64
 
 fn angles(stations: &[Station]) -> Figure {
     Figure {
+        letters: Figure::LETTERS,
         key: "angles",
         height: Figure::HEIGHT,
         caption: t("Ángulos alrededor del agujero", "Angles round the hole"),
@@ -168,6 +170,7 @@ fn angles(stations: &[Station]) -> Figure {
 fn heights(design: &Design, stations: &[Station]) -> Figure {
     let level = |value: f64| vec![[0.0, value], [360.0, value]];
     Figure {
+        letters: Figure::LETTERS,
         key: "heights",
         height: Figure::HEIGHT,
         caption: t("Altura y distancia alrededor del agujero", "Height and distance round the hole"),
@@ -188,6 +191,7 @@ fn heights(design: &Design, stations: &[Station]) -> Figure {
 
 fn left(deviation: &[[f64; 2]]) -> Figure {
     Figure {
+        letters: Figure::LETTERS,
         key: "deviation",
         height: Figure::HEIGHT,
         caption: t(
@@ -216,6 +220,7 @@ pub fn template(design: &Design) -> Figure {
     let most = |axis: usize| edge.iter().map(|point| point[axis].abs()).fold(0.0, f64::max) + 15.0;
     let (width, height) = (most(0), most(1));
     Figure {
+        letters: Figure::LETTERS,
         key: "template",
         height: Figure::HEIGHT,
         caption: t("Plantilla del agujero sobre el exterior del tubo", "Template of the hole on the pipe's outside"),

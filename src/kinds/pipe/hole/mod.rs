@@ -59,7 +59,7 @@ use crate::proof::due::Due;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
-use crate::text::{Language, Text, one_of, t};
+use crate::text::{Language, Text, t};
 
 /// Halvings after which the greatest eccentricity is known to a tenth of a millimetre.
 const HALVINGS: u8 = 16;
@@ -258,27 +258,25 @@ fn height_refused(design: &Design, place: &TooHigh) -> Finding {
     match place.sigma_o {
         Some(sigma) => {
             let (height, most) = (Size::mm(height_taken(design, place)), Size::length(design.D_max, 6));
-            let torch = [
-                t("una antorcha más fina", "a slimmer torch"),
-                t("un g0 menor", "a smaller g0"),
-                t("un D_max mayor", "a larger D_max"),
-            ];
-            let other = one_of(joint.into_iter().chain(torch));
-            let told = TorchTooHigh { alpha, sigma: Size::degrees(sigma.to_degrees(), 2), height, most, other };
+            let joint = listed(&joint);
+            let told = TorchTooHigh { alpha, sigma: Size::degrees(sigma.to_degrees(), 2), height, most, joint };
             let keys = [GAMMA.key()].into_iter().chain(eccentric).chain([D_MAX.key(), G0.key()]);
             let told = told.at(Place::Parameters(keys.collect()));
             let told = told.with(height.said(Language::En), most.said(Language::En));
             told.measuring(height.value, Limit::AtMost(design.D_max))
         }
         None => {
-            let theta = (design.theta != 90.0).then(|| t("un ángulo θ más cerca de 90°", "an angle θ nearer to 90°"));
-            let leaning = theta.is_some().then_some(THETA.key());
-            let ways: Vec<Text> = joint.into_iter().chain(theta).collect();
-            let other = if ways.is_empty() { t("otros tubos", "other pipes") } else { one_of(ways) };
+            let leaning = (design.theta != 90.0).then_some(THETA.key());
             let keys = [GAMMA.key()].into_iter().chain(eccentric).chain(leaning);
-            TorchLiesDown { alpha, other }.at(Place::Parameters(keys.collect()))
+            TorchLiesDown { alpha, joint: listed(&joint) }.at(Place::Parameters(keys.collect()))
         }
     }
+}
+
+/// Values one behind the other, before what else may be chosen.
+fn listed(values: &[Text]) -> Text {
+    let list = |language: Language| values.iter().fold(String::new(), |list, value| list + value.get(language) + ", ");
+    Text::new(list(Language::Es), list(Language::En))
 }
 
 /// The height that the torch needs, rounded up until it is taken as D_max.

@@ -56,17 +56,17 @@ rules! {
         why "Si no se suelta, el control de altura no sigue el tubo; si no se bloquea, baja en el bisel.",
             "If never released, the height control does not follow the pipe; if never held, it dives into the groove.";
         example book!("pipe-hole", "hold_on" = "M62");
-    "P3009" TorchTooHigh Stop { alpha: Size, sigma: Size, height: Size, most: Size, other: Text }
+    "P3009" TorchTooHigh Stop { alpha: Size, sigma: Size, height: Size, most: Size, joint: Text }
         es "en α = {alpha} la antorcha está a {sigma} del tubo y necesita una altura de {height}; D_max es {most}"
         en "at α = {alpha} the torch is at {sigma} to the pipe and needs a height of {height}; D_max is {most}"
-        remedy "elija {other}", "choose {other}";
+        remedy "elija {joint}una antorcha más fina, un g0 menor o un D_max mayor", "choose {joint}a slimmer torch, a smaller g0 or a larger D_max";
         why "Cuanto más se tumba la antorcha, más lejos queda la punta para que el cuerpo no toque el tubo; desde allí el arco no corta.",
             "The more the torch leans, the farther away its tip must stay so that its body clears the pipe; from there the arc does not cut.";
         example book!("pipe-hole", "gamma" = "45", "D_max" = "8");
-    "P3010" TorchLiesDown Stop { alpha: Size, other: Text }
+    "P3010" TorchLiesDown Stop { alpha: Size, joint: Text }
         es "en α = {alpha} la antorcha se tumba: su chorro no va por la pared desde la raíz hasta el exterior del tubo"
         en "at α = {alpha} the torch lies flat: its beam does not go through the wall from the root to the pipe's outside"
-        remedy "elija {other}", "choose {other}";
+        remedy "elija {joint}un ángulo θ más cerca de 90°, si no lo es, u otros tubos", "choose {joint}an angle θ nearer to 90°, if it is not 90°, or other pipes";
         why "Un chorro paralelo a la pared no la atraviesa, y uno que viene por debajo cruza el hueco y corta la pared opuesta.",
             "A beam parallel to the wall does not go through it, and one from below crosses the bore and cuts the opposite wall.";
         example book!("pipe-hole", "gamma" = "60", "theta" = "60");

@@ -7,12 +7,11 @@ use std::f64::consts::TAU;
 
 use crate::geometry::pipe_wall::{Line, PipeWall, Seat};
 use crate::kinds::pipe::insert::outline::Outline;
+use crate::limits::CURVE_LOOKS;
 use crate::number::bound::Enclosure;
 use crate::number::interval::Interval;
 use crate::number::jet::{Jet, at_most, bow};
 
-/// Evaluations that a search over the whole curve may take.
-const EVALUATIONS: u32 = 50_000;
 /// Looks a turn that every search begins with.
 const FIRST: u8 = 64;
 
@@ -50,7 +49,7 @@ impl Outline {
     /// The least and greatest y of the curve, to a ten-millionth of a millimetre and outwards.
     #[must_use]
     pub fn extent(&self) -> [f64; 2] {
-        let mut found = Enclosure::new([1e-7; 2], [f64::INFINITY; 2], EVALUATIONS);
+        let mut found = Enclosure::new([1e-7; 2], [f64::INFINITY; 2], CURVE_LOOKS);
         for piece in self.pieces() {
             found.take(
                 &piece,
@@ -85,7 +84,7 @@ impl Outline {
             return None;
         }
         let limit = 1.0 / radius;
-        let mut found = Enclosure::new([1e-3 * limit], [limit], EVALUATIONS);
+        let mut found = Enclosure::new([1e-3 * limit], [limit], CURVE_LOOKS);
         let mut worst = (f64::NEG_INFINITY, 0.0);
         for piece in self.pieces() {
             let inside = f64::midpoint(piece[0], piece[piece.len() - 1]);
@@ -121,7 +120,7 @@ impl Outline {
         let (wall, level) = (self.wall, self.seat.level());
         let mut corners = self.corners();
         corners.extend(wall.corners());
-        let mut found = Enclosure::new([1e-4; 4], [f64::INFINITY; 4], EVALUATIONS);
+        let mut found = Enclosure::new([1e-4; 4], [f64::INFINITY; 4], CURVE_LOOKS);
         let mut worst = [Worst { most: 0.0, seen: f64::NEG_INFINITY, phi: 0.0 }; 4];
         let (mut deepest, short) = (f64::NEG_INFINITY, wall.reach(0.0) - level);
         let mut edge = wall.ends()[1];

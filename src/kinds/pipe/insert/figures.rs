@@ -119,6 +119,7 @@ fn pipes(design: &Design) -> Figure {
         strokes.push(camera.curve(Ink::Obverse, run));
     }
     Figure {
+        letters: Figure::LETTERS,
         key: "cover",
         height: 118.0,
         caption: t("El injerto sobre el tubo base", "The branch on the header"),
@@ -254,6 +255,7 @@ fn development(design: &Design, cut: Option<&Cut>) -> Figure {
         legend.insert(1, (Ink::Obverse, t("antorcha", "torch")));
     }
     Figure {
+        letters: Figure::LETTERS,
         key: "development",
         height: Figure::HEIGHT,
         caption: if cut.is_some() {
@@ -297,6 +299,7 @@ pub fn template(design: &Design) -> Figure {
         text: Text::same(format!("φ {}°", 90 * number)),
     });
     Figure {
+        letters: Figure::LETTERS,
         key: "template",
         height: Figure::HEIGHT,
         caption: t("Plantilla del injerto", "Template of the branch"),
@@ -312,6 +315,7 @@ fn deviation_figure(deviation: &[[f64; 2]]) -> Figure {
     let mut along: Vec<[f64; 2]> = deviation.iter().map(|&[phi, off]| [phi, off * 1000.0]).collect();
     along.sort_by(|one, other| one[0].total_cmp(&other[0]));
     Figure {
+        letters: Figure::LETTERS,
         key: "deviation",
         height: Figure::HEIGHT,
         caption: t(

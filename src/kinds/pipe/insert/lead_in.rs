@@ -22,11 +22,10 @@ use nalgebra::Vector2;
 
 use crate::geometry::pipe_pair::Side;
 use crate::kinds::pipe::insert::outline::Outline;
+use crate::limits::LEAD_IN_LOOKS;
 use crate::number::jet::{Jet, bow};
 use crate::number::root::last_whole;
 
-/// Pieces that one lead-in may be looked at in.
-const PIECES: u32 = 20_000;
 /// How deep the angle is halved within which the curve leaves the beginning as it bends there.
 const DEEPEST: usize = 24;
 /// Without a kerf, how near the torch may come to the curve: the grid of the program, mm.
@@ -58,7 +57,7 @@ impl Outline {
         };
         let round = self.round();
         let aside = [line[0].x.min(line[1].x) - beside, line[0].x.max(line[1].x) + beside];
-        let mut looks = PIECES;
+        let mut looks = LEAD_IN_LOOKS;
         let mut turn = (aside[0] / round).floor();
         while turn * round <= aside[1] {
             let shift = Vector2::new(turn * round, 0.0);

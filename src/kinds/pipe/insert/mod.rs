@@ -62,9 +62,9 @@ use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, publish
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
 use crate::kinds::pipe::insert::quantities::quantities;
 use crate::kinds::pipe::insert::rules::{
-    AnnexAsPublished, AnnexWithoutKerf, CurveBehindEdge, DecimalsAsPublished, GapsOfEnvelope, KerfOnOutside,
-    OutsideForInside, PipeByIncrements, PipeOnLinearAxis, RadiusTyped, TemplateNotRound, WallInsideHeader,
-    WallOverhangs,
+    AnnexAsPublished, AnnexWithoutKerf, CurveBehindEdge, CurveFarBehindEdge, DecimalsAsPublished, GapsOfEnvelope,
+    KerfOnOutside, OutsideForInside, PipeByIncrements, PipeOnLinearAxis, RadiusTyped, TemplateNotRound,
+    WallInsideHeader, WallOverhangs,
 };
 use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
 use crate::kinds::pipe::{self, account, scene, sizes};
@@ -320,15 +320,6 @@ fn seat(design: &Design, rest: &Rest, overhangs: bool) -> Option<Finding> {
     (rest.inside.most > SEATED).then(|| caution.at(at([CONTACT.key(), THETA.key(), E.key()])))
 }
 
-/// A distance Z of at least so much, or what else to choose where the form takes none as long.
-fn least_distance(least: f64) -> Text {
-    if matches!(Z.row.kind, FieldKind::Real { max, .. } if least > max) {
-        return t("un ángulo θ más cerca de 90°", "an angle θ nearer to 90°");
-    }
-    let [es, en] = [Language::Es, Language::En].map(|language| Size::mm(least).said(language).into_owned());
-    Text::new(format!("Z de {es} como mínimo"), format!("Z of {en} at least"))
-}
-
 /// The wall of a branch whose bore meets the header but whose outside passes its side. A branch of the header's own size ends at it.
 fn wall_beside_header(design: &Design) -> Option<Finding> {
     let outside = design.branch.D / 2.0;
@@ -384,8 +375,12 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
     let below = -design.template().extent()[0];
     if below > SEATED / 2.0 {
         let least = ((design.Z + below) * 1000.0 - 1e-6).ceil() / 1000.0;
-        let told = CurveBehindEdge { below: Size::mm(below), other: least_distance(least) };
-        findings.push(told.at(at([Z.key(), THETA.key()])));
+        let (below, place) = (Size::mm(below), at([Z.key(), THETA.key()]));
+        let beyond = matches!(Z.row.kind, FieldKind::Real { max, .. } if least > max);
+        findings.push(match beyond {
+            true => CurveFarBehindEdge { below }.at(place),
+            false => CurveBehindEdge { below, least: Size::mm(least) }.at(place),
+        });
     }
     match design.style {
         Style::Annex => {

@@ -117,10 +117,10 @@ rules! {
         why "La entrada es recta y a escuadra con la curva en φ = 0; en un tubo que gira, y con e distinta de 0, rodea el tubo.",
             "The lead-in is straight and square to the curve at φ = 0; on a turning pipe, and with e other than 0, it goes round the pipe.";
         example book!("pipe-insert", "branch_size" = "1/2 in", "header_size" = "2 in", "theta" = "30", "e" = "20", "Z" = "200", "lead_in" = "30");
-    "P2118" CurveBehindEdge Caution { below: Size, other: Text }
+    "P2118" CurveBehindEdge Caution { below: Size, least: Size }
         es "la curva pasa {below} más allá del borde de la plantilla: si el tubo o la chapa acaban en ese borde, el injerto sale en dos trozos"
         en "the curve goes {below} beyond the edge of the template: if the pipe or the sheet ends at that edge, the branch comes out in two pieces"
-        remedy "elija {other}", "choose {other}";
+        remedy "elija Z de {least} como mínimo", "choose Z of {least} at least";
         why "Entre el borde de la plantilla, que es el cero, y la curva queda el injerto.",
             "The branch is what stays between the edge of the template, which is the zero, and the curve.";
         example book!("pipe-insert", "theta" = "120");
@@ -160,4 +160,11 @@ rules! {
         why "El manual no dice si el control da una alarma o corta los decimales que sobran.",
             "The manual does not say whether the control raises an alarm or drops the other decimals.";
         example book!("pipe-insert", "dialect" = "fagor-8055", "style" = "annex", "mode" = "flat");
+    "P2125" CurveFarBehindEdge Caution { below: Size }
+        es "la curva pasa {below} más allá del borde de la plantilla, más de lo que la distancia Z puede ser: si el tubo o la chapa acaban en ese borde, el injerto sale en dos trozos"
+        en "the curve goes {below} beyond the edge of the template, more than the distance Z may be: if the pipe or the sheet ends at that edge, the branch comes out in two pieces"
+        remedy "elija un ángulo θ más cerca de 90°", "choose an angle θ nearer to 90°";
+        why "Entre el borde de la plantilla, que es el cero, y la curva queda el injerto.",
+            "The branch is what stays between the edge of the template, which is the zero, and the curve.";
+        example book!("pipe-insert", "branch_size" = "10", "header_size" = "12", "theta" = "179");
 }

@@ -13,8 +13,9 @@ use crate::gcode::program::Program;
 use crate::kinds::pipe::hole::cut::{Cut, Follows, Leg, Place, axes, way_in};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::parameters::{ARC_TOLERANCE, GAMMA, LEAD_IN, Z_S};
-use crate::kinds::pipe::hole::proof::rules::TorchTooNear;
-use crate::kinds::pipe::hole::proof::{ARITHMETIC, WORK, leg, place, retract, rounding};
+use crate::kinds::pipe::hole::proof::rules::{TorchTooNear, TorchTooNearAbove, TorchTooNearOnWayIn};
+use crate::kinds::pipe::hole::proof::{ARITHMETIC, leg, place, retract, rounding};
+use crate::limits::CUT_LOOKS;
 use crate::machine::axis::Axis;
 use crate::machine::torch::{TorchAxes, TorchPose};
 use crate::number::grid::Milli;
@@ -147,9 +148,27 @@ impl Judge for Clearance<'_> {
         };
         let asked = self.near.put(asked, 0).measuring(least).against(Limit::AtLeast(limit));
         vec![asked.holds(least >= limit, |place| {
-            let (whence, other) = (self.whence.said(), self.whence.other(self.design, self.cut));
-            TorchTooNear { whence, distance: Size::length(down, 4), g0: Size::length(self.design.g0, 4), other }
-                .at(place)
+            let (distance, g0) = (Size::length(down, 4), Size::length(self.design.g0, 4));
+            // What is found to do, where a search finds any.
+            let found = |length: Option<f64>, [es, en]: [&str; 2]| {
+                length.map(|length| Size::length(length, 1)).map_or(t("", ""), |length| {
+                    Text::new(
+                        format!(", de {} {es}", length.said(Language::Es)),
+                        format!(", of {} {en}", length.said(Language::En)),
+                    )
+                })
+            };
+            match self.whence {
+                Whence::Curve => TorchTooNear { distance, g0 }.at(place),
+                Whence::LeadIn => {
+                    let most = found(longest_lead_in(self.design), ["como mucho", "at most"]);
+                    TorchTooNearOnWayIn { distance, g0, most }.at(place)
+                }
+                Whence::Above => {
+                    let least = found(least_safe_height(self.design, self.cut), ["como mínimo", "at least"]);
+                    TorchTooNearAbove { distance, g0, least }.at(place)
+                }
+            }
         })]
     }
 }
@@ -170,42 +189,6 @@ const SAMPLES: u16 = 64;
 /// Lengths that are tried, and from one to the next, mm.
 const TRIED: u16 = 1000;
 const STEP: f64 = 0.1;
-
-impl Whence {
-    /// Where that is, in words.
-    const fn said(self) -> Text {
-        match self {
-            Self::Curve => t("en el corte", "along the cut"),
-            Self::LeadIn => t("en la entrada", "on the lead-in"),
-            Self::Above => t("en rápido, a la altura de seguridad,", "in rapid, at the safe height,"),
-        }
-    }
-
-    /// What to choose: the longest lead-in, or the least safe height, that is found to do.
-    fn other(self, design: &Design, cut: &Cut) -> Text {
-        let (length, named, plain) = match self {
-            Self::Curve => {
-                return t(
-                    "otro ángulo de bisel γ o una arc_tolerance menor",
-                    "another groove angle γ or a smaller arc_tolerance",
-                );
-            }
-            Self::LeadIn => (
-                longest_lead_in(design),
-                ["una entrada de {} como mucho", "a lead-in of {} at most"],
-                t("una entrada más corta", "a shorter lead-in"),
-            ),
-            Self::Above => (
-                least_safe_height(design, cut),
-                ["una Z_s de {} como mínimo", "a Z_s of {} at least"],
-                t("una Z_s mayor", "a larger Z_s"),
-            ),
-        };
-        let Some(length) = length.map(|length| Size::length(length, 1)) else { return plain };
-        let [es, en] = named;
-        Text::new(es.replace("{}", &length.said(Language::Es)), en.replace("{}", &length.said(Language::En)))
-    }
-}
 
 /// The longest lead-in below the given one that keeps the torch clear, as all shorter ones do.
 fn longest_lead_in(design: &Design) -> Option<f64> {
@@ -237,7 +220,7 @@ fn clear(design: &Design, from: Place, to: Place) -> bool {
 impl<'a> Clearance<'a> {
     /// The judge of a program.
     pub(super) fn new(design: &'a Design, cut: &'a Cut) -> Self {
-        let near = Enclosed::new([1e-3], [-clear_limit(design)], WORK);
+        let near = Enclosed::new([1e-3], [-clear_limit(design)], CUT_LOOKS);
         Self { design, cut, near, whence: Whence::Curve, rapids: 0 }
     }
 

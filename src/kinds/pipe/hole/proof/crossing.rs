@@ -26,15 +26,13 @@ use crate::kinds::pipe::form::E;
 use crate::kinds::pipe::hole::parameters::GAMMA;
 use crate::kinds::pipe::hole::proof::rules::BeamsCross;
 use crate::kinds::pipe::hole::station::Groove;
+use crate::limits::CUT_LOOKS;
 use crate::number::interval::Interval;
 use crate::number::jet::{Jet, dot};
 use crate::number::trig::asin;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::enclosed::Enclosed;
 use crate::text::{Language, Text, t};
-
-/// Looks that may be taken beyond the first of each motion.
-const WORK: u32 = 100_000;
 
 /// How the lines of the face stand to their neighbours over the cut.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +48,7 @@ impl Crossing {
     /// Of no motion yet. `opening` is the angle up to which an opening must be known, radians.
     #[must_use]
     pub const fn new(groove: Groove, opening: f64) -> Self {
-        let found = Enclosed::new([1e-3, 1e-4], [1.0, opening], WORK);
+        let found = Enclosed::new([1e-3, 1e-4], [1.0, opening], CUT_LOOKS);
         Self { groove, found, nearest: [0.0, 0.0, f64::NEG_INFINITY] }
     }
 

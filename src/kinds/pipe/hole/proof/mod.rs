@@ -19,6 +19,7 @@ mod crossing;
 pub mod rules;
 
 use crate::kinds::pipe::hole::parameters::{self, ARC_TOLERANCE, F_MAX, GAMMA, H};
+use crate::limits::CUT_LOOKS;
 
 use crate::finding::{Figures, Limit, Raise, Size};
 use crate::gcode::motion::{Motion, MotionKind};
@@ -30,7 +31,7 @@ use crate::kinds::pipe::hole::program::{AXES, distance};
 use crate::kinds::pipe::hole::proof::clearance::Clearance;
 pub use crate::kinds::pipe::hole::proof::clearance::clearance;
 use crate::kinds::pipe::hole::proof::crossing::Crossing;
-use crate::kinds::pipe::hole::proof::rules::{BevelOff, CutSlows, NotItsTime, SwingsAtOnce};
+use crate::kinds::pipe::hole::proof::rules::{BevelOff, BevelOffOverLand, CutSlows, NotItsTime, SwingsAtOnce};
 use crate::kinds::pipe::hole::rules::GapWithinTolerance;
 use crate::kinds::pipe::hole::station::Groove;
 use crate::machine::axis::{Axis, Pose};
@@ -66,8 +67,6 @@ const BEVEL: f64 = 1.0;
 /// Below which part of the wall a groove is a thin one.
 const THIN: f64 = 0.1;
 
-/// Looks that a program may take at its cut, and at the torch's clearance, beyond the first at each motion.
-const WORK: u32 = 100_000;
 /// What the arithmetic of a look may lose.
 const ARITHMETIC: f64 = 1e-9;
 
@@ -184,19 +183,16 @@ impl Judge for BeamOnRoot<'_> {
         // Over a land nearly as high as the wall a groove is hardly there, and every angle opens it.
         let design = self.design;
         let thin = 2.0 * opening > angle && design.header.t - design.h < THIN * design.header.t;
-        let (key, other) = match thin {
-            true => (H.key(), t("un talón h menor", "a smaller land h")),
-            false => (
-                GAMMA.key(),
-                t("una arc_tolerance menor u otro ángulo de bisel", "a smaller arc_tolerance or another groove angle"),
-            ),
-        };
+        let key = if thin { H.key() } else { GAMMA.key() };
         let most = (angle * 1e3 - 1e-6).ceil() / 1e3;
         let value = Text::same(format!("≤ {}°", shown(most, 3)));
         let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
         let asked = asked.comparing(Figures::of(angle, Some(Limit::AtMost(BEVEL))));
         let asked = errors.put(asked.of_parameters([key, ARC_TOLERANCE.key()]), 1);
-        let bevel = asked.holds(angle <= BEVEL, |place| BevelOff { angle: Size::degrees(most, 2), other }.at(place));
+        let bevel = asked.holds(angle <= BEVEL, |place| {
+            let angle = Size::degrees(most, 2);
+            if thin { BevelOffOverLand { angle }.at(place) } else { BevelOff { angle }.at(place) }
+        });
         vec![beam, branch, bevel, self.crossing.check(program)]
     }
 }
@@ -405,7 +401,7 @@ pub fn due(design: &Design) -> Vec<Due> {
 #[must_use]
 pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec<Box<dyn Judge + 'a>> {
     let limits = [tolerance(design), chord(BEVEL)];
-    let errors = Enclosed::new([1e-3 * design.arc_tolerance, 1e-5], limits, WORK);
+    let errors = Enclosed::new([1e-3 * design.arc_tolerance, 1e-5], limits, CUT_LOOKS);
     let groove = design.groove();
     let crossing = Crossing::new(groove, BEVEL.to_radians());
     let back = retract(design, cut).len();

@@ -3,20 +3,35 @@
 use crate::finding::{Example, Size};
 use crate::text::Text;
 
+/// The cells of a branch beside the header's axis, whose lead-in comes near its side.
+const LONG_WAY_IN: &[(&str, &str)] = &[
+    ("branch_size", ""),
+    ("branch_schedule", ""),
+    ("header_size", ""),
+    ("header_schedule", ""),
+    ("D_branch", "60.3"),
+    ("t_branch", "4"),
+    ("D_header", "168.3"),
+    ("t_header", "20"),
+    ("e", "32.33"),
+    ("theta", "60"),
+    ("gamma", "20"),
+];
+
 crate::finding::rule::rules! {
     /// The rows of this room.
     RULES;
-    "V0301" BevelOff Caution { angle: Size, other: Text }
+    "V0301" BevelOff Caution { angle: Size }
         es "el bisel se desvía hasta {angle}"
         en "the bevel is off by up to {angle}"
-        remedy "elija {other}", "choose {other}";
+        remedy "elija una arc_tolerance menor u otro ángulo de bisel", "choose a smaller arc_tolerance or another groove angle";
         why "Los procedimientos de soldadura dan una tolerancia de pocos grados al bisel. Cuenta también lo que el ancho de corte de los chorros vecinos quita de más donde casi se cruzan.",
             "Welding procedures allow a tolerance of only a few degrees on the groove angle. What the kerf of neighbouring beams takes off where they nearly cross counts, too.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "B29.910", to: "B35.910" };
-    "V0302" TorchTooNear Stop { whence: Text, distance: Size, g0: Size, other: Text }
-        es "la distancia de la antorcha al tubo baja {whence} a {distance} (negativa: entra en él); el mínimo es g0 = {g0}"
-        en "the distance of the torch from the pipe falls {whence} to {distance} (negative: inside it); the minimum is g0 = {g0}"
-        remedy "elija {other}", "choose {other}";
+    "V0302" TorchTooNear Stop { distance: Size, g0: Size }
+        es "la distancia de la antorcha al tubo baja en el corte a {distance} (negativa: entra en él); el mínimo es g0 = {g0}"
+        en "the distance of the torch from the pipe falls along the cut to {distance} (negative: inside it); the minimum is g0 = {g0}"
+        remedy "elija otro ángulo de bisel γ o una arc_tolerance menor", "choose another groove angle γ or a smaller arc_tolerance";
         why "Si la antorcha toca el tubo, se dobla y pierde el arco.",
             "A torch that touches the pipe bends and loses its arc.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "X51.853 Z89.142", to: "X51.853 Z86.142" };
@@ -48,4 +63,25 @@ crate::finding::rule::rules! {
         why "Desde el cruce cada chorro corta lo que su vecino debía dejar: queda más hueco que llenar de soldadura.",
             "Past the crossing each beam cuts what its neighbour should leave: there is more to fill with weld.";
         example Example::Slip { kind: "pipe-hole", cells: &[("gamma", "0"), ("h", "0"), ("e", "28"), ("D_max", "20")], program: "hole", from: "", to: "" };
+    "V0307" BevelOffOverLand Caution { angle: Size }
+        es "el bisel se desvía hasta {angle}, sobre un talón casi tan alto como la pared"
+        en "the bevel is off by up to {angle}, over a land nearly as high as the wall"
+        remedy "elija un talón h menor", "choose a smaller land h";
+        why "Apenas hay bisel sobre un talón así, y donde los chorros vecinos casi se cruzan todo ángulo lo abre.",
+            "There is hardly a groove over such a land, and where neighbouring beams nearly cross every angle opens it.";
+        example Example::Slip { kind: "pipe-hole", cells: &[("gamma", "0"), ("h", "7.1"), ("e", "28"), ("D_max", "20")], program: "hole", from: "", to: "" };
+    "V0308" TorchTooNearOnWayIn Stop { distance: Size, g0: Size, most: Text }
+        es "la distancia de la antorcha al tubo baja en la entrada a {distance} (negativa: entra en él); el mínimo es g0 = {g0}"
+        en "the distance of the torch from the pipe falls on the lead-in to {distance} (negative: inside it); the minimum is g0 = {g0}"
+        remedy "elija una entrada más corta{most}", "choose a shorter lead-in{most}";
+        why "Si la antorcha toca el tubo, se dobla y pierde el arco.",
+            "A torch that touches the pipe bends and loses its arc.";
+        example Example::Slip { kind: "pipe-hole", cells: LONG_WAY_IN, program: "hole", from: "", to: "" };
+    "V0309" TorchTooNearAbove Stop { distance: Size, g0: Size, least: Text }
+        es "la distancia de la antorcha al tubo baja en rápido, a la altura de seguridad, a {distance} (negativa: entra en él); el mínimo es g0 = {g0}"
+        en "the distance of the torch from the pipe falls in rapid, at the safe height, to {distance} (negative: inside it); the minimum is g0 = {g0}"
+        remedy "elija una Z_s mayor{least}", "choose a larger Z_s{least}";
+        why "Si la antorcha toca el tubo, se dobla y pierde el arco.",
+            "A torch that touches the pipe bends and loses its arc.";
+        example Example::Slip { kind: "pipe-hole", cells: &[("Z_s", "1")], program: "hole", from: "", to: "" };
 }

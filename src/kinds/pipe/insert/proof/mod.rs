@@ -33,6 +33,7 @@ use crate::kinds::pipe::insert::parameters::{ARC_TOLERANCE, N};
 use crate::kinds::pipe::insert::program::{approach, template_points};
 use crate::kinds::pipe::insert::proof::greater_n::enough;
 use crate::kinds::pipe::insert::proof::speed::{CutSpeed, fed};
+use crate::limits::CUT_LOOKS;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::grid::Milli;
 use crate::number::interval::Interval;
@@ -240,13 +241,13 @@ impl<'a> PathOnCurve<'a> {
     /// Of no motion yet.
     fn new(design: &'a Design, moves: &'a Moves, curve: &'a mut Curve) -> Self {
         let surface = Surface { design, outline: design.outline() };
-        let errors = Enclosed::new([1e-3 * design.arc_tolerance; 2], limits(design), WORK);
+        let errors = Enclosed::new([1e-3 * design.arc_tolerance; 2], limits(design), CUT_LOOKS);
         let limit = match design.contact {
             Contact::Inside | Contact::Outside => f64::INFINITY,
             Contact::Envelope => limits(design)[1],
         };
         let wall =
-            Enclosed::new([1e-3 * design.arc_tolerance, 1e-3, 1e-3], [limit, f64::INFINITY, f64::INFINITY], WORK);
+            Enclosed::new([1e-3 * design.arc_tolerance, 1e-3, 1e-3], [limit, f64::INFINITY, f64::INFINITY], CUT_LOOKS);
         Self { surface, moves, errors, wall, curve }
     }
 
@@ -355,9 +356,6 @@ impl<'a> PathOnCurve<'a> {
 
 /// What the arithmetic of a look may lose.
 const ARITHMETIC: f64 = 1e-9;
-
-/// Looks that a program may take beyond the first three at each motion.
-const WORK: u32 = 100_000;
 
 /// What the limit of a path, or of an edge, is made of.
 fn of_arcs(design: &Design, limit: f64) -> Tolerance {
