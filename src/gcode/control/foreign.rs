@@ -92,8 +92,11 @@ fn of_klartext(block: &str) -> Option<String> {
     let number = axis.strip_prefix(|axis: char| "XYZABC".contains(axis))?;
     let word = number.split_whitespace().next()?;
     let numeric = word.trim_start_matches(['+', '-']);
-    let plain = numeric.starts_with(digit) && numeric.chars().all(|one| digit(one) || ".,".contains(one));
-    let sure = number.starts_with(['+', '-']) || number.trim_start() != word && number.split_whitespace().count() > 1;
+    // A parameter may stand in place of the number.
+    let size = numeric.strip_prefix('Q').unwrap_or(numeric);
+    let plain = size.starts_with(digit) && size.chars().all(|one| digit(one) || ".,".contains(one));
+    let among = number.split_whitespace().nth(1).is_some_and(|next| !next.starts_with(['(', ';']));
+    let sure = number.starts_with(['+', '-']) || among;
     (plain && sure).then(|| format!("L {}", &line[..line.len() - number.len()]))
 }
 
@@ -212,6 +215,7 @@ mod tests {
             ("24 L Z+0 R0 FMAX M92", KLARTEXT, "L Z"),
             ("L X-5,5 FMAX", KLARTEXT, "L X"),
             ("L IX+5", KLARTEXT, "L IX"),
+            ("1 L X-Q5 FMAX", KLARTEXT, "L X"),
             ("12 L X5 R0 FMAX", KLARTEXT, "L X"),
             ("CALL LBL 1", KLARTEXT, "CALL LBL"),
             ("%NEU G71 *", DIN_ISO, "% G71 *"),
@@ -283,6 +287,8 @@ mod tests {
             "LL TRANS",
             "L TRANS.NC",
             "L X1",
+            "L X1 (drills)",
+            "L XQ5 ;mills",
             "%L SUPA",
             "%TRANS,MX--,",
             "G1 X=V.P.A1",
