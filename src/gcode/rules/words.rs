@@ -289,7 +289,7 @@ rules! {
         why "El control ejecuta la subrutina en cada llamada: sin seguirla no se sabe qué hace el programa.",
             "The control runs the subroutine at each call: without following it nobody knows what the program does.";
         example Example::program("fagor-8070", "%L CUT|G91 G1 Z-5 F100|M29|%MAIN|G0 X0|LL CUT|M30", "1:1");
-    "G0140" NameNotRead Stop { name: String }
+    "G0141" NameNotRead Stop { name: String }
         es "{name}=: el control no lee «=» detrás de una letra y su número"
         en "{name}=: the control does not read '=' behind a letter and its number"
         remedy "no quite «=»: el número sería otro; escriba la letra y el número que quería decir; si el programa es de otro control que rodete lea, indíquelo: con --dialect, o en la hoja DATOS de un libro",
