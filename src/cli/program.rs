@@ -20,6 +20,7 @@ use crate::gcode::rules::lexis::OtherControlLikely;
 use crate::kinds::lathe::findings::{Reached, assumed};
 use crate::kinds::lathe::parameters::FORM;
 use crate::kinds::lathe::setup::Given;
+use crate::limits::LEADER_LINES;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
 use crate::parameter::field::Fields;
@@ -244,10 +245,14 @@ pub(super) fn told_from(dialect: &Control) -> Finding {
 }
 
 /// The caution on a program of a guessed dialect that has a sign of a control that rodete does not read: the ending of its file's name, or
-/// a comment.
+/// a comment. Not beside the refusal that says the same.
 pub(super) fn told_other(path: &Path, head: &[u8], dialect: &Control) -> Option<Finding> {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
-    let found = String::from_utf8_lossy(head).lines().find_map(foreign::sign).or_else(|| foreign::of_ending(&ending));
+    let found = String::from_utf8_lossy(head)
+        .lines()
+        .take(LEADER_LINES)
+        .find_map(foreign::sign)
+        .or_else(|| foreign::of_ending(&ending));
     let foreign::Foreign { control, sign } = found?;
     Some(OtherControlLikely { control, sign, dialect: dialect.name }.at(Place::File))
 }

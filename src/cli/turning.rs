@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::program::{Beside, PACKAGE, of_workbook, told_from, told_of};
+use super::program::{Beside, PACKAGE, of_workbook, told_from, told_of, told_other};
 use super::rules::*;
 use super::stock::Stock;
 use super::verdict::Verdict;
@@ -14,7 +14,7 @@ use crate::gcode::control::guess::{guess_turning, mills};
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, decoded, wide};
 use crate::gcode::motion::MotionKind;
-use crate::gcode::rules::lexis::Utf16;
+use crate::gcode::rules::lexis::{OtherControl, Utf16};
 use crate::kind::{Outcome, Provenance, Wants};
 use crate::kinds::lathe::cases;
 use crate::kinds::lathe::parameters::{
@@ -141,6 +141,9 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
     let Simulated { outcome, alarms, whole } =
         lathe::simulated(Fields::of(&FORM, values)?, source, Some(program), wants)
             .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
+    if wanted.dialect.is_none() && outcome.findings.iter().all(|one| one.code() != OtherControl::RULE.code) {
+        verdict.findings.extend(told_other(path, wanted.bytes, dialect));
+    }
     verdict.findings.extend(outcome.findings.iter().cloned());
     gravest_first(&mut verdict.findings);
     verdict.quantities.clone_from(&outcome.quantities);

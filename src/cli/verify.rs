@@ -20,6 +20,7 @@ use crate::gcode::control::Control;
 use crate::gcode::control::guess::tools_headed;
 use crate::gcode::interpreter::{Bytes, FromStart, Interpreter, Refused, RotaryMode, findings};
 use crate::gcode::motion::{FeedMode, Motion, MotionKind};
+use crate::gcode::rules::lexis::OtherControl;
 use crate::limits::LISTED_REFUSALS;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
@@ -184,7 +185,8 @@ fn follow(
     remarks.extend(made_from);
     if !named {
         remarks.push(told_from(dialect));
-        remarks.extend(other.filter(|_| total == 0));
+        let told = faults.iter().any(|fault| fault.rule.code == OtherControl::RULE.code);
+        remarks.extend(other.filter(|_| !told));
     }
     if read.account.program.is_none() && total == 0 {
         remarks.push(NothingMoves {}.at(Place::File));

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::args::View;
 use super::locale::spoken;
-use super::program::{self, PACKAGE, Shared, told_from};
+use super::program::{self, PACKAGE, Shared, told_from, told_other};
 use super::rules::*;
 use super::terminal::Terminal;
 use super::turning::{Wanted, follow};
@@ -16,6 +16,7 @@ use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
+use crate::gcode::rules::lexis::OtherControl;
 use crate::kind::{Kind, Wants};
 use crate::machine::chain::Chain;
 use crate::scene::kept;
@@ -202,9 +203,12 @@ fn of_program(
     verdict.exit = gravest(verdict.exit, exit);
     verdict.findings.extend(findings);
     if !named {
-        let note = told_from(dialect);
-        program.remarks.push(Remark::from(&note));
-        verdict.findings.push(note);
+        let other = verdict.findings.iter().all(|one| one.code() != OtherControl::RULE.code);
+        let other = told_other(input, &bytes, dialect).filter(|_| other);
+        for told in other.into_iter().chain([told_from(dialect)]) {
+            program.remarks.push(Remark::from(&told));
+            verdict.findings.push(told);
+        }
     }
     let language = spoken(arguments.lang, None);
     Ok(Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: vec![program] })

@@ -6,9 +6,9 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
     FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord,
-    Lexis, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NegativeRadius, NoseCorner,
-    NumberBehind, OffsetRule, OpeningLine, Order, Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract,
-    Rollover, RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall,
+    Lexis, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NamesWithDigit, NegativeRadius,
+    NoseCorner, NumberBehind, OffsetRule, OpeningLine, Order, Percent, PolarWords, Post, Radii, RadiusRule, Reference,
+    Retract, Rollover, RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall,
     ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
@@ -106,6 +106,7 @@ pub static FAGOR_8070: Control = Control {
         greatest_number: 999_999_999,
         decimals: Decimals::Free,
         behind: NumberBehind::Rejected,
+        names: NamesWithDigit::AxesAndSpindles,
         ..LEXIS
     },
     arcs: ArcWords { across: Across::Unknown, ..FAGOR_8055_BASE.arcs },
@@ -240,6 +241,7 @@ const LEXIS: Lexis = Lexis {
     builders: BuilderCodes::Several,
     behind: NumberBehind::Repeats,
     polar: PolarWords::RadiusAndAngle,
+    names: NamesWithDigit::None,
 };
 
 const GEOMETRY: Name = (

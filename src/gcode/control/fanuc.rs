@@ -13,10 +13,10 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, CountedFeed, Counting, Decimals, DimensionPoint, Drilling, DwellUnit,
     DwellWord, EmptyBlock, FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, Increments, Language,
-    LeastIncrement, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NegativeRadius,
-    NoseCorner, NumberBehind, OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover,
-    RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, UnitChange,
-    UnsaidFeed, WordOrder,
+    LeastIncrement, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NamesWithDigit,
+    NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference,
+    Retract, Rollover, RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange,
+    Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -88,6 +88,7 @@ pub static FANUC_LATHE_A: Control = Control {
         builders: BuilderCodes::Several,
         behind: NumberBehind::Rejected,
         polar: PolarWords::None,
+        names: NamesWithDigit::AxesAndSpindles,
     },
     codes: &CODES,
     machine_code,

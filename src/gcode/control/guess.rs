@@ -8,7 +8,7 @@ use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 ///
 /// The header of a program that rodete wrote names it. `.pim` is a Fagor 8055, `.pit` an 8055 T, `.ngc` LinuxCNC. A first line of a name
 /// and attributes, `%name,MX--,`, is a Fagor 8055, or 8055 T where a block has G96 with S, or where one has G95 and none as far as the end
-/// has Y; `%number-name` is a Fagor 8070. An M code from M10 to M18 or M20 to M29, which LinuxCNC does not have and a machine's builder gives
+/// has Y; `%number-name` is a Fagor 8070, or 8055 where a block has G43, which an 8070 has not. An M code from M10 to M18 or M20 to M29, which LinuxCNC does not have and a machine's builder gives
 /// a Fagor (clamps of rotary axes), is a Fagor 8055, unless a line is written as for a Fanuc or a Haas, whose builders have such codes
 /// too: with an O number, a `%` alone, G43 H, G28 or G30, or a number that begins or ends with its decimal point. So is a line that is a
 /// statement in parentheses, as `(CALL 1)` or `(P100=5)`: another control would pass over it as a comment, and make another part; and so is
@@ -44,7 +44,9 @@ pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
         return fagor_8055();
     }
     if first.strip_prefix('%').is_some_and(|name| name.starts_with(|letter: char| letter.is_ascii_digit())) {
-        return &FAGOR_8070;
+        // An 8070 has no G43, which takes up the tool's length on an 8055.
+        let length = text.lines().any(|line| has(&code(line), "G", "43")) && !text.lines().any(hash_statement);
+        return if length { &FAGOR_8055 } else { &FAGOR_8070 };
     }
     let short = || text.lines().any(short_place_and_offset) && !text.lines().any(|line| has(&code(line), "M", "6"));
     if text.lines().any(|line| place_and_offset(line) || speed_limit(line) || roughs(line) || home_or_thread(line))
@@ -325,6 +327,9 @@ mod tests {
             ("(CALL THE FOREMAN)\n(P1 PLATE)\n(RETURN)\n(SUBPART 2)\n(IF IN DOUBT)\nG0 X1\nM2\n", "nc", "linuxcnc"),
             ("%0001-A,MX--,\r\nG71\r\n", "nc", "fagor-8055"),
             ("%0001-A\r\nG71\r\n", "nc", "fagor-8070"),
+            ("%00203\r\nN0 T1.1\r\nN10 M6\r\nN20 G0 G90 G43 Z10 F100 S1000 M3\r\n", "nc", "fagor-8055"),
+            ("%0001-A\r\n#RTCP ON\r\nG43 Z10\r\n", "nc", "fagor-8070"),
+            ("%0001-A\r\nG71 (G43)\r\nG430\r\n", "nc", "fagor-8070"),
             ("%0001-A,MX--,\r\n;RODETE 0.1.0 - DIALECTO FAGOR-8055-T\r\nG71\r\n", "nc", "fagor-8055-t"),
             ("(RODETE 0.1.0 - DIALECT FAGOR-8070)\nG71\n", "nc", "fagor-8070"),
             ("%0001-A,MX--,\r\nG71\r\nN40 G96 S300 M4\r\n", "nc", "fagor-8055-t"),

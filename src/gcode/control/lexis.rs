@@ -310,6 +310,29 @@ impl PolarWords {
     }
 }
 
+/// Names of axes and spindles that are a letter and a digit, with `=` before the number: `X1=10`, `S2=500`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NamesWithDigit {
+    /// None: `=` is no character of a block.
+    None,
+    /// Of axes and spindles, which are refused by name.
+    AxesAndSpindles,
+}
+
+impl NamesWithDigit {
+    /// True where a name, in capitals, may be of an axis or a spindle: its letter, and a digit from 1 to 9. Fagor CNC 8070, programming
+    /// manual, elements of a program: `Xn=`, `Sn=`, n from 1 to 9.
+    #[must_use]
+    pub fn has(self, name: &str) -> bool {
+        match self {
+            Self::None => false,
+            Self::AxesAndSpindles => {
+                matches!(name.as_bytes(), [letter, b'1'..=b'9'] if b"ABCSUVWXYZ".contains(letter))
+            }
+        }
+    }
+}
+
 /// What a program's text is made of.
 #[derive(Clone, Copy, Debug)]
 pub struct Lexis {
@@ -359,4 +382,6 @@ pub struct Lexis {
     pub behind: NumberBehind,
     /// Polar coordinates, and angles of lines.
     pub polar: PolarWords,
+    /// Names of axes and spindles with a digit.
+    pub names: NamesWithDigit,
 }

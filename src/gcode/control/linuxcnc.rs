@@ -6,10 +6,10 @@ use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
     FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord,
-    Lexis, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NegativeRadius, NumberBehind,
-    OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule,
-    Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed,
-    WordOrder, Writing,
+    Lexis, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NamesWithDigit, NegativeRadius,
+    NumberBehind, OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode,
+    RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange,
+    UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -59,6 +59,7 @@ pub static LINUXCNC: Control = Control {
         builders: BuilderCodes::One,
         behind: NumberBehind::Rejected,
         polar: PolarWords::Signs,
+        names: NamesWithDigit::None,
     },
     codes: &CODES,
     machine_code,

@@ -33,8 +33,8 @@ pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, POST_8055_T};
 pub use self::fanuc::FANUC_LATHE_A;
 pub use self::feed::{FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, MissingFeed, UnsaidFeed};
 pub use self::lexis::{
-    BlockDelete, BuilderCodes, Comments, Decimals, EmptyBlock, Language, Lexis, LoneReturn, Mark, NumberBehind,
-    Percent, PolarWords,
+    BlockDelete, BuilderCodes, Comments, Decimals, EmptyBlock, Language, Lexis, LoneReturn, Mark, NamesWithDigit,
+    NumberBehind, Percent, PolarWords,
 };
 pub use self::linuxcnc::LINUXCNC;
 pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Reference};

@@ -79,6 +79,7 @@ impl Features {
             builders,
             behind,
             polar,
+            names,
         } = lexis;
         self.row(t("letras, además de G, M y N", "letters, besides G, M and N"), letters.told());
         self.row(t("letras que rodete rechaza", "letters that rodete rejects"), refused.told());
@@ -131,6 +132,7 @@ impl Features {
         self.row(t("códigos M del fabricante en un bloque", "the builder's M codes in a block"), builders.told());
         self.row(t("N detrás de las palabras de un bloque", "N behind the words of a block"), behind.told());
         self.row(t("coordenadas polares", "polar coordinates"), polar.told());
+        self.row(t("nombres con cifra, como X1=", "names with a digit, as X1="), names.told());
     }
 
     fn start(&mut self, start: &Start, drilling: Drilling) {

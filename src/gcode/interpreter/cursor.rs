@@ -7,7 +7,6 @@ use crate::gcode::rules::lexis::{
     BlockAfterEnd, Comma, CommentInWord, CommentNested, CommentNotOpened, CommentOpen, EdgeNotSupported, Exponent,
     HighLevel, LetterForZero, NameEmpty, NameOpen, NoNumber, Strange, TooGreat, TwoPoints,
 };
-use crate::gcode::rules::words::NameWithDigit;
 use crate::text::{Text, t};
 
 /// A place in a line.
@@ -373,6 +372,15 @@ impl<'l> Cursor<'l> {
         }
     }
 
+    /// The letter and the digits before the character in hand, in capitals; `None` where it stands behind anything else.
+    pub(super) fn name_with_digit(&self) -> Option<String> {
+        let before = self.line.get(..self.at)?.trim_ascii_end();
+        let digits = before.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+        let letter = before.len().checked_sub(digits + 1)?;
+        let named = digits > 0 && before.get(letter).is_some_and(u8::is_ascii_alphabetic);
+        named.then(|| String::from_utf8_lossy(&before[letter..]).to_uppercase())
+    }
+
     /// The refusal of the character in hand.
     pub(super) fn refuse_character(&mut self) -> Box<Refused> {
         let character = self.peek();
@@ -493,9 +501,6 @@ fn strange(line: &[u8], column: usize, character: u8) -> Box<Refused> {
         }
         return Refused::of(&Comma {}, &[column]);
     }
-    if let Some(name) = name_with_digit(line, column).filter(|_| character == b'=') {
-        return Refused::of(&NameWithDigit { name }, &[column]);
-    }
     let rest = line.get(column..).unwrap_or_default();
     let text = rest.utf8_chunks().next().map_or("", |chunk| chunk.valid());
     let name = match text.chars().next() {
@@ -508,15 +513,6 @@ fn strange(line: &[u8], column: usize, character: u8) -> Box<Refused> {
         None => format!("byte 0x{:02X}", rest.first().copied().unwrap_or(character)),
     };
     Refused::of(&Strange { character: name }, &[column])
-}
-
-/// The letter and the digits before a column, in capitals: the name of an axis or a spindle where `=` follows it.
-fn name_with_digit(line: &[u8], column: usize) -> Option<String> {
-    let before = line.get(..column)?.trim_ascii_end();
-    let digits = before.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
-    let letter = before.len().checked_sub(digits + 1)?;
-    let named = digits > 0 && before.get(letter).is_some_and(u8::is_ascii_alphabetic);
-    named.then(|| String::from_utf8_lossy(&before[letter..]).to_uppercase())
 }
 
 /// The letter O stands where a digit should.

@@ -13,8 +13,8 @@ use crate::gcode::rules::words::{
     BlockRepeated, ChamferWithoutComma, CodeNotSupported, CodeParted, CoordinateTooGreat, CycleInOneBlock,
     DecimalsTooMany, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat, LetterNotSupported, LetterUnknown, LocalSubroutine,
     MachineCodeNotFollowed, MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany, MacroLanguage, Macros,
-    Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, UnknownToAll, WordTooGreat, WordTwice,
-    WordsOutOfOrder,
+    NameNotRead, NameWithDigit, Negative, NumberParted, TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, UnknownToAll,
+    WordTooGreat, WordTwice, WordsOutOfOrder,
 };
 use crate::limits::COUNT;
 use crate::machine::length_unit::LengthUnit;
@@ -93,6 +93,7 @@ impl Reader<'_, '_> {
                     self.block.settings.push(setting);
                 }
                 b'@' | b'^' if self.memory.control.lexis.polar.by_signs() => self.read_polar(cursor)?,
+                b'=' => return Err(self.equals_sign(cursor)),
                 _ => return Err(cursor.refuse_character()),
             }
         }
@@ -143,6 +144,18 @@ impl Reader<'_, '_> {
     /// True behind the code of a turning cycle of Fagor's: M, S, L and others are its parameters.
     pub(super) fn fagor_cycle(&self) -> bool {
         matches!(self.block.g(Group::NonModal), Some(G::Turning(TurningCycle::Fagor(_))))
+    }
+
+    /// The refusal of `=` behind a word: a name of an axis or a spindle on a control that has such names.
+    #[cold]
+    fn equals_sign(&self, cursor: &mut Cursor<'_>) -> Box<Refused> {
+        let Some(name) = cursor.name_with_digit() else { return cursor.refuse_character() };
+        let at = [cursor.column()];
+        if self.memory.control.lexis.names.has(&name) {
+            Refused::of(&NameWithDigit { name }, &at)
+        } else {
+            Refused::of(&NameNotRead { name }, &at)
+        }
     }
 
     fn read_g(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {

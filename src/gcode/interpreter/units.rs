@@ -9,7 +9,9 @@ use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Memory, Reader, doubt};
 use crate::gcode::motion::FeedMode;
-use crate::gcode::rules::modes::{FeedMeaningNotSaid, FeedUnitNotKnown, UnitBesideFeed, UnitNotSaid, UnitsChange};
+use crate::gcode::rules::modes::{
+    FeedInEarlierUnit, FeedMeaningNotSaid, FeedUnitNotKnown, UnitBesideFeed, UnitNotSaid, UnitsChange,
+};
 use crate::machine::length_unit::LengthUnit;
 use crate::text::t;
 
@@ -79,13 +81,14 @@ impl Memory<'_> {
 }
 
 impl Reader<'_, '_> {
-    /// F and S beside a code that changes the unit, where no source says in which of the two they count: told, and a feed that
-    /// hangs on it is refused. `motion` is the block's own. To be asked before the unit is taken, and behind F and S.
+    /// F and S beside a code that changes the unit. Where the control takes F in the earlier unit, that is told. Where no source says in
+    /// which of the two they count, that is told, and a feed that hangs on it is refused. `motion` is the block's own. To be asked before the unit is taken, and behind F and S.
     pub(super) fn doubt_unit(&mut self, motion: Option<G>) -> Result<()> {
         let inch = self.state.modal.unit == LengthUnit::Inch;
         let changes = |code: &G| matches!(code, G::Inch | G::Millimetre) && (*code == G::Inch) != inch;
         let Some(code) = self.block.g(Group::Units).filter(changes) else { return Ok(()) };
         if !self.memory.control.order.unit_open() {
+            self.see_feed_before_unit(code);
             return Ok(());
         }
         let at_once = self.block.g(Group::NonModal);
@@ -116,6 +119,23 @@ impl Reader<'_, '_> {
             self.memory.remarks.row(&row, spot, Some(column));
         }
         Ok(())
+    }
+
+    /// Sees an F that the control takes before the code beside it changes the unit.
+    fn see_feed_before_unit(&mut self, code: G) {
+        let unit = match (self.state.modal.feed_mode, self.state.modal.unit) {
+            (FeedMode::PerMinute, LengthUnit::Millimetre) => t("mm/min", "mm/min"),
+            (FeedMode::PerMinute, LengthUnit::Inch) => t("pulgadas/min", "inches/min"),
+            (FeedMode::PerRevolution, LengthUnit::Millimetre) => t("mm por vuelta", "mm per revolution"),
+            (FeedMode::PerRevolution, LengthUnit::Inch) => t("pulgadas por vuelta", "inches per revolution"),
+            // A time.
+            (FeedMode::InverseTime | FeedMode::Seconds, _) => return,
+        };
+        if self.block.has(letter::F) && !self.in_doubt(UNIT) {
+            let row = FeedInEarlierUnit { code: self.unit_code(code), unit };
+            let (spot, column) = (self.block.spot, self.block.column(letter::F));
+            self.memory.remarks.row(&row, spot, Some(column));
+        }
     }
 
     /// Refuses a motion at a feed whose unit is in doubt. What comes behind it in the same feed follows from that.

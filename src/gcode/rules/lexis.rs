@@ -253,7 +253,8 @@ rules! {
     "G0852" OtherControlLikely Caution { control: Text, sign: String, dialect: &'static str }
         es "«{sign}» es propio de programas para {control}, que rodete no lee: ha leído el programa como {dialect}"
         en "'{sign}' belongs to programs for {control}, which rodete does not read: it has read the program as {dialect}"
-        remedy "si es de otro control, indíquelo con --dialect", "if it is for another control, name it with --dialect";
+        remedy "si es de ese control, compruébelo en él, o genérelo con el posprocesador de un control que rodete lea; nombre un dialecto con --dialect solo si el programa es de verdad para él",
+            "if it is for that control, verify it there, or post it for a control that rodete reads; name a dialect with --dialect only if the program is in truth for it";
         why "Los bloques sencillos se parecen en todos los controles, y arcos, longitudes y unidades no siempre significan lo mismo.",
             "Plain blocks look alike on all controls, and arcs, lengths and units do not always mean the same.";
         example Example::Command { files: &[("shaft.mpf", "G54 S900 M3|G0 X0 Y0 Z5|G1 Z-2 F200|M30")], words: &["verify", "shaft.mpf"] };

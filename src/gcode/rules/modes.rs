@@ -365,6 +365,13 @@ rules! {
         remedy "indique los ejes, para fijar la posición, o S, para el límite de giro", "name the axes, to set the position, or give S, the speed limit";
         why "El código solo no dice qué hay que fijar.", "The code alone does not say what to set.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|G92|M30", "2:1");
+    "G0553" FeedInEarlierUnit Caution { code: String, unit: Text }
+        es "F en el bloque de {code}, que cambia la unidad: el control toma F antes, en {unit}"
+        en "F in the block of {code}, which changes the unit: the control takes F before it does, in {unit}"
+        remedy "escriba F en un bloque detrás del de {code}", "write F in a block behind the one of {code}";
+        why "El control fija el avance antes que la unidad: la F es 25.4 veces mayor o menor que en la unidad del código.",
+            "The control sets the feed before the unit: the F is 25.4 times as much or as little as in the unit of the code.";
+        example Example::program("linuxcnc", "G21 G90 G94 S900 M3|G20 F10|G1 X1|M2", "2:1");
     "G0570" FeedWordInRapid Caution {}
         es "el bloque da F sin código de movimiento y va en rápido hacia la pieza: sigue en vigor G0"
         en "the block gives F without a motion code and moves in rapid towards the part: G0 is still in force"

@@ -296,4 +296,12 @@ rules! {
         why "C sola es un eje giratorio; tras una coma es el chaflán entre dos líneas.",
             "C by itself is a rotary axis; behind a comma it is the chamfer between two lines.";
         example Example::program("fanuc-lathe-a", "G21 G98|G1 X40. C1.5 F100.|M30", "2:9");
+    "G0141" NameNotRead Stop { name: String }
+        es "{name}=: el control no lee «=» detrás de una letra y su número"
+        en "{name}=: the control does not read '=' behind a letter and its number"
+        remedy "no quite «=»: el número sería otro; escriba la letra y el número que quería decir; si el programa es de otro control que rodete lea, indíquelo: con --dialect, o en la hoja DATOS de un libro",
+            "do not take '=' out: the number would be another; write the letter and the number that are meant; if the program is for another control that rodete reads, name it: with --dialect, or on the sheet DATA of a workbook";
+        why "Otros controles nombran así un eje o un husillo, X1=10: sin «=» sería X110, otra cota.",
+            "Other controls name an axis or a spindle so, X1=10: without '=' it would be X110, another position.";
+        example Example::program("linuxcnc", "G21 G90 F100|G1 X1=10|M2", "2:6");
 }

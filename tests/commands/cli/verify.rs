@@ -439,3 +439,32 @@ fn a_value_in_words_is_in_the_language_of_the_message() {
     let spanish = told.and(predicate::str::contains("bounded").not()).and(predicate::str::contains("lines").not());
     rodete(&folder).args(["check", "impeller.xlsx"]).assert().success().stderr(spanish);
 }
+
+#[test]
+fn a_program_named_as_for_another_control_is_told_whatever_is_refused() {
+    // A refusal that no sign explains leaves the ending of the name as the only one.
+    let refused = b"G54 S900 M3\nG0 X0 Y0 Z5\nG1 Z-2 F200\nQ\nM30\n";
+    let folder = with_program("y.mpf", refused);
+    let codes = |program: &Json| {
+        let findings = program["findings"].as_array().expect("findings").iter();
+        findings.map(|one| one["code"].as_str().unwrap_or_default().to_owned()).collect::<Vec<_>>()
+    };
+    let (program, exit) = document(&folder, &["y.mpf"]);
+    assert!(codes(&program).contains(&"G0011".to_owned()) && codes(&program).contains(&"G0852".to_owned()));
+    assert_eq!(exit, 3);
+    let named = document(&folder, &["y.mpf", "--dialect", "linuxcnc"]).0;
+    assert!(!codes(&named).contains(&"G0852".to_owned()), "{named}");
+    // A sign among its blocks says it in place of the refusal, and once.
+    let folder = with_program("y.mpf", b"G54 S900 M3\nG0 X0 Y0 Z5\nSPOS=0\nM30\n");
+    let (program, exit) = document(&folder, &["y.mpf"]);
+    assert_eq!((codes(&program).iter().filter(|code| code.starts_with("G085")).count(), exit), (1, 3), "{program}");
+    assert!(codes(&program).contains(&"G0850".to_owned()), "{program}");
+    let turned = b"G21 G97 S900 M3\nT0101\nG0 X52. Z2.\nG1 Z-20. F.2\nG0 X60.\nM30\n";
+    let folder = with_program("z.mpf", turned);
+    for command in ["verify", "simulate"] {
+        let output = rodete(&folder).args([command, "z.mpf", "--lang", "en"]).output().expect("an output");
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(told.contains("caution G0852: '.mpf' belongs to programs for Siemens SINUMERIK"), "{command}: {told}");
+        assert!(told.contains("post it for a control that rodete reads"), "{command}: {told}");
+    }
+}

@@ -4,7 +4,9 @@
 use rodete::finding::Grade;
 use rodete::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A, LINUXCNC};
 use rodete::gcode::interpreter::{Interpreter, Setting};
+use rodete::gcode::motion::MotionKind;
 use rodete::machine::axis::Axis;
+use rodete::machine::length_unit::LengthUnit;
 
 /// Refusals by line, cautions, and where X and Z go.
 #[derive(Debug, Default)]
@@ -207,7 +209,7 @@ fn codes(dialect: &'static Control, program: &str) -> (Vec<String>, usize) {
         }
     }
     codes.extend(interpreter.remarks().iter().map(|remark| remark.code().to_owned()));
-    codes.retain(|code| ["G0535", "G0536"].iter().any(|one| code.starts_with(one)));
+    codes.retain(|code| ["G0535", "G0536", "G0553"].iter().any(|one| code.starts_with(one)));
     (codes, made)
 }
 
@@ -227,11 +229,41 @@ fn feed_and_surface_speed_beside_a_code_that_changes_the_unit_are_in_doubt_on_a_
         (&FAGOR_8055, "G71 G90 G94 F100 S900 M3\nG1 X1\nM30\n", &[], 1),
         (&FAGOR_8055_T, "G71 G90 G95 F.1 M3\nG70 S300\nG0 X1\nM30\n", &[], 1),
         (&FAGOR_8055, "G71 G90 G94 F100 M3\nG70 S300\nG0 X1\nM30\n", &[], 1),
-        // Its reference says in which order it obeys them.
-        (&LINUXCNC, "G21 G90 S900 M3\nG20 G1 X1 F10\nM2\n", &[], 1),
+        // Its reference says in which order it obeys them: F first.
+        (&LINUXCNC, "G21 G90 S900 M3\nG20 G1 X1 F10\nM2\n", &["G0553"], 1),
+        (&LINUXCNC, "G21 G90 S900 M3\nG20 F10\nG1 X1\nM2\n", &["G0553"], 1),
+        (&LINUXCNC, "G21 G90 G95 S900 M3\nG20 F.1\nG1 X1\nM2\n", &["G0553"], 1),
+        // The unit is the same, F is a time, or stands behind.
+        (&LINUXCNC, "G21 G90 F100 S900 M3\nG21 G1 X1 F10\nM2\n", &[], 1),
+        (&LINUXCNC, "G21 G90 S900 M3\nG20 G93 G1 X1 F10\nM2\n", &[], 1),
+        (&LINUXCNC, "G21 G90 S900 M3\nG20\nF10\nG1 X1\nM2\n", &[], 1),
+        (&FANUC_LATHE_A, "G21 G98 S900 M3\nG20 G1 X1. F10.\nM30\n", &[], 1),
     ] {
         assert_eq!(codes(dialect, program), (told.iter().map(|one| (*one).to_owned()).collect(), motions), "{program}");
     }
+}
+
+#[test]
+fn a_feed_that_linuxcnc_takes_before_the_unit_is_told_with_the_unit_it_counts_in() {
+    let told = |program: &str, unit: LengthUnit| {
+        let mut interpreter = Interpreter::over(program.as_bytes(), Setting { unit, ..Setting::new(&LINUXCNC) });
+        let feeds: Vec<f64> = (&mut interpreter)
+            .map(|motion| match motion.expect("a motion").kind {
+                MotionKind::Feed(feed) => feed.value,
+                _ => 0.0,
+            })
+            .collect();
+        let remark = interpreter.remarks().into_iter().find(|remark| remark.code() == "G0553");
+        (feeds, remark.map(|remark| remark.what.en))
+    };
+    let (feeds, remark) = told("G21 G90 S900 M3\nG20 F10\nG1 X1\nM2\n", LengthUnit::Millimetre);
+    let expected = "F in the block of G20, which changes the unit: the control takes F before it does, in mm/min";
+    assert_eq!((feeds, remark.as_deref()), (vec![10.0], Some(expected)));
+    // A machine that starts in inches.
+    let (feeds, remark) = told("G21 G90 F200 S900 M3\nG1 X100\nM2\n", LengthUnit::Inch);
+    let expected = "F in the block of G21, which changes the unit: the control takes F before it does, in inches/min";
+    assert_eq!((feeds, remark.as_deref()), (vec![5080.0], Some(expected)));
+    assert_eq!(told("G21 G90 F200 S900 M3\nG1 X100\nM2\n", LengthUnit::Millimetre), (vec![200.0], None));
 }
 
 #[test]

@@ -3,9 +3,9 @@
 use crate::gcode::control::{
     Across, AcrossWord, BlockDelete, BuilderCodes, CallBy, Cancel, Class, CommentForm, Comments, Corners, CountedFeed,
     Decimals, DimensionPoint, Drilling, DwellUnit, EmptyBlock, FeedChange, FeedLimit, FeedPath, Increments, Language,
-    LeastIncrement, LengthWord, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NegativeRadius,
-    NoseCorner, NumberBehind, OffsetRule, OpeningLine, Order, Percent, PolarWords, Radii, RadiusRule, Reference,
-    Retract, Rollover, RotaryMode, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    LeastIncrement, LengthWord, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NamesWithDigit,
+    NegativeRadius, NoseCorner, NumberBehind, OffsetRule, OpeningLine, Order, Percent, PolarWords, Radii, RadiusRule,
+    Reference, Retract, Rollover, RotaryMode, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::text::{Text, t};
@@ -117,6 +117,10 @@ told! {
         Self::None => "ninguna", "none";
         Self::Signs => "@ y ^", "@ and ^";
         Self::RadiusAndAngle => "R y Q; rodete las rechaza por su nombre", "R and Q; rodete rejects them by name";
+    }
+    NamesWithDigit {
+        Self::None => "ninguno", "none";
+        Self::AxesAndSpindles => "de ejes y husillos; rodete los rechaza por su nombre", "of axes and spindles; rodete rejects them by name";
     }
     UnsaidFeed {
         Self::Taken => "como al empezar", "as at the start";
