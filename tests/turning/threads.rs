@@ -102,6 +102,12 @@ fn a_pass_deeper_than_half_a_millimetre_is_cautioned() {
         ("G0 X34. Z6. M8|G76 P010060 Q100 R0.05|G76 X27.546 Z-25. P1227 Q400 F2.", vec![]),
         // The last pass takes what R leaves.
         ("G0 X34. Z6. M8|G76 P010060 Q100 R0.6|G76 X27.546 Z-25. P1227 Q400 F2.", vec!["149@5"]),
+        // Beyond where the passes before ended it meets the full depth, and what a long one has left; a little farther does not count.
+        ("G0 X34. Z6. M8|G92 X29.4 Z-15. F2.|X28.8|X28.2|X27.6 Z-25.", vec!["149@7"]),
+        ("G0 X34. Z6. M8|G92 X29.2 Z-25. F2.|X28.4 Z-10.|X27.6|X27. Z-25.", vec!["149@7"]),
+        ("G0 X34. Z6. M8|G92 X29.2 Z-20. F2.|X28.4 Z-21.5|X27.6 Z-22.", vec![]),
+        // Farther out along the thread, in air.
+        ("G0 X34. Z6. M8|G92 X29.2 Z-20. F2.|X28.4|G0 Z16.|G92 X27.6 Z-20. F2.", vec![]),
         // In two starts, each in virgin metal.
         ("G0 X34. Z6. M8|G92 X29.2 Z-25. F2.|X28.4|G0 Z7.|G92 X29.2 Z-25. F2.|X28.4", vec![]),
     ] {

@@ -34,12 +34,13 @@ impl ToolCall {
         }
     }
 
-    /// The word that calls a tool and no offset, where a cut under it is told: a T that names both may have its 0 by slip. `None` where
-    /// an offset has a word of its own.
+    /// The word that calls a tool and no offset, where a cut under it is told, and one with the tool's own: a T that names both may
+    /// have its 0 by slip. `None` where an offset has a word of its own.
     #[must_use]
-    pub fn without_offset(self, tool: u32) -> Option<String> {
+    pub fn without_offset(self, tool: u32) -> Option<[String; 2]> {
         match self {
-            Self::Digits => Some(format!("T{tool:02}00")),
+            Self::Digits if tool == 0 => Some(["T0".to_owned(), "T0202".to_owned()]),
+            Self::Digits => Some([format!("T{tool:02}00"), format!("T{tool:02}{tool:02}")]),
             Self::Change | Self::Words => None,
         }
     }

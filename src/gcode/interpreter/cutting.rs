@@ -58,21 +58,29 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// The program has ended.
-    pub(super) fn end_spindle(&mut self) {
-        if self.memory.spindle.speed {
+    /// The program has ended: as a `whole`, or with a block that the control does not take and behind which nothing is known. What has been
+    /// told at one end is not told at another.
+    pub(super) fn end_spindle(&mut self, whole: bool) {
+        let turns = self.memory.control.turns();
+        // An S behind which no M stands has not been seen yet.
+        self.memory.spindle.speed |= self.state.modal.speed > 0.0;
+        // Of a lathe whose spindle starts nowhere another caution speaks.
+        let before = if turns { !whole && !self.memory.turned.started } else { true };
+        if self.memory.spindle.speed && before {
             self.remark_cut_before_spindle();
         }
-        self.remark_cut_still();
-        self.end_turned(self.memory.spindle.speed);
+        self.memory.spindle.cut_before = None;
+        self.remark_cut_still(whole);
+        self.end_turned(self.memory.spindle.speed, whole);
     }
 
     /// A cut under M3 or M4 without a speed. A torch or a laser is lit by M3 for its cuts alone and put out by M5: a program without any S that
     /// makes no rapid motion with it on is one of those, and has no speed to say. No lathe is.
-    fn remark_cut_still(&mut self) {
-        let SpindleSeen { cut_still, no_torch, off, speed, .. } = &self.memory.spindle;
-        if let Some(spot) = *cut_still
-            && (*no_torch || *speed || !*off || self.memory.control.turns())
+    fn remark_cut_still(&mut self, whole: bool) {
+        let cut_still = self.memory.spindle.cut_still.take();
+        let SpindleSeen { no_torch, off, speed, .. } = &self.memory.spindle;
+        if let Some(spot) = cut_still
+            && (*no_torch || *speed || whole && !*off || self.memory.control.turns())
         {
             self.memory.remarks.row(&CutsWithoutSpeed {}, spot, None);
         }
@@ -87,6 +95,15 @@ impl Reader<'_, '_> {
             && !self.in_doubt(doubt::SPINDLE | doubt::SPEED)
     }
 
+    /// Sees a cut of a lathe that the spindle leads: before a spindle is started the control waits there for ever.
+    fn see_waiting_cut(&mut self) {
+        if self.state.modal.spindle == Spindle::Stopped && !self.in_doubt(doubt::SPINDLE) && !self.memory.turned.started
+        {
+            let spot = self.block.spot;
+            self.memory.spindle.cut_before.get_or_insert(spot);
+        }
+    }
+
     /// Sees a cut for its speed.
     fn see_cut_still(&mut self) {
         if self.turns_without_speed() {
@@ -96,15 +113,23 @@ impl Reader<'_, '_> {
     }
 
     /// A block that gives F and goes in rapid because of a code of an earlier block may be meant at feed. It is told where it goes towards
-    /// the part: away from it, or beside it, F is often set for the next block.
+    /// the part, or runs sideways below Z0, where the part is: a mill in X and Y, a lathe away from the axis as in a bore. Elsewhere F is
+    /// often set for the next block.
     fn see_feed_word(&mut self, to: &Pose) {
         let block = &self.block;
         let bare = block.g(Group::Motion).is_none() && block.g(Group::NonModal).is_none();
         if !bare || !block.has(letter::F) || self.state.modal.motion != G::Rapid || self.in_doubt(doubt::MOTION) {
             return;
         }
-        let towards = |axis: Axis| to.get(axis) < self.state.at.get(axis);
-        if towards(Axis::Z) || self.memory.control.turns() && towards(Axis::X) {
+        let [from, to] = [&self.state.at, to].map(|pose| [Axis::X, Axis::Y, Axis::Z].map(|axis| pose.get(axis)));
+        let [[x, y, z], [X, Y, Z]] = [from, to];
+        let into = if self.memory.control.turns() {
+            // The part is on either side of the axis.
+            X.abs() < x.abs() || x * X < 0.0 || X.abs() > x.abs() && z.max(Z) < 0.0
+        } else {
+            z.min(Z) < 0.0 && (x != X || y != Y)
+        };
+        if Z < z || into {
             self.memory.remarks.row(&FeedWordInRapid {}, self.block.spot, None);
         }
     }
@@ -141,6 +166,7 @@ impl Reader<'_, '_> {
             }
             MotionKind::Thread(thread) => {
                 self.see_cut_still();
+                self.see_waiting_cut();
                 self.see_thread(&thread, to);
                 return;
             }
@@ -168,6 +194,9 @@ impl Reader<'_, '_> {
         }
         self.see_cut_still();
         if turns {
+            if feed.mode == FeedMode::PerRevolution {
+                self.see_waiting_cut();
+            }
             self.see_turned();
             return;
         }
@@ -275,6 +304,14 @@ mod tests {
             ("G0 X5 Z2|G53 G0 Z-3 F50", &[]),
             ("S900 M3|G0 Z2|G81 X1 Z-3 R1 F50|X2 F60", &[]),
             ("S900 M3|G1 X5 Z2|Z-3 F50", &[]),
+            // Sideways below the part's zero.
+            ("G0 X-10 Y0 Z5|Z-3|X60 F300", &["G0570"]),
+            ("G0 X-10 Y0 Z5|Z-3|Y60 F300", &["G0570"]),
+            ("G0 X-10 Y0 Z5|Z-3|X60 Z5 F300", &["G0570"]),
+            ("G0 X-10 Y0 Z5|Z-3|G0 X60 F300", &[]),
+            ("G0 X-10 Y0 Z5|Z-3|Z5 F300", &[]),
+            ("G0 X-10 Y0 Z5|Z-3|F300|X60", &[]),
+            ("G0 X-10 Y0 Z0|X60 F300", &[]),
         ] {
             let program = format!("G21 G90 G98 S900 F100\n{}\nM2\n", blocks.replace('|', "\n"));
             assert_eq!(remarked(&program), told, "{blocks}");

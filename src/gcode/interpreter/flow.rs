@@ -459,7 +459,10 @@ impl Reader<'_, '_> {
 
     fn return_from_program(&mut self) -> Result<()> {
         match self.memory.flow.frames.last_mut() {
-            None => Err(Refused::ended(&MainReturns {})),
+            None => {
+                self.end_spindle(true);
+                Err(Refused::ended(&MainReturns {}))
+            }
             Some(call) if call.own => Err(Refused::of(&ReturnInsideSub {}, &[self.block.m_column(4)])),
             Some(call) => match call.repeat() {
                 Some(start) => {

@@ -417,6 +417,9 @@ impl Reader<'_, '_> {
             if fault.fatal {
                 self.memory.stage = Stage::Ended;
             }
+            if self.memory.stage == Stage::Ended {
+                self.end_spindle(false);
+            }
             fault
         })
     }
@@ -466,6 +469,7 @@ impl Reader<'_, '_> {
         if subprograms && self.made() == 0 {
             return Err(Refused::of(&SubprogramsAlone {}, &[]));
         }
+        self.end_spindle(true);
         Err(without_end(percent && !self.memory.control.lexis.percent.named()))
     }
 
@@ -479,7 +483,7 @@ impl Reader<'_, '_> {
         if self.memory.control.radius.cutter() {
             self.end_cutter();
         }
-        self.end_spindle();
+        self.end_spindle(true);
         self.end_length();
         self.end_of_program();
         Ok(())

@@ -171,6 +171,10 @@ impl Reader<'_, '_> {
     /// M99: again, or back to the caller.
     fn return_to_caller(&mut self) -> Result<()> {
         let P = if self.block.has(letter::P) { Some(self.called(99)?) } else { None };
+        // A main program has been read as a whole.
+        if self.memory.flow.frames.is_empty() {
+            self.end_spindle(true);
+        }
         match (self.memory.flow.frames.last_mut(), P) {
             (None, None) => Err(Refused::ended(&MainReturns {})),
             (None, Some(block)) => Err(Refused::of(&MainJumps { block }, &[self.block.column(letter::P)])),

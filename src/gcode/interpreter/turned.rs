@@ -12,6 +12,7 @@ use crate::gcode::motion::Thread;
 use crate::gcode::rules::turned::{
     CutsWithoutOffset, NoOffsetAnywhere, PassFarDeeper, SpindleNeverStarts, ThreadAtSurfaceSpeed, ThreadBeyondRapid,
 };
+use crate::gcode::turning::pace::peak;
 use crate::limits::EXAMPLE_RAPID;
 use crate::machine::axis::{Axis, Pose};
 use crate::text::t;
@@ -25,8 +26,10 @@ pub(super) struct TurnedSeen {
     pub(super) offset: bool,
     /// The first cut.
     cut: Option<Spot>,
-    /// The first cut under each T whose offset is 0, with the tool's number and that word.
-    without: BTreeMap<u32, (Spot, String)>,
+    /// The first cut under each T whose offset is 0, with that word and the one that has the tool's own offset.
+    without: BTreeMap<u32, (Spot, [String; 2])>,
+    /// The first pass of the G92 in force, where no other has come yet.
+    first_pass: Option<Spot>,
     /// The places of the turret whose thread has been told to be too fast.
     fast: BTreeSet<u32>,
 }
@@ -46,9 +49,9 @@ impl Reader<'_, '_> {
         if modal.selected.is_some()
             && modal.offset == 0
             && !self.in_doubt(doubt::TOOL)
-            && let Some(word) = self.memory.control.tool.without_offset(modal.tool)
+            && let Some(words) = self.memory.control.tool.without_offset(modal.tool)
         {
-            self.memory.turned.without.entry(modal.tool).or_insert((spot, word));
+            self.memory.turned.without.entry(modal.tool).or_insert((spot, words));
         }
     }
 
@@ -63,10 +66,12 @@ impl Reader<'_, '_> {
             self.memory.remarks.row(&ThreadAtSurfaceSpeed {}, spot, None);
         }
         let Some(seconds) = self.thread_seconds(to, thread).filter(|&seconds| seconds > 0.0) else { return };
+        let by = |axis: Axis| (to.get(axis) - self.state.at.get(axis)).abs();
+        let peak = peak(by(Axis::X).max(by(Axis::Z)), thread);
         let known = self.memory.setting.rapid;
         let [x, z] = known.unwrap_or(EXAMPLE_RAPID);
         let beyond = [(Axis::X, x), (Axis::Z, z)].into_iter().find_map(|(axis, rapid)| {
-            let feed = (to.get(axis) - self.state.at.get(axis)).abs() * 60.0 / seconds;
+            let feed = by(axis) * 60.0 / seconds * peak;
             (feed > rapid * (1.0 + 1e-9)).then_some((axis, feed, rapid))
         });
         if let Some((axis, feed, rapid)) = beyond
@@ -81,30 +86,47 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// A pass of G92 behind another of the same thread, from `start` to the two radii, mm. A whole thread is less deep than its lead.
+    /// The first pass of a G92.
+    pub(super) fn see_first_pass(&mut self) {
+        self.memory.turned.first_pass = Some(self.block.spot);
+    }
+
+    /// A pass of G92 behind another of the same thread, from `start` to the two radii, mm. A whole thread is less deep than its lead; a
+    /// first pass that is deeper than the next by more is no thread of its own, which has more passes than one.
     pub(super) fn remark_far_deeper(&mut self, start: f64, [before, now]: [f64; 2], lead: f64) {
         let by = (now - start).abs() - (before - start).abs();
-        if by > lead {
-            let row = PassFarDeeper { by: Size::mm(by), lead: Size::mm(lead) };
-            self.memory.remarks.row(&row, self.block.spot, None);
+        let first = self.memory.turned.first_pass.take();
+        let (spot, than) = if by > 0.0 {
+            (Some(self.block.spot), t("la anterior", "the one before"))
+        } else {
+            (first, t("la siguiente", "the next"))
+        };
+        if let Some(spot) = spot.filter(|_| by.abs() > lead) {
+            let row = PassFarDeeper { by: Size::mm(by.abs()), than, lead: Size::mm(lead) };
+            self.memory.remarks.row(&row, spot, None);
         }
     }
 
-    /// The program has ended.
-    pub(super) fn end_turned(&mut self, speed: bool) {
-        if let Some(spot) = self.memory.turned.cut
+    /// The program has ended, as a whole or not: what nothing in it does is known of a whole one alone.
+    pub(super) fn end_turned(&mut self, speed: bool, whole: bool) {
+        if let Some(spot) = self.memory.turned.cut.take().filter(|_| whole)
             && speed
             && !self.memory.turned.started
         {
             self.memory.remarks.row(&SpindleNeverStarts {}, spot, None);
         }
-        let without = std::mem::take(&mut self.memory.turned.without).into_values();
-        if self.memory.turned.offset {
-            for (spot, word) in without {
-                self.memory.remarks.row(&CutsWithoutOffset { word }, spot, None);
+        let mut without: Vec<_> = std::mem::take(&mut self.memory.turned.without).into_values().collect();
+        let some = self.memory.turned.offset;
+        if !some {
+            without.sort_by_key(|(spot, _)| spot.line);
+            without.truncate(1);
+        }
+        for (spot, [word, like]) in without {
+            if some || !whole {
+                self.memory.remarks.row(&CutsWithoutOffset { word, like }, spot, None);
+            } else {
+                self.memory.remarks.row(&NoOffsetAnywhere { word, like }, spot, None);
             }
-        } else if let Some((spot, word)) = without.min_by_key(|(spot, _)| spot.line) {
-            self.memory.remarks.row(&NoOffsetAnywhere { word }, spot, None);
         }
     }
 }
@@ -142,10 +164,62 @@ mod tests {
             ("S800 M43|T0101|G98 G0 X48. Z2.|G1 X40. F200.", &[]),
             ("T0101|G98 G0 X48. Z2.|G1 Z-20. F200.", &[]),
             ("S800|T0101|G0 X48. Z2.", &[]),
+            // Before the spindle is started a feed per revolution waits for ever.
+            ("S800|T0101|G0 X48. Z2.|G1 Z-20. F.2|G0 X60.|M3|G0 X46.|G1 Z-20.", &["G0530"]),
+            ("S800|T0404|G0 X49. Z6.|G32 Z-20. F2.|M3|G32 Z-40.", &["G0530"]),
+            ("S800 M3|T0101|G0 X48. Z2.|G1 Z-20. F.2|M5|M3|G1 Z-30.", &[]),
+            ("S800 M43|T0101|G0 X48. Z2.|G1 Z-20. F.2|M3|G1 Z-30.", &[]),
         ] {
             assert_eq!(fanuc(blocks), told, "{blocks}");
         }
         assert_eq!(remarked(&FAGOR_8055_T, "G71 G90 G95 S800|T1 D1|G0 X48 Z2|G1 Z-20 F0.2", None), ["G0583"]);
+    }
+
+    /// The codes of what is remarked of a program that ends as it stands, refused or not.
+    fn ended(blocks: &str) -> Vec<&'static str> {
+        let program = format!("G21 G99 G97|{blocks}").replace('|', "\n");
+        let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(&FANUC_LATHE_A));
+        interpreter.by_ref().for_each(drop);
+        let codes = interpreter.remarks().into_iter().map(|finding| finding.code());
+        codes.filter(|code| ("G0530".."G0600").contains(code) && *code != "G0534").collect()
+    }
+
+    #[test]
+    fn what_is_judged_at_the_end_is_judged_at_any() {
+        for (blocks, told) in [
+            ("T0200|S800|G0 X48. Z2.|G1 Z-20. F.2|M99", &["G0583", "G0585"][..]),
+            ("T0200|S800|G0 X48. Z2.|G1 Z-20. F.2|M99 P10", &["G0583", "G0585"]),
+            ("T0101|M3|G0 X48. Z2.|G1 Z-20. F.2|M99", &["G0538"]),
+            ("T0101|S800 M3|G0 X48. Z2.|G1 Z-20. F.2|T0200|G1 Z-21.|M99", &["G0584"]),
+            ("T0101|S800 M3|G0 X48. Z2.|G1 Z-20. F.2|M99", &[]),
+            ("T0200|S800|G0 X48. Z2.|G1 Z-20. F.2", &["G0583", "G0585"]),
+            // What would have come behind a call of nothing may start the spindle, and give offsets.
+            ("T0200|S800|G0 X48. Z2.|G1 Z-20. F.2|M98 P5|M30", &["G0530", "G0584"]),
+            ("T0200|S800|G98|G0 X48. Z2.|G1 Z-20. F200.|M98 P5|M30", &["G0584"]),
+            ("T0101|M3|G0 X48. Z2.|G1 Z-20. F.2|M98 P5|M30", &["G0538"]),
+            ("T0200|S800|G0 X48. Z2.|G1 Z-20. F.2|M98 P5|M30\nO0005|G1 Z-21.", &["G0530", "G0584"]),
+        ] {
+            let mut found = ended(blocks);
+            found.sort_unstable();
+            assert_eq!(found, told, "{blocks}");
+        }
+    }
+
+    #[test]
+    fn f_in_a_block_in_rapid_is_told_towards_the_part_and_in_a_bore() {
+        for (blocks, told) in [
+            ("G0 X50. Z2.|X30. F.2", &["G0570"][..]),
+            ("G0 X-50. Z2.|X-30. F.2", &["G0570"]),
+            ("G0 X-30. Z2.|X-60. F.2", &[]),
+            ("G0 X10. Z2.|X-60. F.2", &["G0570"]),
+            ("G0 X20. Z2.|Z-20.|X30. F.1", &["G0570"]),
+            ("G0 X-20. Z2.|Z-20.|X-30. F.1", &["G0570"]),
+            ("G0 X20. Z2.|Z-20.|G0 X30. F.1", &[]),
+            ("G0 X20. Z2.|Z-20.|X30. Z1. F.1", &[]),
+            ("G0 X20. Z2.|X30. F.1", &[]),
+        ] {
+            assert_eq!(fanuc(&format!("S800 M3|T0101|{blocks}")), told, "{blocks}");
+        }
     }
 
     #[test]
@@ -173,6 +247,10 @@ mod tests {
             ("S800 M3|G0 X49. Z6.|G32 Z-20. F12.5", &[]),
             ("S800 M3|G0 X49. Z6.|G32 Z-20. F12.6", &["G0580"]),
             ("S800 M3|G0 X49. Z6.|G32 X20. F12.", &["G0580"]),
+            // The lead grows to 18.65 mm, and falls from 14 mm.
+            ("S800 M3|G0 X49. Z6.|G34 Z-80. F2. K2.", &["G0580"]),
+            ("S800 M3|G0 X49. Z6.|G34 Z-80. F14. K-1.", &["G0580"]),
+            ("S800 M3|G0 X49. Z6.|G34 Z-80. F2. K.5", &[]),
             ("S800 M3|G0 X54. Z6.|G92 X49.5 Z-20. F200.|X49.", &["G0580"]),
             ("S800 M3|G0 X54. Z6.|G76 P010060 Q100 R.05|G76 X47.4 Z-40. P1200 Q300 F20.", &["G0580"]),
             ("S0 M3|G0 X49. Z6.|G32 Z-20. F2.", &["G0538"]),
@@ -199,7 +277,11 @@ mod tests {
             ("G92 X49.5 Z-20. F2.|X49.|X45.01", &[]),
             ("G92 X49.5 Z-20. F2.|X49.|X4.8", &["G0586"]),
             ("G92 X49.5 Z-20. F2.|X49.|X440.", &["G0586"]),
+            // The first one alone is too deep.
+            ("G92 X4.95 Z-20. F2.|X49.|X48.5", &["G0586"]),
+            ("G92 X47. Z-20. F2.|X49.|X48.5", &[]),
             // Another thread.
+            ("G92 X29.5 Z-20. F2.|X29.|X49.5 Z-30.|X49.", &[]),
             ("G92 X49.5 Z-20. F2.|X49.|G0 X30.|G92 X20. Z-5. F2.|X19.", &[]),
         ] {
             assert_eq!(fanuc(&format!("S800 M3|T0404|G0 X54. Z6.|{passes}")), told, "{passes}");

@@ -214,8 +214,8 @@ rules! {
         es "movimiento de avance antes de que el programa ponga en marcha el husillo"
         en "feed move before the program starts the spindle"
         remedy "programe M3 o M4 antes de este bloque", "program M3 or M4 before this block";
-        why "Una fresa que no gira se rompe al entrar en el material.",
-            "A cutter that does not turn breaks where it meets the work.";
+        why "Una fresa que no gira se rompe al entrar en el material; un torno con avance por vuelta se queda esperando al husillo.",
+            "A cutter that does not turn breaks where it meets the work; a lathe under feed per revolution waits for the spindle for ever.";
         example Example::program("linuxcnc", "G21 G90 S900|G0 Z5|G1 Z-2 F100|M3|G1 X9|M2", "3");
     "G0531" SpindleStopped Caution {}
         es "movimiento de avance con el husillo parado"
@@ -373,8 +373,8 @@ rules! {
             "The control sets the feed before the unit: the F is 25.4 times as much or as little as in the unit of the code.";
         example Example::program("linuxcnc", "G21 G90 G94 S900 M3|G20 F10|G1 X1|M2", "2:1");
     "G0570" FeedWordInRapid Caution {}
-        es "el bloque da F sin código de movimiento y va en rápido hacia la pieza: sigue en vigor G0"
-        en "the block gives F without a motion code and moves in rapid towards the part: G0 is still in force"
+        es "el bloque da F sin código de movimiento y va en rápido hacia la pieza, o de lado con Z bajo 0: sigue en vigor G0"
+        en "the block gives F without a motion code and moves in rapid towards the part, or sideways with Z below 0: G0 is still in force"
         remedy "escriba G1 en el bloque si es de avance; si va en rápido, escriba G0 en él", "write G1 into the block if it is meant at feed; if it is meant in rapid, write G0 into it";
         why "F no cambia el movimiento en vigor: la herramienta entraría en la pieza en rápido.",
             "F does not change the motion in force: the tool would enter the part in rapid.";

@@ -23,8 +23,8 @@ rules! {
             "The carriage takes time to reach its speed: at another spindle speed the pass enters at another angle and does not follow the groove.";
         example Example::program("fanuc-lathe-a", "G21 G50 S2000|T0404|G96 S100 M3|G0 X54. Z6.|G92 X49.5 Z-20. F2.|X49.|M30", "5");
     "G0582" ContourWithoutCut Caution {}
-        es "el contorno no tiene ningún movimiento de avance: G70 lo recorre entero en rápido"
-        en "the contour has no motion at feed: G70 follows all of it in rapid"
+        es "el contorno no tiene ningún movimiento de avance: G70 lo recorrería entero en rápido"
+        en "the contour has no motion at feed: G70 would follow all of it in rapid"
         remedy "programe G1 en el primer bloque que corta", "program G1 in the first block that cuts";
         why "G0 sigue en vigor de un bloque a otro: sin G1 la herramienta entra en la pieza en rápido.",
             "G0 stays in force from block to block: without G1 the tool enters the work in rapid.";
@@ -36,24 +36,24 @@ rules! {
         why "Con la pieza parada la herramienta se clava en ella; con avance por vuelta el control se queda esperando.",
             "With the work at rest the tool rams into it; with a feed per revolution the control waits for ever.";
         example Example::program("fanuc-lathe-a", "G21 G99 G97 S800|T0101|G0 X48. Z2.|G1 Z-20. F.2|M30", "4");
-    "G0584" CutsWithoutOffset Caution { word: String }
+    "G0584" CutsWithoutOffset Caution { word: String, like: String }
         es "corta con {word}: sin el corrector de la herramienta"
         en "cuts under {word}: without the tool's offset"
-        remedy "dé el corrector en las dos últimas cifras de T, como T0202", "give the offset in the last two digits of T, as T0202";
+        remedy "dé el corrector en las dos últimas cifras de T, como {like}", "give the offset in the last two digits of T, as {like}";
         why "El corrector dice dónde está la punta: sin él la herramienta corta donde no debe, en toda su longitud.",
             "The offset says where the tip is: without it the tool cuts in the wrong place, by all of its length.";
         example Example::program("fanuc-lathe-a", "G21 G99 G97 S800 M3|T0101|G0 X48. Z2.|G1 Z-20. F.2|G0 X100. Z100.|T0200|G0 X48. Z2.|G1 X40. F.1|M30", "8");
-    "G0585" NoOffsetAnywhere Caution { word: String }
+    "G0585" NoOffsetAnywhere Caution { word: String, like: String }
         es "ninguna T del programa lleva corrector: corta con {word}"
         en "no T of the program has an offset: it cuts under {word}"
-        remedy "dé el corrector en las dos últimas cifras de T, como T0202, o compruebe que la máquina mide sus herramientas de otro modo",
-            "give the offset in the last two digits of T, as T0202, or check that the machine measures its tools in another way";
+        remedy "dé el corrector en las dos últimas cifras de T, como {like}, o compruebe que la máquina mide sus herramientas de otro modo",
+            "give the offset in the last two digits of T, as {like}, or check that the machine measures its tools in another way";
         why "Sin corrector el control no sabe dónde está la punta de cada herramienta.",
             "Without an offset the control does not know where the tip of each tool is.";
         example Example::program("fanuc-lathe-a", "G21 G99 G97 S800 M3|T0200|G0 X48. Z2.|G1 X40. F.1|M30", "4");
-    "G0586" PassFarDeeper Caution { by: Size, lead: Size }
-        es "esta pasada de la rosca es {by} más honda que la anterior, en radio, más que el paso de {lead}"
-        en "this pass of the thread is {by} deeper than the one before, on the radius, more than the lead of {lead}"
+    "G0586" PassFarDeeper Caution { by: Size, than: Text, lead: Size }
+        es "esta pasada de la rosca es {by} más honda que {than}, en radio, más que el paso de {lead}"
+        en "this pass of the thread is {by} deeper than {than}, on the radius, more than the lead of {lead}"
         remedy "compruebe X y su punto decimal", "check X and its decimal point";
         why "Toda la rosca es menos honda que su paso: una pasada así rompe la herramienta o corta la pieza.",
             "A whole thread is less deep than its lead: such a pass breaks the tool or cuts the work in two.";

@@ -152,6 +152,14 @@ pub fn revolutions(distance: f64, thread: &Thread) -> Option<f64> {
     (square >= 0.0 && turns.is_finite()).then_some(turns)
 }
 
+/// The greatest lead of a thread over a distance along its lead's axis, mm, as a multiple of the mean one; 1 for a constant lead, and where
+/// its lead comes to 0 before.
+#[must_use]
+pub fn peak(distance: f64, thread: &Thread) -> f64 {
+    let Some(turns) = revolutions(distance, thread).filter(|turns| *turns > 0.0) else { return 1.0 };
+    thread.lead.max(thread.lead + thread.change * turns) * turns / distance
+}
+
 /// The sum of a piece's value over the pieces of 0 to 1 that some parts of the way divide it into.
 fn over(parts: impl IntoIterator<Item = f64>, piece: impl Fn(f64, f64) -> f64) -> f64 {
     let mut parts: Vec<f64> = parts.into_iter().filter(|part| *part > 0.0 && *part < 1.0).collect();

@@ -21,10 +21,11 @@ use crate::gcode::interpreter::Refused;
 use crate::gcode::motion::{Arc, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::gcode::rules::lexis::MoreRefusals;
-use crate::gcode::rules::modes::GreatFeedPerTurn;
+use crate::gcode::rules::modes::{CutsBeforeSpindle, GreatFeedPerTurn};
 use crate::gcode::rules::turned::{
     CutsWithoutOffset, NoOffsetAnywhere, PassFarDeeper, SpindleNeverStarts, ThreadAtSurfaceSpeed, ThreadBeyondRapid,
 };
+use crate::gcode::turning::pace::peak;
 use crate::gcode::word::NumberFormat;
 use crate::kind::{Duration, Proved};
 use crate::limits::FOLLOWED_MOTIONS;
@@ -219,12 +220,14 @@ fn greatest_part(arc: &Arc, motion: &Motion, axis: Axis) -> f64 {
 fn told_apart(alarms: &[Raised], told: &[Finding]) -> Vec<&'static Rule> {
     let raised = |cause: fn(Cause) -> bool| alarms.iter().any(|one| cause(one.alarm.cause));
     let offset = raised(|cause| matches!(cause, Cause::OtherOffset { .. }));
+    let stopped = raised(|cause| matches!(cause, Cause::SpindleStopped | Cause::FeedStands));
     let said = [
         // Alarm 172 says it with the tool's own limits.
         (true, GreatFeedPerTurn::RULE),
         (told.iter().any(|one| one.is(FeedBeyondRapid::RULE)), ThreadBeyondRapid::RULE),
         (raised(|cause| matches!(cause, Cause::ThreadSpeed { .. })), ThreadAtSurfaceSpeed::RULE),
-        (raised(|cause| matches!(cause, Cause::SpindleStopped | Cause::FeedStands)), SpindleNeverStarts::RULE),
+        (stopped, SpindleNeverStarts::RULE),
+        (stopped, CutsBeforeSpindle::RULE),
         (offset, CutsWithoutOffset::RULE),
         (offset, NoOffsetAnywhere::RULE),
         (raised(|cause| matches!(cause, Cause::ThreadPassTooDeep { .. })), PassFarDeeper::RULE),
@@ -319,6 +322,10 @@ impl<'a> Following<'_, 'a> {
         let beyond = rates.into_iter().find_map(|(axis, rapid)| {
             let way = match motion.kind {
                 MotionKind::Arc(arc, _) => arc.length(0.0) * greatest_part(&arc, motion, axis),
+                MotionKind::Thread(thread) => {
+                    let distance = by[Axis::X as usize].abs().max(by[Axis::Z as usize].abs());
+                    by[axis as usize].abs() * peak(distance, &thread)
+                }
                 _ => by[axis as usize].abs(),
             };
             let feed = way * 60.0 / seconds;

@@ -16,6 +16,10 @@ use crate::text::Language;
 /// The least length along Z, mm: less is an edge that is broken beside the bar.
 const LEAST: f64 = 0.1;
 
+/// The greatest length along Z, mm, of what leads out of the bar or into it at an angle, as a chamfer or a rounding that ends beside it: more
+/// is a part of the shape. Our choice.
+const LEADS: f64 = 5.0;
+
 /// What of a contour is outside the bar.
 struct Outside {
     /// Along Z, mm; what of a leg whose other end is within it does not count.
@@ -54,19 +58,29 @@ pub(super) fn contours(
     interpreter.contours().iter().filter(mounted).filter_map(told).collect()
 }
 
-/// What of a contour is farther out than a radius, between two Z: the legs both of whose ends are. One that goes along the axis before the
-/// contour has come to the bar leads to it.
+/// What of a contour is farther out than a radius, between two Z: the legs both of whose ends are, and what of one that crosses it is longer
+/// than what leads out of the bar. One that goes along the axis before the contour has come to the bar leads to it, unless the contour has
+/// come towards the axis before.
 fn outside(legs: impl Iterator<Item = (usize, [[f64; 2]; 2])>, radius: f64, [left, right]: [f64; 2]) -> Outside {
     let mut found = Outside { length: 0.0, greatest: (0.0, 0) };
     let mut leads = true;
     for (line, [from, to]) in legs {
         let [r, R] = [from, to].map(|end| end[1].abs());
+        let over = |one: f64, two: f64| (one.max(two).min(right) - one.min(two).max(left)).max(0.0);
+        let mut along = over(from[0], to[0]);
         if r.min(R) <= radius + TOUCH {
             leads = false;
-            continue;
+            if r.max(R) <= radius + TOUCH {
+                continue;
+            }
+            let crosses = from[0] + (to[0] - from[0]) * (radius - r) / (R - r);
+            along = over(crosses, if R > r { to[0] } else { from[0] });
+            if along <= LEADS {
+                continue;
+            }
         }
-        let along = (from[0].max(to[0]).min(right) - from[0].min(to[0]).max(left)).max(0.0);
         if along < TOUCH || (leads && (R - r).abs() < TOUCH) {
+            leads &= R > r - TOUCH;
             continue;
         }
         leads = false;
@@ -103,6 +117,11 @@ mod tests {
             // To the right of the bar, and along it before the first cut.
             (&[[40.0, 5.0], [40.0, 2.0], [20.0, 2.0], [20.0, -9.0]], [0.0, 0.0]),
             (&[[40.0, 5.0], [40.0, -20.0], [20.0, -20.0], [20.0, -30.0]], [0.0, 0.0]),
+            // A cone leaves the bar for good in one leg, or comes into it.
+            (&[[20.0, 2.0], [20.0, -10.0], [60.0, -50.0], [64.0, -50.0]], [30.0, 60.0]),
+            (&[[64.0, -50.0], [60.0, -50.0], [20.0, -10.0], [20.0, 2.0]], [30.0, 60.0]),
+            // Facing from outside: a shoulder along the axis, behind a leg towards it.
+            (&[[84.0, -40.0], [60.0, -40.0], [60.0, -20.0], [20.0, -20.0], [20.0, 2.0]], [20.0, 60.0]),
             // Facing, from the shoulder outside to the middle.
             (&[[52.0, -30.0], [48.0, -30.0], [44.0, -28.0], [20.0, -28.0], [20.0, 2.0]], [2.0, 48.0]),
         ] {

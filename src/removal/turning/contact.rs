@@ -35,6 +35,8 @@ pub struct Contact {
     pub place: [f64; 2],
     /// The alarm of a boring bar that was fed into metal without a hole.
     pub solid: Option<Cause>,
+    /// From where to where a threading cutter stood as it met metal: the least and the greatest `[z, r]` of its programmed point, mm.
+    pub ribs: Option<[[f64; 2]; 2]>,
 }
 
 /// The metal that a part of a cutter met on its path, more than a film; mm.
@@ -284,6 +286,9 @@ impl Contact {
             (self.across, self.place) = (deep, place);
         }
         self.real = true;
+        let [low, high] = self.ribs.unwrap_or([ride.from; 2]);
+        let each = |of: fn(f64, f64) -> f64, one: [f64; 2]| [0, 1].map(|axis| of(one[axis], ride.from[axis]));
+        self.ribs = Some([each(f64::min, low), each(f64::max, high)]);
         let roles = ride.part.roles.iter().enumerate().filter(|(_, role)| **role != Role::Back);
         let profile = roles.flat_map(|(at, _)| [ride.corner(at), ride.corner(at + 1)]);
         let profile = profile.fold(0.0, |high: f64, corner| high.max((corner[1] - ride.from[1]).abs()));

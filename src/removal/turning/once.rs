@@ -146,13 +146,14 @@ impl Watch {
     }
 
     /// The alarms of a thread's pass as programmed, with the tool and its place in the turret; `begins` where it does not go on
-    /// from another block of the thread, `deep` how deep the metal is that it cuts, mm.
+    /// from another block of the thread; `met` is how deep the metal is that it cuts, and from where to where the tool stands there, the
+    /// least and the greatest `[z, r]`, mm.
     pub(super) fn thread(
         &mut self,
         thread: Thread,
         [start, end]: Piece,
         (place, tool): (u32, Option<&TurningTool>),
-        (begins, deep): (bool, Option<f64>),
+        (begins, met): (bool, Option<(f64, [[f64; 2]; 2])>),
         tally: &mut Tally,
     ) {
         let Some(turns) = revolutions(thread, extent([start, end])) else {
@@ -170,14 +171,14 @@ impl Watch {
                 }
             }
             _ => {
-                if self.begins(Cause::NoThreader, deep.is_some(), place) {
+                if self.begins(Cause::NoThreader, met.is_some(), place) {
                     tally.raise(Cause::NoThreader, start, None);
                 }
             }
         }
-        if let Some(deep) = deep {
+        if let Some((deep, metal)) = met {
             self.grooves.extend(ThreadGroove::new([start, end], lead, tool));
-            let pass = Pass { thread, way: [start, end], turned, place, tool, begins, deep };
+            let pass = Pass { thread, way: [start, end], turned, place, tool, begins, deep, metal };
             let most = DEEPEST_PASS;
             if let Some(depth) =
                 self.threads.judge(&pass, tally).filter(|_| matches!(tool.cutter, Cutter::Threader { .. }))

@@ -457,9 +457,10 @@ impl Simulation {
         if let MotionKind::Thread(thread) = kind {
             self.part.spend(watch.passes());
             // What is deeper than its edge is reported for that.
-            let deep = cuts.then_some(if contact.edge.is_some() { 0.0 } else { contact.across });
+            let deep = if contact.edge.is_some() { 0.0 } else { contact.across };
+            let met = cuts.then(|| (deep, contact.ribs.unwrap_or([start; 2])));
             let tool = (control.tool, ready.map(|ready| &ready.tool));
-            watch.thread(thread, [start, end], tool, (begins, deep), tally);
+            watch.thread(thread, [start, end], tool, (begins, met), tally);
         }
         let turning = SpindleUse::new(control, lathe);
         let asked = [start, end].map(|at| turning.asked(at[1] + tally.shift[1])).into_iter().fold(0.0, f64::max);

@@ -43,6 +43,8 @@ pub(super) struct Pass<'a> {
     pub begins: bool,
     /// How deep the metal is that it meets, mm.
     pub deep: f64,
+    /// From where to where the tool stands in metal: the least and the greatest `[z, r]`.
+    pub metal: [[f64; 2]; 2],
 }
 
 /// Where a pass lies; mm.
@@ -52,6 +54,8 @@ struct Groove {
     phase: f64,
     /// How far it goes in the direction in which the tip points.
     depth: f64,
+    /// From where to where it goes along the thread.
+    over: [f64; 2],
 }
 
 /// One start of a thread: passes in one groove.
@@ -92,8 +96,14 @@ impl Cut {
     }
 
     /// Notes a pass; `alarm` makes the alarm of one that is deeper than all before and in the groove of none. One that is no
-    /// deeper may be another start. Returns how much deeper it is than the passes before in its groove, mm; `None` for the first.
-    fn take(&mut self, pass: Groove, alarm: impl FnOnce(Cause) -> Alarm) -> Option<f64> {
+    /// deeper may be another start. Returns how much deeper it is than the passes before in its groove, mm, where the tool stands in
+    /// `metal` from here to there along the thread, and where no pass before has been it is `deep`; `None` for the first.
+    fn take(
+        &mut self,
+        pass: Groove,
+        (deep, metal): (f64, [f64; 2]),
+        alarm: impl FnOnce(Cause) -> Alarm,
+    ) -> Option<f64> {
         let numbered = self.starts.iter().enumerate();
         let before = numbered.flat_map(|(at, start)| start.passes.iter().map(move |&groove| (at, groove)));
         let nearest = before
@@ -108,12 +118,12 @@ impl Cut {
                 let farthest = found.max_by(|[one, ..], [other, ..]| one.total_cmp(other));
                 let [beyond, off, most] = farthest.unwrap_or_default();
                 let start = &mut self.starts[at];
-                let before = start.passes.iter().map(|groove| groove.depth).fold(f64::MIN, f64::max);
+                let more = deeper(pass, &start.passes, metal, self.thread.lead).unwrap_or(deep);
                 start.passes.push(pass);
                 if beyond > OFF_GROOVE && start.off.is_none() {
                     start.off = Some(alarm(Cause::OffGroove { off, most }));
                 }
-                Some(pass.depth - before)
+                Some(more)
             }
             _ => {
                 self.starts.push(Start { passes: vec![pass], off: None });
@@ -129,6 +139,30 @@ impl Cut {
             start.off.filter(|_| start.passes.iter().any(|&pass| self.apart(pass, deepest)[0] > OFF_GROOVE))
         })
     }
+}
+
+/// How much deeper a pass is than those before it over more than a lead of the metal that it meets, mm; `None` where none of them has
+/// been there.
+///
+/// # Derivation
+/// A pass that goes farther along the thread than those before it meets the full depth there, however deep they are beside it. Passes end
+/// a little apart, as where the tool is pulled out: a lead of length decides, or half the metal where that is less. From the deepest of the
+/// passes before on, what each has been over is taken off the metal; the one that leaves no more than that is the one to compare with.
+fn deeper(pass: Groove, before: &[Groove], [low, high]: [f64; 2], lead: f64) -> Option<f64> {
+    let mut left = vec![[low, high]];
+    let mut before: Vec<&Groove> = before.iter().collect();
+    before.sort_by(|one, two| two.depth.total_cmp(&one.depth));
+    for groove in before {
+        let [from, to] = groove.over;
+        left = (left.iter())
+            .flat_map(|&[low, high]| [[low, high.min(from)], [low.max(to), high]])
+            .filter(|[low, high]| high > low)
+            .collect();
+        if left.iter().map(|[low, high]| high - low).sum::<f64>() <= lead.min((high - low) / 2.0) {
+            return Some(pass.depth - groove.depth);
+        }
+    }
+    None
 }
 
 /// A thread by where it lies, with what each tool has cut of it.
@@ -197,7 +231,7 @@ impl Threads {
 
 impl Known {
     fn take(&mut self, pass: &Pass<'_>, tally: &mut Tally) -> Option<f64> {
-        let &Pass { thread, way: [from, to], turned, place, tool, begins, deep } = pass;
+        let &Pass { thread, way: [from, to], turned, place, tool, begins, deep, metal } = pass;
         let along = usize::from((to[1] - from[1]).abs() > (to[0] - from[0]).abs());
         let across = 1 - along;
         let forward = to[along] > from[along];
@@ -229,7 +263,9 @@ impl Known {
         let depth = into.signum() * (from[across] + (to[across] - from[across]) * part);
         let turned = thread.lead * turned;
         let phase = from[along] + if forward { -turned } else { turned };
-        let more = cut.take(Groove { phase, depth }, |cause| tally.alarm(cause, from, None));
+        let over = [from[along].min(to[along]), from[along].max(to[along])];
+        let met = (deep, metal.map(|place| place[along]));
+        let more = cut.take(Groove { phase, depth, over }, met, |cause| tally.alarm(cause, from, None));
         // A further block of a pass has its depth from where the pass began.
         more.map_or(Some(deep), |more| begins.then_some(more))
     }

@@ -216,8 +216,8 @@ impl Workpiece {
         if std::mem::take(&mut self.apart) && self.spend(self.region.len()) {
             let mut fallen = self.region.keep_first();
             let all: f64 = fallen.iter().map(|(ring, _)| volume(ring)).sum();
-            if let Some(repeat) = &mut self.repeat {
-                repeat.fell(all);
+            if let Some(repeat) = self.repeat.as_ref().filter(|_| !fallen.is_empty()) {
+                repeat.fell(fallen.iter().map(|(ring, _)| ring.clone()).collect());
             }
             // Holes run clockwise; they stay with the piece that they are in.
             fallen.retain(|(ring, _)| volume(ring) < 0.0 || judged(ring) != Loose::Nib);

@@ -46,6 +46,25 @@ fn a_rib_of_a_thread_wholly_inside_the_metal_is_judged_as_any_other() {
     assert!((fastest / wanted - 1.0).abs() < 1e-4, "{fastest} {wanted}");
 }
 
+/// The tool goes through the bar and beside the jaws: what is held loses its left end after a piece has fallen off.
+#[test]
+fn a_held_piece_that_loses_its_left_end_is_no_fault_of_rodete() {
+    for (lines, stock) in [
+        (
+            &["G21 G99", "T0100", "S500 M3 M8", "G0 X129.5 Z1.27", "Z0.", "G1 X127. F.3", "X78.74", "M30"][..],
+            "D127xL40",
+        ),
+        (&["G21 G99", "S500 M3 M8", "T0402", "G0 X129.5 Z1.27", "X20.", "G1 Z-40. F.2", "X130.", "M30"], "D127xL30"),
+    ] {
+        let (document, exit) = simulate(lines, stock);
+        let codes = document["findings"].as_array().unwrap().iter().filter_map(|one| one["code"].as_str());
+        assert!(exit == 3 && !codes.into_iter().any(|code| code == "X0006"), "{document}");
+        let totals = &document["totals"];
+        assert!(totals["parted_volume_mm3"].as_f64().unwrap() > 1000.0, "{totals}");
+        assert!(totals["other_library_apart_mm"].as_f64().unwrap() <= 1e-6, "{totals}");
+    }
+}
+
 #[test]
 fn of_a_part_that_is_all_gone_no_deviation_of_0_is_told() {
     // A bar of 8 mm, turned away over its whole length, and the jaws with it.

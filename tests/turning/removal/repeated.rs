@@ -1,7 +1,5 @@
 //! The removal repeated with a library of polygons: it agrees over thousands of cuts, and tells what does not.
 
-use std::f64::consts::PI;
-
 use rodete::geometry::exact::convex::Convex;
 use rodete::geometry::exact::grid::Point;
 use rodete::geometry::exact::meeting::Meeting;
@@ -104,17 +102,41 @@ fn of_a_part_that_is_gone_nothing_is_left() {
 #[test]
 fn of_a_part_that_is_gone_to_its_held_end_what_fell_off_before_does_not_count() {
     let left: [Ring; 0] = [];
-    let cut = |to: f64, fallen: f64| {
-        let mut repeat = Repeat::new(&[BAR.to_vec()]);
+    let cut = |to: f64, fallen: Vec<Ring>| {
+        let repeat = Repeat::new(&[BAR.to_vec()]);
         repeat.cut(&rectangle([-60.0, -1.0], [-50.0, 30.0]));
         repeat.fell(fallen);
         repeat.cut(&rectangle([-101.0, -1.0], [to, 21.0]));
         repeat.apart(&left)
     };
-    let piece = PI * 400.0 * 50.0;
-    assert!(cut(-59.0, piece) < 1e-12);
+    let piece = vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 20.0], [-50.0, 20.0]];
+    assert!(cut(-59.0, vec![piece.clone()]) < 1e-12);
     // What is there still is told, be it held or not.
-    assert!(cut(-59.0, 0.0) > 1.0 && cut(-99.0, piece) > 1.0);
+    assert!(cut(-59.0, Vec::new()) > 1.0 && cut(-99.0, vec![piece]) > 1.0);
+}
+
+/// What is held may lose its left end after a piece has fallen off that reaches farther to the left than what is left.
+#[test]
+fn what_fell_off_is_gone_when_the_held_piece_loses_its_left_end() {
+    let piece = vec![[-98.0, 5.0], [0.0, 5.0], [0.0, 20.0], [-98.0, 20.0]];
+    let left = vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 4.0], [-50.0, 4.0]];
+    let cut = |fallen: Vec<Ring>, left: &Ring| {
+        let repeat = Repeat::new(&[BAR.to_vec()]);
+        repeat.cut(&rectangle([-98.0, 4.0], [1.0, 5.0]));
+        repeat.cut(&rectangle([-100.0, 4.0], [-98.0, 21.0]));
+        repeat.fell(fallen);
+        repeat.cut(&rectangle([-101.0, -1.0], [-50.0, 4.5]));
+        repeat.apart(std::slice::from_ref(left))
+    };
+    assert!(cut(vec![piece.clone()], &left) < 1e-12);
+    assert!(cut(Vec::new(), &left) > 1.0);
+    // The piece that reaches farther to the left is the one that is held.
+    let held = vec![[-100.0, 0.0], [0.0, 0.0], [0.0, 4.0], [-100.0, 4.0]];
+    assert!((cut(vec![held], &piece) - 2.0).abs() < 1e-5);
+    // Half a piece does not fall off, nor more than there is.
+    let part = vec![[-58.0, 5.0], [0.0, 5.0], [0.0, 20.0], [-58.0, 20.0]];
+    let more = vec![[-98.0, 4.9], [0.0, 4.9], [0.0, 20.0], [-98.0, 20.0]];
+    assert!(cut(vec![part], &left) > 1.0 && cut(vec![more], &left) > 0.01);
 }
 
 /// A nose that just touches a bore leaves a ring that hangs in a line without thickness: it may be said to be held or not.

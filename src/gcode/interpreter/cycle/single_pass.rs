@@ -165,8 +165,9 @@ impl Reader<'_, '_> {
             let thread = Thread { lead: self.lead()?, change: 0.0, angle: self.start_angle()? };
             let first = before.is_none() || self.state.modal.motion != G::Pass(pass);
             self.remark_start_angle(first, end[0], thread.angle);
-            if let Some((last, _)) = before.filter(|_| !first) {
-                self.remark_far_deeper(start[0], [last[0], end[0]], thread.lead);
+            match before.filter(|_| !first) {
+                Some((last, _)) => self.remark_far_deeper(start[0], [last[0], end[0]], thread.lead),
+                None => self.see_first_pass(),
             }
             (Way::Thread(thread), Way::Rapid, Feed { mode: self.state.modal.feed_mode, value: self.state.modal.feed })
         } else {

@@ -213,8 +213,8 @@ rules! {
         en "G{number}: the tool goes in every {step} and the blade is {width} wide: metal stays between the plunges"
         remedy "reduzca el paso por debajo del ancho de la herramienta de ranurar, o llame a una más ancha",
             "make the step smaller than the blade is wide, or call a wider one";
-        why "Entre dos entradas queda un anillo tan alto como honda es la ranura: se rompe, o choca con lo que viene después.",
-            "Between two plunges a ring stays as high as the groove is deep: it breaks off, or what comes after hits it.";
+        why "Entre dos entradas queda un anillo: si es delgado se rompe, y lo que debía ser una ranura no lo es. Si quiere varias ranuras, está bien.",
+            "Between two plunges a ring stays: a thin one breaks off, and what was meant as one groove is not one. If several grooves are meant, all is well.";
         example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120",
             program: "G50 S2500|T0303|G97 S500 M3|M8|G0 X54. Z-20.|G75 R1.|G75 X40. Z-28. P2000 Q8000 F0.1|G0 X100. Z50. M9|M30", machine: &[] };
     "G0650" RepeatPassesNotWhole Stop { value: f64 }
