@@ -49,11 +49,14 @@ mod tests {
             let all = rows.chain(form.unsound.iter().map(|one| &one.when)).chain(form.view.columns.iter().flatten());
             for formula in all {
                 for name in numbers.iter().map(|one| one.name) {
-                    seen += usize::from(formula.contains(name));
+                    let letter = |one: char| one.is_alphanumeric() || one == '_';
+                    let around = |(at, _)| (&formula[..at], &formula[at + name.len()..]);
+                    let own =
+                        |(before, behind): &(&str, &str)| !before.ends_with(letter) && !behind.starts_with(letter);
+                    let mut places = formula.match_indices(name).map(around).filter(own).peekable();
+                    seen += usize::from(places.peek().is_some());
                     let sign = |one: char| "+-*/^".contains(one);
-                    let computed = formula
-                        .match_indices(name)
-                        .any(|(at, _)| formula[..at].ends_with(sign) || formula[at + name.len()..].starts_with(sign));
+                    let computed = places.any(|(before, behind)| before.ends_with(sign) || behind.starts_with(sign));
                     let kept = [format!("IF(ISNUMBER({name})"), "IF(COUNT(".to_owned()];
                     let kept = kept.iter().any(|guard| formula.contains(guard));
                     assert!(!computed || kept, "{}: {name}: {formula}", kind.form().kind);
