@@ -7,9 +7,9 @@ use crate::gcode::fields::DIALECT;
 use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::rules::codes::{
     CodesRefused, EndMissing, EndsTooSoon, MachineCodeNotKnown, NoMachineCode, NotInRetract, RetractInProgram,
-    RetractWithoutZ, SpindleCode,
+    RetractRefused, RetractWithoutZ, SpindleCode,
 };
-use crate::gcode::word::{Number, Retract, Word};
+use crate::gcode::word::{Number, NumberFormat, Retract, Word};
 use crate::parameter::at;
 use crate::text::Text;
 
@@ -45,21 +45,18 @@ pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], place:
         findings.push(EndMissing { key }.at(at([key])));
     }
     if findings.is_empty() && !codes.is_empty() {
-        findings.extend(refused_block(dialect, codes, tooled).map(|why| CodesRefused { key, why }.at(both())));
+        let tool = if tooled { "T1\n" } else { "" };
+        findings.extend(refused_block(dialect, tool, codes).map(|why| CodesRefused { key, why }.at(both())));
     }
     findings
 }
 
-/// What the control refuses of a block, behind one that calls a tool or without any.
-fn refused_block(control: &'static Control, words: &[Word], tooled: bool) -> Option<Text> {
-    let shown = |word: &Word| match word.number {
-        Number::Whole(number) => Some(format!("{}{number}", word.letter)),
-        Number::Size(_) | Number::Feed(_) => None,
-    };
-    let block: Vec<String> = words.iter().filter_map(shown).collect();
+/// What the control refuses of a block behind the lines `before`.
+fn refused_block(control: &'static Control, before: &str, words: &[Word]) -> Option<Text> {
+    let mut text = String::new();
+    words.iter().for_each(|word| word.write(NumberFormat::Trimmed, &mut text));
     let setting = Setting { part: true, ..Setting::new(control) };
-    let tool = if tooled { "T1\n" } else { "" };
-    let text = format!("{tool}{}", block.join(" "));
+    text.insert_str(0, before);
     Interpreter::over(text.as_bytes(), setting).find_map(Result::err).map(|fault| fault.message())
 }
 
@@ -84,10 +81,11 @@ pub fn refused_spindle(key: Key, codes: &[Word], starts: bool) -> Vec<Finding> {
 
 /// What is wrong with the block of a parameter that takes the tool away: a code that the control does not know or rodete does
 /// not follow, one that changes how the blocks after it are read, one that ends the program, axes without Z, or Z in program
-/// coordinates where the control has G53. A return to a reference point goes over a point in program coordinates (the
+/// coordinates where the control has G53. What else the control refuses of it, as G53 without a motion, is told with the parameter,
+/// as of its codes. A return to a reference point goes over a point in program coordinates (the
 /// LinuxCNC manual, G28).
 #[must_use]
-pub fn refused_retract(dialect: &Control, key: Key, retract: &Retract) -> Vec<Finding> {
+pub fn refused_retract(dialect: &'static Control, key: Key, retract: &Retract) -> Vec<Finding> {
     let mut findings = Vec::new();
     let place = || at([key, DIALECT.key()]);
     for word in &retract.0 {
@@ -109,6 +107,9 @@ pub fn refused_retract(dialect: &Control, key: Key, retract: &Retract) -> Vec<Fi
     let has_machine_zero = dialect.codes.has(G::MachineCoordinates);
     if findings.is_empty() && moves && !retract.by_machine() && has_machine_zero {
         findings.push(RetractInProgram {}.at(place()));
+    }
+    if findings.is_empty() && !retract.0.is_empty() {
+        findings.extend(refused_block(dialect, "", &retract.0).map(|why| RetractRefused { why }.at(place())));
     }
     findings
 }

@@ -3,6 +3,7 @@
 //! Formulas stand over the defined names of the form's cells. They know the closed limits alone: what is searched for, the
 //! solids and the motions are judged by `rodete check`.
 
+use crate::parameter::Choice;
 use crate::parameter::field::Chosen;
 use crate::table::{Formula, Unit};
 use crate::text::Text;
@@ -89,12 +90,11 @@ pub fn says(cell: &str, word: &str) -> String {
     }
 }
 
-/// True as a formula where a cell holds a choice, by its key or by its word in either language, with
-/// its accents.
+/// True as a formula where a cell holds a choice, by any of its words, with their accents.
 #[must_use]
 pub fn holds<T: Chosen + PartialEq>(cell: &str, choice: T) -> String {
-    let Text { es, en } = choice.label();
-    let mut words = [choice.key(), es, en].map(str::to_lowercase).to_vec();
+    let words = T::CHOICES.iter().filter(|one| T::of(one.key) == Some(choice)).flat_map(Choice::words);
+    let mut words: Vec<String> = words.map(str::to_lowercase).collect();
     words.sort();
     words.dedup();
     let said: Vec<String> = words.iter().map(|word| says(cell, word)).collect();

@@ -169,7 +169,8 @@ impl<T: Chosen + PartialEq> Stated for T {
     }
 }
 
-/// An enum with the keys of its choices and their labels in Spanish and English; or these for a type that is there.
+/// An enum with the keys of its choices and their labels in Spanish and English; or these for a type that is there, each with the
+/// words that were once its label, as `("A", "B"; "once B")`.
 #[macro_export]
 macro_rules! choices {
     (
@@ -186,10 +187,10 @@ macro_rules! choices {
 
         $crate::parameter::field::choices! { for $name; $($key ($es, $en) => $name::$variant),+ }
     };
-    (for $type:ty; $($key:literal ($es:literal, $en:literal) => $value:expr),+ $(,)?) => {
+    (for $type:ty; $($key:literal ($es:literal, $en:literal $(; $($once:literal),+)?) => $value:expr),+ $(,)?) => {
         impl $crate::parameter::field::Chosen for $type {
             const CHOICES: &'static [$crate::parameter::Choice] = &[$(
-                $crate::parameter::Choice { key: $key, label: $crate::text::t($es, $en) }
+                $crate::parameter::Choice { key: $key, label: $crate::text::t($es, $en), once: &[$($($once),+)?] }
             ),+];
 
             fn of(key: &str) -> Option<Self> {

@@ -24,6 +24,15 @@ pub struct Choice {
     pub key: &'static str,
     /// What stands in the cell. Either language is accepted when reading.
     pub label: Text,
+    /// What an earlier rodete wrote there: it is still read.
+    pub once: &'static [&'static str],
+}
+
+impl Choice {
+    /// Every word that is read as this choice: its key, its labels and what it was once called.
+    pub fn words(&self) -> impl Iterator<Item = &str> {
+        [self.key, &*self.label.es, &*self.label.en].into_iter().chain(self.once.iter().copied())
+    }
 }
 
 /// What may stand in a value cell.
@@ -332,7 +341,7 @@ pub fn at<const N: usize>(keys: [Key; N]) -> Place {
 
 /// The dialects of milling and cutting controls.
 pub const DIALECTS: &[Choice] = &[
-    Choice { key: "fagor-8055", label: t("fagor-8055", "fagor-8055") },
-    Choice { key: "fagor-8070", label: t("fagor-8070", "fagor-8070") },
-    Choice { key: "linuxcnc", label: t("linuxcnc", "linuxcnc") },
+    Choice { key: "fagor-8055", label: t("fagor-8055", "fagor-8055"), once: &[] },
+    Choice { key: "fagor-8070", label: t("fagor-8070", "fagor-8070"), once: &[] },
+    Choice { key: "linuxcnc", label: t("linuxcnc", "linuxcnc"), once: &[] },
 ];

@@ -11,6 +11,7 @@ use crate::gcode::control::RotaryMode;
 use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
+use crate::parameter::field::Chosen;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::due::Due;
 use crate::proof::rules::OtherwiseOnRollover;
@@ -52,7 +53,7 @@ pub fn check(program: &Program, counting: RotaryMode) -> Check {
 fn answer(program: &Program, counting: RotaryMode, motions: usize, differs: Option<At>) -> Check {
     let name = t("Ejes giratorios: para qué máquina vale", "Rotary axes: which machine it is valid for");
     let asked = Question::new("rotary", name, program).at(differs);
-    let limit = Text::same(counting.name());
+    let limit = counting.label().clone();
     let Some(at) = differs else {
         let value = Text::new(
             format!("rollover y lineal: los mismos {motions} movimientos"),

@@ -35,12 +35,25 @@ const WEEK: [&str; 5] = ["semana", "sem", "week", "wk", "cw"];
 
 /// True of a text with a date in it that no calendar has, such as `31/02/2026`, `29 Feb 2026` or `2026-13-40`.
 ///
-/// A date in figures is right where one order of day and month makes it a day: `12/31/2026` is. Of two figures a year is of this
-/// century; it comes first only between hyphens. False of a text without a date.
+/// A date in figures is right where one order of day and month makes it a day: `12/31/2026` is. Where the year comes first the month
+/// comes before the day. Of two figures a year is of this century; it comes first only between hyphens. False of a text without a date.
 #[must_use]
 pub fn never(text: &str) -> bool {
     let pieces = pieces(text);
     (0..pieces.len()).any(|at| in_figures(&pieces, at) || in_words(&pieces, at))
+}
+
+/// True of a day of the calendar with all its figures, as `2026-11-23`.
+#[must_use]
+pub fn is_day_in_full(text: &str) -> bool {
+    let [Piece::Digits(year), Piece::Between("-"), Piece::Digits(month), Piece::Between("-"), Piece::Digits(day)] =
+        pieces(text)[..]
+    else {
+        return false;
+    };
+    let number = |digits: &str, figures| digits.parse::<u32>().ok().filter(|_| digits.len() == figures);
+    let all = (number(year, 4), number(month, 2), number(day, 2));
+    matches!(all, (Some(year), Some(month), Some(day)) if is_day(Some(year), month, day))
 }
 
 fn pieces(text: &str) -> Vec<Piece<'_>> {
@@ -120,11 +133,14 @@ fn in_figures(pieces: &[Piece<'_>], at: usize) -> bool {
         let (year, one, other) = (year_of(year)?, number(one)?, number(other)?);
         Some(is_day(Some(year), one, other) || is_day(Some(year), other, one))
     };
+    // Nobody writes the day between year and month.
+    let year_first =
+        |year: &str, month: &str, day: &str| Some(is_day(Some(year_of(year)?), number(month)?, number(day)?));
     let found = match (a.len(), c.len()) {
-        (4, _) => either(a, b, c),
+        (4, _) => year_first(a, b, c),
         (_, 4) => either(c, a, b),
         _ if parting_them == ' ' => None,
-        (2, 2) if parting_them == '-' => either(c, a, b).map(|so| so || either(a, b, c) == Some(true)),
+        (2, 2) if parting_them == '-' => either(c, a, b).map(|so| so || year_first(a, b, c) == Some(true)),
         (_, 2) => either(c, a, b),
         _ => None,
     };
@@ -199,7 +215,7 @@ fn in_words(pieces: &[Piece<'_>], at: usize) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::never;
+    use super::{is_day_in_full, never};
 
     #[test]
     fn a_day_that_no_calendar_has_is_known_in_every_form() {
@@ -218,6 +234,10 @@ mod tests {
             "02/30/2026",
             "2026-02-30",
             "2026/13/13",
+            "2026-13-01",
+            "2026/31/12",
+            "2026.13.01",
+            "26-13-01",
             "2026-02-29T10:00:00",
             "2026-02-30 10:30",
             "00/05/2026",
@@ -239,6 +259,17 @@ mod tests {
             "45 de mayo de 2026",
         ] {
             assert!(never(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_day_in_full_has_four_two_and_two_figures_and_is_one() {
+        for text in ["2026-11-23", "1904-01-01", "2028-02-29", "9999-12-31"] {
+            assert!(is_day_in_full(text), "{text}");
+        }
+        for text in ["", "-5", "10000000", "1900-02-29", "2026-13-01", "26-11-23", "2026-1-1", "2026-11-23T10", "2026"]
+        {
+            assert!(!is_day_in_full(text), "{text}");
         }
     }
 

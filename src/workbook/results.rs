@@ -104,7 +104,7 @@ fn write_for<W: Write + Seek + Send>(
     let live = LiveTables::new(&placed, liveness);
     results.write_tables(&placed, live)?;
     results.write_programs(files)?;
-    results.write_checks(live.on())?;
+    let checks = &results.write_checks(live.on())?;
     let again = match present {
         Some(_) => &AGAIN_INTO,
         None if within_limits(outcome) => &AGAIN,
@@ -112,7 +112,7 @@ fn write_for<W: Write + Seek + Send>(
     };
     let beside = present.map(|present| present.folder.as_str());
     let (sheets, guard) = (&results.sheets, &results.guard);
-    let summary = Summary { outcome, files, beside, sheets, again, live, guard, language };
+    let summary = Summary { outcome, files, beside, sheets, checks, again, live, guard, language };
     let names = summary.write(results.workbook.worksheet_from_index(0)?, &results.styles, &results.page)?;
     let first = quote_sheet_name(&first);
     for (name, row) in names {
@@ -320,7 +320,8 @@ impl<'a> Results<'a> {
         Ok(())
     }
 
-    fn write_checks(&mut self, live: bool) -> Result<(), WriteError> {
+    /// The sheet of what was found; gives its name.
+    fn write_checks(&mut self, live: bool) -> Result<String, WriteError> {
         let findings = &self.outcome.findings;
         let table = checks::table(findings);
         static FOUND: Text = t(
@@ -328,9 +329,10 @@ impl<'a> Results<'a> {
             "All that was found: stops, cautions, notes and checks, with places and remedies",
         );
         let name = self.name(table.key, &table.name, &FOUND);
-        let worksheet = self.workbook.add_worksheet().set_name(name)?;
+        let worksheet = self.workbook.add_worksheet().set_name(&name)?;
         let look = Look { styles: &self.styles, page: &self.page, language: self.language };
-        checks_sheet::write(worksheet, &table, findings, &look, &self.guard, live)
+        checks_sheet::write(worksheet, &table, findings, &look, &self.guard, live)?;
+        Ok(name)
     }
 }
 

@@ -95,6 +95,11 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     Ok(Filled { form, values, findings, stale, astray, put_in, files, copies, stamped, varied })
 }
 
+/// The language of the form that is read in a workbook; `None` where it follows none of `forms`.
+pub(super) fn language(book: &mut Book<'_>, forms: &[&'static Form]) -> Option<Language> {
+    first(book, forms).ok().map(|first| first.language)
+}
+
 /// What was taken from the sheets of a form and of its lists, one after the other.
 struct Taken {
     values: Values,

@@ -4,10 +4,11 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::Cursor;
 
-use calamine::{DataRef, Xlsx};
+use calamine::{DataRef, ExcelDateTime, ExcelDateTimeType, Xlsx};
 
 use crate::escape::{excerpt, printable};
 use crate::finding::{CellPlace, Exit, Place, Raise, Refusal};
+use crate::number::decimal;
 
 use super::address::{self, Position};
 use super::limits;
@@ -25,8 +26,8 @@ pub enum Content {
     Text(String, usize),
     /// A truth value.
     Truth(bool),
-    /// A date or a time: a number in a cell formatted as one; the day as `2026-11-23`, empty where it says none, and the number
-    /// where that is stored.
+    /// A date or a time: a number in a cell formatted as one; the day as `2026-11-23`, the number as a text where no spreadsheet has
+    /// a day for it, empty where it says none; and the number where that is stored.
     Date(String, Option<f64>),
     /// An error of the spreadsheet, as `#DIV/0!`.
     Error(String),
@@ -194,15 +195,25 @@ fn content(value: &DataRef<'_>) -> Option<Content> {
         DataRef::String(string) => text(string),
         DataRef::SharedString(string) => text(string),
         DataRef::Bool(truth) => Some(Content::Truth(*truth)),
-        DataRef::DateTime(date) if date.is_datetime() => {
-            let (year, month, day, ..) = date.to_ymd_hms_milli();
-            Some(Content::Date(format!("{year:04}-{month:02}-{day:02}"), Some(date.as_f64())))
-        }
+        DataRef::DateTime(date) if date.is_datetime() => Some(Content::Date(day(*date), Some(date.as_f64()))),
         DataRef::DateTimeIso(date) => Some(Content::Date(date.split('T').next().unwrap_or_default().to_owned(), None)),
         DataRef::DateTime(date) => Some(Content::Date(String::new(), Some(date.as_f64()))),
         DataRef::DurationIso(_) => Some(Content::Date(String::new(), None)),
         DataRef::Error(error) => Some(Content::Error(error.to_string())),
     }
+}
+
+/// The day of a number as `2026-11-23`; the number itself where it is before the first day of the workbook's calendar or after the
+/// year 9999, which calamine makes the nearest day that there is.
+fn day(date: ExcelDateTime) -> String {
+    let number = date.as_f64();
+    let since_1904 = date == ExcelDateTime::new(number, ExcelDateTimeType::DateTime, true);
+    let days = if since_1904 { 0.0..2_957_004.0 } else { 1.0..2_958_466.0 };
+    if !days.contains(&number) {
+        return decimal(number);
+    }
+    let (year, month, day, ..) = date.to_ymd_hms_milli();
+    format!("{year:04}-{month:02}-{day:02}")
 }
 
 /// True for a number format that shows a hundredfold value: an unquoted `%` in its first section.
@@ -233,6 +244,29 @@ mod tests {
         }
         for code in ["General", "0.00", "0\"%\"", "0\\%", "0;0%"] {
             assert!(!is_percentage(code), "{code}");
+        }
+    }
+
+    #[test]
+    fn a_number_that_is_no_day_of_its_calendar_is_not_made_the_nearest_one() {
+        for (number, since_1904, said) in [
+            (46_349.0, false, "2026-11-23"),
+            (46_349.75, false, "2026-11-23"),
+            (1.0, false, "1900-01-01"),
+            (60.0, false, "1900-02-29"),
+            (2_958_465.9, false, "9999-12-31"),
+            (2_958_466.0, false, "2958466"),
+            (1e7, false, "10000000"),
+            (0.0, false, "0"),
+            (-5.0, false, "-5"),
+            (0.0, true, "1904-01-01"),
+            (2_957_003.0, true, "9999-12-31"),
+            (2_957_004.0, true, "2957004"),
+            (-5.0, true, "-5"),
+        ] {
+            let date = ExcelDateTime::new(number, ExcelDateTimeType::DateTime, since_1904);
+            let held = content(&DataRef::DateTime(date));
+            assert_eq!(held, Some(Content::Date(said.to_owned(), Some(number))), "{number} {since_1904}");
         }
     }
 

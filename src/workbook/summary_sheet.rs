@@ -39,6 +39,8 @@ pub struct Summary<'a> {
     pub beside: Option<&'a str>,
     /// The other sheets: their names and contents.
     pub sheets: &'a [(String, String)],
+    /// The name of the one of them with all that was found.
+    pub checks: &'a str,
     /// How to use this workbook as an input.
     pub again: &'a Text,
     /// The tables that formulas refer to.
@@ -115,7 +117,7 @@ impl Summary<'_> {
         let passed = checks::passed(&outcome.checks);
         let sentences = |words: &str, passed: &str| format!("{words}. {passed}").trim_end().to_owned();
         let verdict = Text::new(sentences(&words.es, &passed.es), sentences(&words.en, &passed.en));
-        let looked = cautions(found);
+        let looked = cautions(found, self.checks);
         let attention =
             if outcome.stopped() || found.iter().any(|one| one.grade != Grade::Note) { Some(grade) } else { None };
         let line = |label: Text, text: Text| Line { label, text, grade: None, computed: false };
@@ -255,8 +257,8 @@ impl Summary<'_> {
     }
 }
 
-/// The gravest findings, one per line.
-fn cautions(findings: &[Finding]) -> Text {
+/// The gravest findings, one per line, and the sheet that has all of them.
+fn cautions(findings: &[Finding], sheet: &str) -> Text {
     let mut grave: Vec<&Finding> = findings.iter().filter(|one| one.grade != Grade::Note).collect();
     // Of one grade first what the programs do to the part, as on the first page of the report.
     grave.sort_by_key(|one| (std::cmp::Reverse(one.grade), !one.code().starts_with('V')));
@@ -269,15 +271,9 @@ fn cautions(findings: &[Finding]) -> Text {
         let end = if rest > 0 { format!("{more} {rest}. {all}") } else { all.to_owned() };
         told.chain(std::iter::once(end)).collect::<Vec<_>>().join("\n")
     };
-    let name = checks::table(&[]).name;
     Text::new(
-        list(Language::Es, "Nada en particular.", "Y otras", &format!("Remedios y lugares, en la hoja {}.", name.es)),
-        list(
-            Language::En,
-            "Nothing in particular.",
-            "And further",
-            &format!("Remedies and places: sheet {}.", name.en),
-        ),
+        list(Language::Es, "Nada en particular.", "Y otras", &format!("Remedios y lugares, en la hoja {sheet}.")),
+        list(Language::En, "Nothing in particular.", "And further", &format!("Remedies and places: sheet {sheet}.")),
     )
 }
 

@@ -60,9 +60,9 @@ pub(super) fn unknowns(choices: &[Choice], cells: &str) -> String {
     format!("SUMPRODUCT((LEN(TRIM({cells}))>0){known})")
 }
 
-/// The words for a choice, in both languages and by its key, as they are typed.
+/// The words for a choice, in both languages, by its key and as an earlier rodete wrote them, as they are typed.
 fn spellings(choices: &[Choice]) -> Vec<String> {
-    let all = choices.iter().flat_map(|choice| [&choice.label.es, &choice.label.en, choice.key]);
+    let all = choices.iter().flat_map(Choice::words);
     let mut words: Vec<String> = all.flat_map(|word| [word.to_lowercase(), fold(word)]).collect();
     words.sort();
     words.dedup();

@@ -131,9 +131,14 @@ impl Reading<'_> {
                     let truth = if *truth { t("VERDADERO", "TRUE") } else { t("FALSO", "FALSE") };
                     Box::new(ValueIsTruth { name, truth, cell, expected: expected() })
                 }
-                Some((Content::Date(day, _), _))
+                Some((Content::Date(day, number), _))
                     if matches!(self.parameter.kind, FieldKind::Date) && !day.is_empty() =>
                 {
+                    // Excel has a 29th of February 1900.
+                    if calendar::never(day) || number.is_some() && !calendar::is_day_in_full(day) {
+                        self.stop(&NoSuchDay { name, text: excerpt(day, SHOWN), cell }, excerpt(day, SHOWN));
+                        return None;
+                    }
                     return self.line(day, day.chars().count(), DATE);
                 }
                 Some((Content::Date(..), _)) => Box::new(ValueIsDate { name, cell }),

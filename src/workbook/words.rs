@@ -22,19 +22,18 @@ pub fn fold(word: &str) -> String {
         .collect()
 }
 
-/// The key of the choice that a word names, by its key or its label in either language.
+/// The key of the choice that a word names, by its key, its label in either language or what it was once called.
 ///
 /// # Errors
 /// The label of the choice that was probably meant, where one is alike but for blanks and signs.
 pub fn choose(choices: &'static [Choice], word: &str) -> Result<&'static str, Option<&'static Text>> {
-    let spellings = |choice: &'static Choice| [choice.key, &*choice.label.es, &*choice.label.en];
     let wanted = fold(word);
-    if let Some(choice) = choices.iter().find(|choice| spellings(choice).into_iter().any(|one| fold(one) == wanted)) {
+    if let Some(choice) = choices.iter().find(|choice| choice.words().any(|one| fold(one) == wanted)) {
         return Ok(choice.key);
     }
     let letters = |text: &str| fold(text).chars().filter(|one| one.is_alphanumeric()).collect::<String>();
     let wanted = letters(word);
-    let near = choices.iter().find(|choice| spellings(choice).into_iter().any(|one| letters(one) == wanted));
+    let near = choices.iter().find(|choice| choice.words().any(|one| letters(one) == wanted));
     Err(near.map(|choice| &choice.label))
 }
 

@@ -196,6 +196,9 @@ fn the_tool_is_taken_away_before_anything_moves() {
 #[test]
 fn a_block_that_takes_the_tool_away_is_refused_where_it_does_something_else() {
     for (dialect, block, what) in [
+        ("fagor-8055", "G53 Z0", "the control does not take the block of retract: G53 without G0 or G1 in force"),
+        ("linuxcnc", "G53 Z0", "the control does not take the block of retract: G53 without G0 or G1 in force"),
+        ("fagor-8070", "Z100", "the control does not take the block of retract: axis words without a motion in force"),
         ("fagor-8055", "G74", "retract holds G74: the dialect fagor-8055 does not allow it there"),
         ("fagor-8055", "G28 Z0", "retract holds G28: the dialect fagor-8055 does not allow it there"),
         ("fagor-8055", "G91 Z100", "retract holds G91: the dialect fagor-8055 does not allow it there"),

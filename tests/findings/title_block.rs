@@ -27,7 +27,7 @@ fn a_workbook_without_its_rows_is_read_as_before() {
 
 #[test]
 fn a_date_that_no_calendar_has_is_refused_and_named_with_its_cell() {
-    for date in ["31/02/2026", "29/02/2026", "2026-02-30", "31 de febrero de 2026", "Feb 30, 2026"] {
+    for date in ["31/02/2026", "29/02/2026", "2026-02-30", "2026-13-01", "31 de febrero de 2026", "Feb 30, 2026"] {
         let refusal = impeller(&Parts::sound().string("date", date).zip()).expect_err(date);
         let [finding] = refusal.findings.as_slice() else { panic!("{date}: {:?}", refusal.findings) };
         assert_eq!(finding.code(), "W0540", "{date}");
@@ -51,11 +51,25 @@ fn a_date_is_a_text_or_a_cell_formatted_as_one() {
     };
     assert_eq!(told(Parts::sound().string("date", " Nov 23rd, 2026 ")), "Nov 23rd, 2026");
     assert_eq!(told(Parts::sound().value("date", "t=\"d\"", "<v>2026-11-23T00:00:00</v>")), "2026-11-23");
+    assert_eq!(told(dated("46349")), "2026-11-23");
+}
+
+/// A sound workbook with a number in the cell of the date, which is formatted as one.
+fn dated(number: &str) -> Parts {
     let styles = Parts::sound().text("xl/styles.xml");
     let from = styles.find("<cellXfs").expect("cell formats");
     let to = styles[from..].find("</cellXfs>").expect("their end") + from;
-    let dated = Parts::sound()
-        .replace("xl/styles.xml", &styles[from..to], "<cellXfs count=\"2\"><xf numFmtId=\"0\"/><xf numFmtId=\"14\"/>")
-        .value("date", "s=\"1\"", "<v>46349</v>");
-    assert_eq!(told(dated), "2026-11-23");
+    let formats = "<cellXfs count=\"2\"><xf numFmtId=\"0\"/><xf numFmtId=\"14\"/>";
+    let parts = Parts::sound().replace("xl/styles.xml", &styles[from..to], formats);
+    parts.value("date", "s=\"1\"", &format!("<v>{number}</v>"))
+}
+
+#[test]
+fn a_number_that_is_no_day_is_refused_and_not_printed_as_the_nearest_one() {
+    for (number, said) in [("60", "1900-02-29"), ("0", "0"), ("-5", "-5"), ("1E7", "10000000")] {
+        let refusal = impeller(&dated(number).zip()).expect_err(number);
+        let [finding] = refusal.findings.as_slice() else { panic!("{number}: {:?}", refusal.findings) };
+        assert_eq!(finding.code(), "W0540", "{number}");
+        assert!(finding.what.en.contains(&format!("\"{said}\", a day that no calendar has")), "{}", finding.what.en);
+    }
 }

@@ -84,6 +84,43 @@ fn beside_a_sheet_of_the_owner_with_the_name_of_the_form_one_is_put_in() {
     rodete(&folder).args(["check", "own.xlsx"]).assert().code(0);
 }
 
+/// What is wrong is told in the language of the form that is read, not in that of a sheet's name that is the owner's.
+#[test]
+fn a_rejected_form_is_told_in_its_own_language_beside_a_sheet_of_the_owner() {
+    for (lang, theirs, said) in [("es", "DATA", "y debe ser"), ("en", "DATOS", "it must be")] {
+        let folder = folder();
+        let here = folder.path().join("own.xlsx");
+        let mut own = rust_xlsxwriter::Workbook::new();
+        own.add_worksheet().set_name(theirs).expect("a name").write(0, 0, "Prices").expect("a cell");
+        own.save(&here).expect("a book");
+        rodete(&folder).args(["new", "pipe-insert", "--into", "own.xlsx", "--lang", lang]).assert().code(0);
+        let sound = fs::read(&here).expect("the book");
+        let at = super::made::read(&sound).values.cells["contact"].cell.clone();
+        let sheets = parts(&sound);
+        let is_form = |text: &[u8]| String::from_utf8_lossy(text).contains(">contact</t>");
+        let part = sheets.iter().find(|(name, text)| name.starts_with("xl/worksheets/") && is_form(text));
+        let cell = format!("<c r=\"{at}\" t=\"inlineStr\"><is><t>xx</t></is></c>");
+        fs::write(&here, Parts::of(&sound).cell(part.expect("the form").0, &at, &cell).zip()).expect("written");
+        rodete(&folder).args(["check", "own.xlsx"]).assert().code(3).stderr(predicate::str::contains(said));
+    }
+}
+
+/// The summary names the sheet of what was found as it is called in the book, whatever language it is in.
+#[test]
+fn the_summary_leads_to_the_sheet_of_the_findings_and_not_to_one_of_the_owner() {
+    let folder = folder();
+    let here = folder.path().join("own.xlsx");
+    let mut own = rust_xlsxwriter::Workbook::new();
+    own.add_worksheet().set_name("Avisos").expect("a name").write(0, 0, "Prices").expect("a cell");
+    own.save(&here).expect("a book");
+    rodete(&folder).args(["new", "impeller", "--case", "full", "--into", "own.xlsx", "--lang", "es"]).assert().code(0);
+    for (lang, said) in [("es", "en la hoja Avisos (2)."), ("en", "Remedies and places: sheet Avisos (2).")] {
+        rodete(&folder).args(["build", "own.xlsx", "--into", "--no-report", "--lang", lang]).assert().code(0);
+        let sheets = parts(&fs::read(&here).expect("the book"));
+        assert!(sheets.values().any(|text| String::from_utf8_lossy(text).contains(said)), "{said}");
+    }
+}
+
 #[test]
 fn a_form_and_its_results_go_into_every_hard_book_twice() {
     for name in BOOKS {

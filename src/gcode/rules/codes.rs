@@ -69,4 +69,12 @@ rules! {
         remedy "deje en {key} solo códigos M que el control admita juntos en un bloque y sin más palabras", "keep in {key} only M codes that the control takes together in one block and without other words";
         why "Los códigos de la celda van juntos en un bloque del programa.", "The codes of the cell stand together in one block of the program.";
         example book!("pipe-insert", "torch_on" = "M62");
+    "C1011" RetractRefused Stop { why: Text }
+        es "el control no admite el bloque de retract: {why}"
+        en "the control does not take the block of retract: {why}"
+        remedy "escriba el bloque con el que su máquina sube Z en rápido, con G0, o deje la celda vacía y retire la herramienta a mano",
+            "write the block that raises Z at rapid on your machine, with G0, or leave the cell empty and retract the tool by hand";
+        why "El bloque va en el programa como está en la celda, y el control se para en lo que no admite.",
+            "The block stands in the program as it stands in the cell, and the control stops at what it does not take.";
+        example book!("impeller", "retract" = "G53 Z0");
 }

@@ -237,6 +237,7 @@ fn program() -> Vec<LiveRow> {
 
 /// The tools of the clear cut.
 fn clear() -> Vec<LiveRow> {
+    // AND computes all that it holds: the guard keeps no formula from a text.
     let finishing = |wrong: &str| format!("AND({CLEAR},ISNUMBER(finish_diameter_d_f),{wrong})");
     vec![
         LiveRow::length(
@@ -258,7 +259,7 @@ fn clear() -> Vec<LiveRow> {
             "finish_tool_T_f",
         )
         .wrong(
-            finishing("N(finish_corner_radius_r_cf)>finish_diameter_d_f/2"),
+            finishing("N(finish_corner_radius_r_cf)>N(finish_diameter_d_f)/2"),
             t("r_cf es mayor que el radio de la fresa", "r_cf is larger than the tool's radius"),
             "finish_corner_radius_r_cf",
         ),

@@ -30,8 +30,8 @@ const NOT_KNOWN: Text = t(
 
 /// The controls that turn.
 pub const DIALECTS: &[Choice] = &[
-    Choice { key: "fanuc-lathe-a", label: t("fanuc-lathe-a", "fanuc-lathe-a") },
-    Choice { key: "fagor-8055-t", label: t("fagor-8055-t", "fagor-8055-t") },
+    Choice { key: "fanuc-lathe-a", label: t("fanuc-lathe-a", "fanuc-lathe-a"), once: &[] },
+    Choice { key: "fagor-8055-t", label: t("fagor-8055-t", "fagor-8055-t"), once: &[] },
 ];
 
 choices! { for DecimalPoint;
@@ -45,7 +45,7 @@ choices! { for HolePlane;
 }
 
 choices! { for Support;
-    "auto" ("según el voladizo", "by the stick-out") => Support::ByOverhang,
+    "auto" ("según el voladizo", "by the stick-out"; "by the overhang") => Support::ByOverhang,
     "yes" ("sí", "yes") => Support::Always,
     "no" ("no", "no") => Support::Never
 }

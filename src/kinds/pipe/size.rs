@@ -60,7 +60,7 @@ macro_rules! sizes {
         pub static SIZES: &[Size] = &[$(Size { nps: $nps, outside: $outside, walls: &[$(($schedule, $wall)),+] }),+];
 
         /// The nominal sizes for a form. The unit in the label keeps a spreadsheet from taking `1/2` for a date.
-        pub const NPS: &[Choice] = &[$(Choice { key: $nps, label: t(concat!($nps, " in"), concat!($nps, " in")) }),+];
+        pub const NPS: &[Choice] = &[$(Choice { key: $nps, label: t(concat!($nps, " in"), concat!($nps, " in")), once: &[] }),+];
     };
 }
 
@@ -125,20 +125,20 @@ sizes! {
 
 /// The schedules for a form, thin before thick; after the numbers, the older names.
 pub const SCHEDULES: &[Choice] = &[
-    Choice { key: "5", label: t("Sch 5", "Sch 5") },
-    Choice { key: "10", label: t("Sch 10", "Sch 10") },
-    Choice { key: "20", label: t("Sch 20", "Sch 20") },
-    Choice { key: "30", label: t("Sch 30", "Sch 30") },
-    Choice { key: "40", label: t("Sch 40", "Sch 40") },
-    Choice { key: "60", label: t("Sch 60", "Sch 60") },
-    Choice { key: "80", label: t("Sch 80", "Sch 80") },
-    Choice { key: "100", label: t("Sch 100", "Sch 100") },
-    Choice { key: "120", label: t("Sch 120", "Sch 120") },
-    Choice { key: "140", label: t("Sch 140", "Sch 140") },
-    Choice { key: "160", label: t("Sch 160", "Sch 160") },
-    Choice { key: "STD", label: t("STD", "STD") },
-    Choice { key: "XS", label: t("XS", "XS") },
-    Choice { key: "XXS", label: t("XXS", "XXS") },
+    Choice { key: "5", label: t("Sch 5", "Sch 5"), once: &[] },
+    Choice { key: "10", label: t("Sch 10", "Sch 10"), once: &[] },
+    Choice { key: "20", label: t("Sch 20", "Sch 20"), once: &[] },
+    Choice { key: "30", label: t("Sch 30", "Sch 30"), once: &[] },
+    Choice { key: "40", label: t("Sch 40", "Sch 40"), once: &[] },
+    Choice { key: "60", label: t("Sch 60", "Sch 60"), once: &[] },
+    Choice { key: "80", label: t("Sch 80", "Sch 80"), once: &[] },
+    Choice { key: "100", label: t("Sch 100", "Sch 100"), once: &[] },
+    Choice { key: "120", label: t("Sch 120", "Sch 120"), once: &[] },
+    Choice { key: "140", label: t("Sch 140", "Sch 140"), once: &[] },
+    Choice { key: "160", label: t("Sch 160", "Sch 160"), once: &[] },
+    Choice { key: "STD", label: t("STD", "STD"), once: &[] },
+    Choice { key: "XS", label: t("XS", "XS"), once: &[] },
+    Choice { key: "XXS", label: t("XXS", "XXS"), once: &[] },
 ];
 
 /// A schedule, by its key in [`SCHEDULES`].
