@@ -136,7 +136,7 @@ impl Reading<'_> {
                 {
                     // Excel has a 29th of February 1900.
                     if calendar::never(day) || number.is_some() && !calendar::is_day_in_full(day) {
-                        self.stop(&NoSuchDay { name, text: excerpt(day, SHOWN), cell }, excerpt(day, SHOWN));
+                        self.stop(&NoSuchDay { name, text: excerpt(day, EXCERPT), cell }, excerpt(day, EXCERPT));
                         return None;
                     }
                     return self.line(day, day.chars().count(), DATE);
