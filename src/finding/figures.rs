@@ -55,7 +55,8 @@ impl Figures {
             let limit = limit.and_then(finite);
             value.zip(limit).map(|(value, limit)| (out(value - limit), value, limit))
         };
-        let (over, under): (fn(f64) -> f64, fn(f64) -> f64) = (|by| by, |by| -by);
+        let over: fn(f64) -> f64 = |by| by;
+        let under: fn(f64) -> f64 = |by| -by;
         let (pairs, alone) = match limit {
             Limit::AtMost(most) => ([beyond(high, Some(most), over), None], finite(most)),
             Limit::AtLeast(least) => ([beyond(low, Some(least), under), None], finite(least)),

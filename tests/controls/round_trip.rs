@@ -371,12 +371,6 @@ fn agrees(control: &'static Control, text: Text, distance: Distance, before: Opt
         Setting { rotary, tools: Some(tools.collect()), ..Setting::new(control) }
     };
     let mut interpreter = Interpreter::over(text.as_bytes(), setting());
-    // As `build` reads it: line by line as it is made.
-    let again: Vec<_> = program.read_back_with(setting()).collect();
-    let whole: Vec<_> = Interpreter::over(text.as_bytes(), setting()).collect();
-    if again != whole {
-        return wrong(format!("read back as it is made it is {again:?}, and not {whole:?}"));
-    }
     let mut motions = Vec::new();
     while let Some(motion) = interpreter.next() {
         let motion = match motion {
@@ -433,6 +427,12 @@ fn agrees(control: &'static Control, text: Text, distance: Distance, before: Opt
         if tool != T || !(offset == 0 || offset == D) {
             return wrong(format!("tool {tool}, offset {offset} in the place of T{T} D{D}"));
         }
+    }
+    // As `build` reads it: line by line as it is made.
+    let again: Vec<_> = program.read_back_with(setting()).collect();
+    let whole: Vec<_> = Interpreter::over(text.as_bytes(), setting()).collect();
+    if again != whole {
+        return wrong(format!("read back as it is made it is {again:?}, and not {whole:?}"));
     }
     Ok(())
 }

@@ -295,7 +295,11 @@ fn made(key: &str) -> Option<Vec<u8>> {
             let (copy, data) = (part(&parts, "CALIBRATION"), parts.text(DATA));
             parts.put(&copy, data).replace(list, "name=\"CALIBRATION\"", "name=\"DATA (2)\"").zip()
         }
-        "renamed-form" => sound().replace(list, "name=\"CALIBRATION\"", "name=\"Notes\"").zip(),
+        "renamed-form" => {
+            let parts = Parts::of(&new("lathe").1);
+            let (other, program) = (part(&parts, "PROGRAM 2"), parts.text(&part(&parts, "PROGRAM")).to_owned());
+            parts.put(&other, program).replace(list, "name=\"PROGRAM 2\"", "name=\"PROGRAM2\"").zip()
+        }
         "third-program" => {
             let parts = Parts::of(&new("lathe").1);
             let (other, program) = (part(&parts, "PROFILE"), parts.text(&part(&parts, "PROGRAM")).to_owned());

@@ -348,11 +348,13 @@ fn a_tool_that_does_not_fit_at_the_hub_cuts_as_far_as_it_fits_where_the_form_adm
     let wide = [("d_t", Value::Real(8.0)), ("partly", Value::Choice("yes"))];
     let two = outcome(&wide);
     assert_eq!(End::of(&two.findings, false), End::Whole, "{:?}", two.findings);
-    assert!(told(&two, "farther in the finishing tool roughs").is_some() && told(&two, "no tool reaches").is_none());
+    assert!(
+        told(&two, "farther in the finishing tool roughs").is_some() && told(&two, "the tools do not reach").is_none()
+    );
     let one = outcome(&[wide[0].clone(), wide[1].clone(), ("d_f", Value::Real(7.5))]);
     assert_eq!(End::of(&one.findings, false), End::Whole, "{:?}", one.findings);
-    let what = told(&one, "no tool reaches").unwrap();
-    let share: f64 = what.split("no tool reaches ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    let what = told(&one, "the tools do not reach").unwrap();
+    let share: f64 = what.split("the tools do not reach ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
     assert!((1.0..30.0).contains(&share), "{what}");
 }
 
@@ -371,10 +373,10 @@ fn a_cut_made_partly_begins_where_its_passes_keep_clear_of_all_blades() {
         cells.push(("partly", Value::Choice("yes")));
         let outcome = outcome(&cells);
         assert_eq!(End::of(&outcome.findings, false), End::Whole, "{sizes:?} {:?}", outcome.findings);
-        let what = told(&outcome, "no tool reaches").unwrap();
+        let what = told(&outcome, "the tools do not reach").unwrap();
         let number =
             |after: &str| -> f64 { what.split(after).nth(1).unwrap().split(' ').next().unwrap().parse().unwrap() };
-        let (from, share) = (number("from the rim to "), number("no tool reaches "));
+        let (from, share) = (number("from the rim to "), number("the tools do not reach "));
         assert!((10.0..60.0).contains(&from) && (5.0..60.0).contains(&share), "{what}");
     }
 }

@@ -365,7 +365,7 @@ fn a_program_that_is_not_known_is_judged_as_no_other() {
     let program = Program { key: "contour", ..programs[0].clone() };
     let checks = common::checks::<Impeller>(&design, &model, &program, &program.text());
     for due in Impeller::due(&design, &program) {
-        let answer = checks.iter().find(|check| check.key() == due.key()).expect(due.key());
+        let answer = checks.iter().find(|check| check.key() == due.key()).unwrap_or_else(|| panic!("{}", due.key()));
         assert!(answer.grade() == Some(Grade::Stop) && answer.finding().unwrap().is(NotAnswered::RULE), "{answer:?}");
     }
 }

@@ -75,7 +75,7 @@ mod tests {
             assert_eq!(near(typed, &rows).en, named, "{typed}");
         }
         let several = near("Q0141", &rows);
-        assert!(several.en.contains("U0141") && several.en.contains(" or "), "{several:?}");
+        assert!(several.en.contains("G0141") && several.en.contains(" or "), "{several:?}");
         assert!(several.es.starts_with("; ¿quería decir ") && several.es.contains(" o "), "{several:?}");
     }
 }

@@ -371,7 +371,7 @@ rules! {
         remedy "escriba F en un bloque detrás del de {code}", "write F in a block behind the one of {code}";
         why "El control fija el avance antes que la unidad: la F es 25.4 veces mayor o menor que en la unidad del código.",
             "The control sets the feed before the unit: the F is 25.4 times as much or as little as in the unit of the code.";
-        example Example::program("linuxcnc", "G21 G90 G94 S900 M3|G20 F10|G1 X1|M2", "2:1");
+        example Example::program("linuxcnc", "G21 G90 G94 S900 M3|G20 F10|G1 X1|M2", "2:5");
     "G0570" FeedWordInRapid Caution {}
         es "el bloque da F sin código de movimiento y va en rápido hacia la pieza, o de lado con Z bajo 0: sigue en vigor G0"
         en "the block gives F without a motion code and moves in rapid towards the part, or sideways with Z below 0: G0 is still in force"

@@ -11,6 +11,9 @@ use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::motion::{FeedMode, MotionKind, Thread};
 use crate::number::trig::{hypot, sin, tan};
 
+/// How deep the metal is that a pass cuts, mm, and from where to where the tool stands there: the least and the greatest `[z, r]`.
+pub(super) type Met = (f64, [[f64; 2]; 2]);
+
 /// Remembers which lasting alarms hold.
 #[derive(Clone, Debug, Default)]
 pub struct Watch {
@@ -146,14 +149,13 @@ impl Watch {
     }
 
     /// The alarms of a thread's pass as programmed, with the tool and its place in the turret; `begins` where it does not go on
-    /// from another block of the thread; `met` is how deep the metal is that it cuts, and from where to where the tool stands there, the
-    /// least and the greatest `[z, r]`, mm.
+    /// from another block of the thread; `met` is the metal that it cuts.
     pub(super) fn thread(
         &mut self,
         thread: Thread,
         [start, end]: Piece,
         (place, tool): (u32, Option<&TurningTool>),
-        (begins, met): (bool, Option<(f64, [[f64; 2]; 2])>),
+        (begins, met): (bool, Option<Met>),
         tally: &mut Tally,
     ) {
         let Some(turns) = revolutions(thread, extent([start, end])) else {

@@ -158,7 +158,7 @@ rules! {
             "if it is the one that counts, name it \"{like}\"; if not, delete it or keep it in another workbook";
         why "rodete lee las hojas por su nombre: lo que hay en una que se llama de otro modo no llega a ningún programa.",
             "rodete reads sheets by their names: what stands on one of another name gets into no program.";
-        example made!("renamed-form", "un libro con la hoja CALIBRACIÓN llamada de otro modo", "a workbook with the sheet CALIBRATION under another name");
+        example made!("renamed-form", "un libro de torno con la hoja PROGRAMA 2 llamada PROGRAMA2", "a lathe workbook with the sheet PROGRAM 2 named PROGRAM2");
     "W0525" SymbolMistyped Stop { name: Text, cell: String, found: String, symbol: Key, expected: Text }
         es "falta la fila {name}"
         en "the row {name} is missing"

@@ -147,7 +147,7 @@ fn a_judge_that_leaves_out_an_answer_of_a_pipe_stops_it() {
 fn without_feed(text: &str) -> String {
     let feedless = |line: &str| {
         let words =
-            line.split(' ').filter(|word| !word.strip_prefix('F').is_some_and(|rest| rest.parse::<f64>().is_ok()));
+            line.split(' ').filter(|word| word.strip_prefix('F').is_none_or(|rest| rest.parse::<f64>().is_err()));
         words.collect::<Vec<_>>().join(" ")
     };
     text.lines().map(feedless).collect::<Vec<_>>().join("\n")

@@ -460,7 +460,7 @@ mod tests {
     #[test]
     fn an_end_above_the_depth_leaves_the_faces_unfinished_flat_or_not() {
         // The corner's height by the derivation of the root, at the rim.
-        let c_r = |r_f: f64, a: f64| r_f - (r_f * r_f - (2.0 * a).powi(2)).sqrt();
+        let c_r = |r_f: f64, a: f64| r_f - (r_f * r_f - 4.0 * a * a).sqrt();
         assert!(c_r(15.8, 3.0) > 0.8 && c_r(17.0, 3.0) < 2.0);
         let told = |a_p: f64| {
             let job = Job { part: Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, a_p), ..job(15.0, 2.0) };
@@ -468,8 +468,9 @@ mod tests {
         };
         let shallow = told(0.8);
         let Unfinished { left, .. } = shallow.unfinished.expect("unfinished");
-        // By a simulation of its own, of the shipped form at that depth: 0.093 mm at the top edge of the reverse.
-        assert!((0.08..0.11).contains(&left), "{left}");
+        // By an independent simulation of the shipped form at that depth 0.093 mm stays at the top edge of the reverse, and more
+        // towards the floor.
+        assert!((0.093..0.25).contains(&left), "{left}");
         assert_eq!(shallow.root.height, 0.8);
         assert!(told(2.0).unfinished.is_none());
     }
