@@ -28,7 +28,7 @@ use crate::limits::{FOLLOWED_MOTIONS, SHEET_BLOCKS, STOCK_SIZE};
 use crate::machine::axis::Axis;
 use crate::number::shown;
 use crate::parameter::Values;
-use crate::parameter::field::{Field, Fields, Required, Stated};
+use crate::parameter::field::{Field, Fields, Required};
 use crate::parameter::list::{Row, Rows};
 use crate::removal::turning::machine::Lathe;
 use crate::removal::turning::stock::Support;
@@ -204,16 +204,13 @@ fn for_program(
         let rows = values.lists.iter_mut().filter(|rows| rows.list == TOOLS_KEY).flat_map(|rows| &mut rows.rows);
         let faced =
             rows.filter(|row| !matches!(row.found(&tools::TYPE), Some(ToolType::Drill | ToolType::CentreDrill)));
-        faced.for_each(|row| drop(row.values.insert(tools::M.row.key, Spindle::CounterClockwise.stated())));
+        faced.for_each(|row| row.put(&tools::M, Spindle::CounterClockwise));
     }
     let mut put = |list: &'static str, sheet: &str, text: &text::Lines| {
         let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
         // A longer program does not go on a sheet.
         if lines.len() <= SHEET_BLOCKS {
-            let row = |line: &&str| Row {
-                values: BTreeMap::from([(form::BLOCK.row.key, (*line).to_owned().stated())]),
-                cells: BTreeMap::new(),
-            };
+            let row = |line: &&str| Row::of([form::BLOCK.is((*line).to_owned())]);
             values.lists.push(Rows { list, sheet: sheet.to_owned(), rows: lines.iter().map(row).collect() });
         }
     };

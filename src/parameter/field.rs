@@ -4,9 +4,9 @@ use std::marker::PhantomData;
 
 use crate::finding::Key;
 pub use crate::parameter::fields::{Entry, Fields};
-use crate::parameter::{Choice, FieldKind, Parameter, Value};
+use crate::parameter::{Cell, Choice, FieldKind, Parameter, Value};
 use crate::table::Unit;
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 
 /// What an empty cell means.
 pub trait Presence {
@@ -250,13 +250,38 @@ impl<T: Typed, P: Presence> Field<T, P> {
         self.row.key()
     }
 
-    /// Its key with a value, for a case.
+    /// Its cell with a value, for a case or a row.
     #[must_use]
-    pub fn is(&self, value: T) -> (&'static str, Value)
+    pub fn is(&self, value: T) -> Cell
     where
         T: Stated,
     {
         (self.row.key, value.stated())
+    }
+
+    /// Puts a value into its cell among those of a case: in place of what is there, else behind them.
+    pub fn set(&self, cells: &mut Vec<Cell>, value: T)
+    where
+        T: Stated,
+    {
+        let cell = self.is(value);
+        match cells.iter_mut().find(|one| one.0 == cell.0) {
+            Some(one) => *one = cell,
+            None => cells.push(cell),
+        }
+    }
+
+    /// Takes its cell from those of a case: it stays empty.
+    pub fn clear(&self, cells: &mut Vec<Cell>) {
+        cells.retain(|one| one.0 != self.row.key);
+    }
+}
+
+impl<P: Presence> Field<String, P> {
+    /// Its cell with a text in a language, for a case or a row.
+    #[must_use]
+    pub fn says(&self, text: &Text, language: Language) -> Cell {
+        self.is(text.get(language).to_owned())
     }
 }
 

@@ -5,8 +5,8 @@
 use std::collections::BTreeMap;
 
 use crate::finding::CellPlace;
-use crate::parameter::field::{Field, Typed};
-use crate::parameter::{Parameter, Value};
+use crate::parameter::field::{Field, Stated, Typed};
+use crate::parameter::{Cell, Parameter, Value};
 use crate::text::Text;
 
 /// What a list's sheets are called.
@@ -52,6 +52,17 @@ pub struct Row {
 }
 
 impl Row {
+    /// A row with these cells and without places in a workbook; of two of one column the later counts.
+    #[must_use]
+    pub fn of(cells: impl IntoIterator<Item = Cell>) -> Self {
+        Self { values: cells.into_iter().collect(), cells: BTreeMap::new() }
+    }
+
+    /// Puts a value into the cell of a column.
+    pub fn put<T: Stated, P>(&mut self, field: &Field<T, P>, value: T) {
+        self.values.insert(field.row.key, value.stated());
+    }
+
     /// The value of a column before it is proved to be there; `None` where it is not, or of another type.
     #[must_use]
     pub fn found<T: Typed, P>(&self, field: &Field<T, P>) -> Option<T> {

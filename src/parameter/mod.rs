@@ -143,6 +143,9 @@ pub struct Sheet {
     pub sections: &'static [Section],
 }
 
+/// A cell that is filled in: the key of its field and its value. [`Field::is`] and [`Field::says`] make it.
+pub type Cell = (&'static str, Value);
+
 /// A filled-in form to start from.
 #[derive(Debug)]
 pub struct Case {
@@ -150,8 +153,8 @@ pub struct Case {
     pub name: &'static str,
     /// A sentence on where the values come from, for the sheet.
     pub note: Text,
-    /// The values by key, with texts in a language.
-    pub filled: fn(Language) -> Vec<(&'static str, Value)>,
+    /// The cells that it fills in, with texts in a language.
+    pub filled: fn(Language) -> Vec<Cell>,
     /// The rows of its lists, likewise.
     pub listed: fn(Language) -> Vec<Rows>,
 }
@@ -164,13 +167,13 @@ const fn unlisted(_: Language) -> Vec<Rows> {
 impl Case {
     /// A case of a form without lists.
     #[must_use]
-    pub const fn new(name: &'static str, note: Text, filled: fn(Language) -> Vec<(&'static str, Value)>) -> Self {
+    pub const fn new(name: &'static str, note: Text, filled: fn(Language) -> Vec<Cell>) -> Self {
         Self { name, note, filled, listed: unlisted }
     }
 
-    /// The values by key; parameters not named stay empty.
+    /// The cells that it fills in; the others stay empty.
     #[must_use]
-    pub fn values(&self, language: Language) -> Vec<(&'static str, Value)> {
+    pub fn values(&self, language: Language) -> Vec<Cell> {
         (self.filled)(language)
     }
 }

@@ -27,7 +27,7 @@ use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal};
 use crate::kind::measure::{Suggested, Varied};
 use crate::limits::{EXCERPT, SWEEP_INPUTS};
-use crate::parameter::field::{Fields, Stated};
+use crate::parameter::field::Fields;
 use crate::parameter::list::{List, Row, Rows};
 use crate::parameter::{Form, Parameter, Sheet, Value, Values};
 use crate::sweep::asked::{Designs, input, varies};
@@ -54,14 +54,14 @@ pub fn suggested(suggested: &Suggested, language: Language) -> Values {
     values.put(&CONSTRAINTS, Some(suggested.constraints.to_owned()).filter(|text| !text.is_empty()));
     let row = |(symbol, varied): &(&'static str, Varied)| {
         let mut row = Row::default();
-        row.values.insert(INPUT.row.key, (*symbol).to_owned().stated());
+        row.put(&INPUT, (*symbol).to_owned());
         match varied {
             Varied::Steps(from, to, step) => {
-                for (key, number) in [(FROM.row.key, from), (TO.row.key, to), (STEP.row.key, step)] {
-                    row.values.insert(key, number.stated());
+                for (field, number) in [(&FROM, from), (&TO, to), (&STEP, step)] {
+                    row.put(field, *number);
                 }
             }
-            Varied::Values(list) => drop(row.values.insert(VALUES.row.key, (*list).to_owned().stated())),
+            Varied::Values(list) => row.put(&VALUES, (*list).to_owned()),
         }
         row
     };

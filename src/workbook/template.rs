@@ -17,7 +17,7 @@ use super::style::Styles;
 use super::sweep_sheet;
 use crate::kind::Kind;
 use crate::parameter::list::{List, Naming, Rows};
-use crate::parameter::{Form, Sheet, Value, Values};
+use crate::parameter::{Cell, Form, Sheet, Value, Values};
 use crate::text::{Language, Text, t};
 
 /// How the sheets are filled in; stands under the title of every form.
@@ -39,7 +39,7 @@ pub(super) static OPTIONAL: Text = t(
 /// For a value that is not finite, for a form that a workbook cannot hold, and for what `out` refuses.
 pub fn write<W: Write + Seek + Send>(
     kind: &dyn Kind,
-    values: &[(&'static str, Value)],
+    values: &[Cell],
     lists: &[Rows],
     note: &Text,
     language: Language,
@@ -54,7 +54,7 @@ pub fn write<W: Write + Seek + Send>(
 /// As [`write()`].
 pub fn write_with_variants<W: Write + Seek + Send>(
     kind: &dyn Kind,
-    (values, lists): (&[(&'static str, Value)], &[Rows]),
+    (values, lists): (&[Cell], &[Rows]),
     variants: &Values,
     note: &Text,
     language: Language,
@@ -98,7 +98,7 @@ pub fn write_variants_into<W: Write + Seek + Send>(
 }
 
 /// The values of a workbook: those by key, the rows of its lists, and its sheet of variants.
-pub type Held<'a> = (&'a [(&'static str, Value)], &'a [Rows], Option<&'a Values>);
+pub type Held<'a> = (&'a [Cell], &'a [Rows], Option<&'a Values>);
 
 fn write_all<W: Write + Seek + Send>(
     kind: &dyn Kind,

@@ -195,6 +195,9 @@ static WRITING_8055: Writing = Writing {
     zero: MachineZero::Assumed,
 };
 
+/// The Fagor 8055 as rodete writes for it.
+pub const POST_8055: Post = Post { control: &FAGOR_8055, writing: &WRITING_8055 };
+
 /// How rodete writes for the 8055 T.
 static WRITING_8055_T: Writing = Writing {
     safety: &[('G', 71), ('G', 90), ('G', 94)],

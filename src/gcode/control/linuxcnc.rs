@@ -7,9 +7,9 @@ use crate::gcode::control::{
     CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
     FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord,
     Lexis, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NamesWithDigit, NegativeRadius,
-    NumberBehind, OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode,
-    RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, UnitChange,
-    UnsaidFeed, WordOrder, Writing,
+    NumberBehind, OffsetRule, Order, Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover,
+    RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns,
+    UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -113,6 +113,9 @@ static WRITING: Writing = Writing {
     clamps: &[],
     zero: MachineZero::Read,
 };
+
+/// LinuxCNC as rodete writes for it.
+pub const POST_LINUXCNC: Post = Post { control: &LINUXCNC, writing: &WRITING };
 
 const SPLINE: Name = ("curvas spline y NURBS", "spline and NURBS curves");
 const LATHE_MODE: Name = ("modo diámetro o radio del torno", "lathe diameter and radius mode");

@@ -29,14 +29,14 @@ mod writing;
 pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments, NegativeRadius, Radii};
 pub use self::codes::{CODE_LIMIT, Codes, code_name};
 pub use self::dwell::{DwellUnit, DwellWord, LoneDwell};
-pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, POST_8055_T};
+pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, POST_8055, POST_8055_T};
 pub use self::fanuc::FANUC_LATHE_A;
 pub use self::feed::{FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, MissingFeed, UnsaidFeed};
 pub use self::lexis::{
     BlockDelete, BuilderCodes, Comments, Decimals, EmptyBlock, Language, Lexis, LoneReturn, Mark, NamesWithDigit,
     NumberBehind, Percent, PolarWords,
 };
-pub use self::linuxcnc::LINUXCNC;
+pub use self::linuxcnc::{LINUXCNC, POST_LINUXCNC};
 pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Reference};
 pub use self::output::HeightHold;
 pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};

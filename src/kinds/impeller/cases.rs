@@ -1,8 +1,19 @@
 //! The cases that a new impeller workbook can start from.
 
+use crate::gcode::chosen::Codes;
+use crate::gcode::control::{POST_8055, RotaryMode};
+use crate::gcode::fields;
+use crate::gcode::program::Style;
+use crate::gcode::word::{Distance, Retract, Word};
 use crate::kinds::impeller::clear::fields::{self as cut, Method};
-use crate::kinds::impeller::parameters::SCHEMA;
-use crate::parameter::{Case, Value};
+use crate::kinds::impeller::fade::Fade;
+use crate::kinds::impeller::parameters::{
+    A_P, B_MAX, B_MIN, BLOCK_STEP, C, C_C, C_F, C_O, D, D_B, D_S, D_T, DIALECT, DISTANCE, E, END_CODES, EPS_V, F, F_B,
+    F_MAX, H, INTERVALS_N, L_B, MATERIAL, MERIDIAN_R, N, NUMBER, PART, R, R_B, RETRACT, ROTARY, S, S_B, S_M, SCHEMA,
+    SPLITTER_FADE, SPLITTERS, START_CODES, STYLE, T, T_B, TOL, X_E, Z_B, Z_E,
+};
+use crate::number::grid::Milli;
+use crate::parameter::{Case, Cell};
 use crate::text::{Language, t};
 
 /// The cases that a new workbook can start from, the usual one first.
@@ -33,99 +44,86 @@ pub static CASES: [Case; 3] = [
     ),
 ];
 
-fn published(language: Language) -> Vec<(&'static str, Value)> {
-    let line = |es: &str, en: &str| {
-        Value::Line(match language {
-            Language::Es => es.to_owned(),
-            Language::En => en.to_owned(),
-        })
-    };
+fn published(language: Language) -> Vec<Cell> {
     vec![
-        ("schema", Value::Line(SCHEMA.to_owned())),
-        ("R", Value::Real(25.0)),
-        ("r", Value::Real(15.0)),
-        ("n", Value::Whole(40)),
-        ("eps_v", Value::Real(1e-5)),
-        ("N", Value::Whole(4)),
-        ("e", Value::Real(2.0)),
-        ("a_p", Value::Real(2.0)),
-        ("splitters", Value::Choice("yes")),
-        ("splitter_fade", Value::Choice("published")),
-        ("d_t", Value::Real(6.0)),
-        ("T", Value::Whole(1)),
-        ("D", Value::Whole(1)),
-        ("R_B", Value::Real(147.5)),
-        ("H", Value::Real(95.4)),
-        ("B_min", Value::Real(-10.0)),
-        ("B_max", Value::Real(100.0)),
-        ("d_s", Value::Real(5.0)),
-        ("part", line("Rodete TFG 2021", "Impeller TFG 2021")),
-        ("material", line("Aluminio", "Aluminium")),
-        ("program", Value::Whole(1)),
-        ("dialect", Value::Choice("fagor-8055")),
-        ("style", Value::Choice("annex")),
-        ("distance", Value::Choice("G91")),
-        ("start_codes", line("M3 M11 M13", "M3 M11 M13")),
-        ("end_codes", line("M30", "M30")),
-        ("block_step", Value::Whole(10)),
-        ("C", Value::Real(1.0)),
-        ("F_b", Value::Real(0.1)),
-        ("S_b", Value::Whole(300)),
-        ("T_b", Value::Whole(1)),
-        ("D_b", Value::Whole(1)),
-        ("L_b", Value::Real(40.0)),
-        ("Z_b", Value::Real(50.0)),
-        ("c_f", Value::Real(1.0)),
-        ("c_o", Value::Real(0.4)),
-        ("c_c", Value::Real(5.0)),
-        ("X_e", Value::Real(80.0)),
-        ("Z_e", Value::Real(80.0)),
+        fields::SCHEMA.is(SCHEMA.to_owned()),
+        R.is(25.0),
+        MERIDIAN_R.is(15.0),
+        INTERVALS_N.is(40),
+        EPS_V.is(1e-5),
+        N.is(4),
+        E.is(2.0),
+        A_P.is(2.0),
+        SPLITTERS.is(true),
+        SPLITTER_FADE.is(Fade::Published),
+        D_T.is(6.0),
+        T.is(1),
+        D.is(1),
+        R_B.is(147.5),
+        H.is(95.4),
+        B_MIN.is(-10.0),
+        B_MAX.is(100.0),
+        D_S.is(5.0),
+        PART.says(&t("Rodete TFG 2021", "Impeller TFG 2021"), language),
+        MATERIAL.says(&t("Aluminio", "Aluminium"), language),
+        NUMBER.is(1),
+        DIALECT.is(POST_8055),
+        STYLE.is(Style::Annex),
+        DISTANCE.is(Distance::Incremental),
+        START_CODES.is(Codes::m([3, 11, 13])),
+        END_CODES.is(Codes::m([30])),
+        BLOCK_STEP.is(10),
+        C.is(1.0),
+        F_B.is(0.1),
+        S_B.is(300),
+        T_B.is(1),
+        D_B.is(1),
+        L_B.is(40.0),
+        Z_B.is(50.0),
+        C_F.is(1.0),
+        C_O.is(0.4),
+        C_C.is(5.0),
+        X_E.is(80.0),
+        Z_E.is(80.0),
         cut::METHOD.is(Method::Published),
     ]
 }
 
-fn full(language: Language) -> Vec<(&'static str, Value)> {
-    let mut values = published(language);
-    for (key, value) in
-        [("eps_v", Value::Real(0.0)), ("splitter_fade", Value::Choice("each-side")), ("style", Value::Choice("full"))]
-    {
-        if let Some(entry) = values.iter_mut().find(|entry| entry.0 == key) {
-            entry.1 = value;
-        }
-    }
+fn full(language: Language) -> Vec<Cell> {
+    let mut cells = published(language);
+    EPS_V.set(&mut cells, 0.0);
+    SPLITTER_FADE.set(&mut cells, Fade::EachSide);
+    STYLE.set(&mut cells, Style::Full);
     // It follows R.
-    values.retain(|entry| entry.0 != "X_e");
-    values.extend([
-        ("F", Value::Real(300.0)),
-        ("S", Value::Whole(6000)),
-        ("F_max", Value::Real(6000.0)),
-        ("G_lin", Value::Real(6000.0)),
-        ("G_rot", Value::Real(6000.0)),
-        ("rotary", Value::Choice("rollover")),
-        ("retract", Value::Line("G0 G53 Z0".to_owned())),
-        ("S_m", Value::Whole(3000)),
+    X_E.clear(&mut cells);
+    let retract = vec![Word::whole('G', 0), Word::whole('G', 53), Word::size('Z', Milli::ZERO)];
+    cells.extend([
+        F.is(300.0),
+        S.is(6000),
+        F_MAX.is(6000.0),
+        fields::RAPID_LINEAR.is(6000.0),
+        fields::RAPID_ROTARY.is(6000.0),
+        ROTARY.is(RotaryMode::Rollover),
+        RETRACT.is(Retract(retract)),
+        S_M.is(3000),
     ]);
-    values
+    cells
 }
 
-fn clear(language: Language) -> Vec<(&'static str, Value)> {
-    let mut values = full(language);
-    // How the published splitters begin, and the part of the thesis.
-    values.retain(|entry| !["splitter_fade", "part", cut::METHOD.row.key].contains(&entry.0));
-    let part = match language {
-        Language::Es => "Rodete 50",
-        Language::En => "Impeller 50",
-    };
-    values.extend([
-        ("part", Value::Line(part.to_owned())),
+fn clear(language: Language) -> Vec<Cell> {
+    let mut cells = full(language);
+    // How the published splitters begin.
+    SPLITTER_FADE.clear(&mut cells);
+    PART.set(&mut cells, t("Rodete 50", "Impeller 50").get(language).to_owned());
+    cut::METHOD.set(&mut cells, Method::Clear);
+    cells.extend([
         // With the usual 0.01 the finishing program would be larger than 1 MiB, the memory of a Fagor 8055.
-        ("tol", Value::Real(0.0102)),
-        cut::METHOD.is(Method::Clear),
-        ("d_f", Value::Real(3.0)),
-        ("T_f", Value::Whole(2)),
-        ("D_f", Value::Whole(2)),
-        ("F_f", Value::Real(300.0)),
-        ("S_f", Value::Whole(12_000)),
+        TOL.is(0.0102),
+        cut::D_F.is(3.0),
+        cut::T_F.is(2),
+        cut::OFFSET_F.is(2),
+        cut::F_F.is(300.0),
+        cut::S_F.is(12_000),
         cut::ALLOWANCE.is(0.3),
         cut::STEP.is(0.7),
         // So would finer ridges.
@@ -133,5 +131,5 @@ fn clear(language: Language) -> Vec<(&'static str, Value)> {
         // Some blocks more in the pass round a splitter's nose, whose feed would else change by 63 % within a block.
         cut::FEED_CHANGE.is(0.1),
     ]);
-    values
+    cells
 }

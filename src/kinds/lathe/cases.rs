@@ -1,12 +1,20 @@
 //! The cases that a new lathe workbook can start from.
 
-use std::collections::BTreeMap;
-
-use crate::kinds::lathe::catalogue;
-use crate::kinds::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SCHEMA, TOOLS_KEY};
+use crate::gcode::control::{FAGOR_8055_T, FANUC_LATHE_A};
+use crate::gcode::fields;
+use crate::gcode::interpreter::{DecimalPoint, HolePlane};
+use crate::kinds::lathe::catalogue::{self, NewTool, shank};
+use crate::kinds::lathe::parameters::{
+    BLOCK, D, D_C, DIALECT, Element, G_X, G_Z, HOLE_R, L, L1, L2, L4, L5, MATERIAL, PART, POINT, PROFILE_G,
+    PROFILE_KEY, PROFILE_R, PROFILE_X, PROFILE_Z, PROGRAM_KEY, RAPID, Rapids, S_MAX, SCHEMA, Side, TAILSTOCK,
+    TOOLS_KEY, TURRET,
+};
+use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
 use crate::limits::EXAMPLE_RAPID;
 use crate::parameter::list::{Row, Rows};
-use crate::parameter::{Case, Value};
+use crate::parameter::{Case, Cell};
+use crate::removal::turning::stock::Support;
+use crate::removal::turning::tool::{Hand, Shape};
 use crate::text::{Language, t};
 
 /// The cases that a new workbook can start from, the usual one first.
@@ -31,147 +39,144 @@ pub static CASES: [Case; 2] = [
     },
 ];
 
-fn line(language: Language, es: &str, en: &str) -> Value {
-    Value::Line(match language {
-        Language::Es => es.to_owned(),
-        Language::En => en.to_owned(),
-    })
-}
-
 /// The example machine, of the size of the source's.
-fn machine() -> Vec<(&'static str, Value)> {
-    vec![
-        ("L1", Value::Real(80.0)),
-        ("L2", Value::Real(40.0)),
-        ("D_c", Value::Real(250.0)),
-        ("tailstock", Value::Choice("auto")),
-        ("G_X", Value::Real(EXAMPLE_RAPID[0])),
-        ("G_Z", Value::Real(EXAMPLE_RAPID[1])),
-        ("S_max", Value::Real(3000.0)),
-        ("rapid", Value::Choice("bent")),
-        ("turret", Value::Choice("front")),
+fn machine() -> [Cell; 9] {
+    [
+        L1.is(80.0),
+        L2.is(40.0),
+        D_C.is(250.0),
+        TAILSTOCK.is(Support::ByOverhang),
+        G_X.is(EXAMPLE_RAPID[0]),
+        G_Z.is(EXAMPLE_RAPID[1]),
+        S_MAX.is(3000.0),
+        RAPID.is(Rapids::Bent),
+        TURRET.is(Side::Front),
     ]
 }
 
-fn shaft(language: Language) -> Vec<(&'static str, Value)> {
-    let mut values = vec![
-        ("schema", Value::Line(SCHEMA.to_owned())),
-        ("part", line(language, "Eje de ejemplo", "Example shaft")),
-        ("material", line(language, "Acero S235", "Steel S235")),
-        ("dialect", Value::Choice("fanuc-lathe-a")),
-        ("point", Value::Choice("calculator")),
-        ("hole_R", Value::Choice("absolute")),
-        ("D", Value::Real(50.0)),
-        ("L", Value::Real(120.0)),
-        ("L4", Value::Real(30.0)),
-        ("L5", Value::Real(1.0)),
+fn shaft(language: Language) -> Vec<Cell> {
+    let mut cells = vec![
+        fields::SCHEMA.is(SCHEMA.to_owned()),
+        PART.says(&t("Eje de ejemplo", "Example shaft"), language),
+        MATERIAL.says(&t("Acero S235", "Steel S235"), language),
+        DIALECT.is(&FANUC_LATHE_A),
+        POINT.is(DecimalPoint::Calculator),
+        HOLE_R.is(HolePlane::Absolute),
+        D.is(50.0),
+        L.is(120.0),
+        L4.is(30.0),
+        L5.is(1.0),
     ];
-    values.extend(machine());
-    values
+    cells.extend(machine());
+    cells
 }
 
-fn blank(language: Language) -> Vec<(&'static str, Value)> {
-    let mut values = vec![
-        ("schema", Value::Line(SCHEMA.to_owned())),
-        ("part", line(language, "Bruto del rodete", "Blank of the impeller")),
-        ("material", line(language, "Aluminio", "Aluminium")),
-        ("dialect", Value::Choice("fagor-8055-t")),
-        ("D", Value::Real(50.0)),
-        ("L", Value::Real(60.0)),
-        ("L4", Value::Real(30.0)),
-        ("L5", Value::Real(1.0)),
+fn blank(language: Language) -> Vec<Cell> {
+    let mut cells = vec![
+        fields::SCHEMA.is(SCHEMA.to_owned()),
+        PART.says(&t("Bruto del rodete", "Blank of the impeller"), language),
+        MATERIAL.says(&t("Aluminio", "Aluminium"), language),
+        DIALECT.is(&FAGOR_8055_T),
+        D.is(50.0),
+        L.is(60.0),
+        L4.is(30.0),
+        L5.is(1.0),
     ];
-    values.extend(machine());
-    values
+    cells.extend(machine());
+    cells
 }
 
-/// A tool of the example turret: its name in both languages, its choices, its numbers.
-struct Sample {
-    name: [&'static str; 2],
-    choices: &'static [(&'static str, &'static str)],
-    numbers: &'static [(&'static str, f64)],
-}
-
-const SHANK: [(&str, f64); 4] = [("tools/b", 25.0), ("tools/l", 150.0), ("tools/Q_x", 60.0), ("tools/Q_z", 40.0)];
-
-const TURRET: [Sample; 6] = [
-    Sample {
-        name: ["Desbaste CNMG 120408", "Roughing CNMG 120408"],
-        choices: &[("tools/type", "external"), ("tools/shape", "C")],
-        numbers: &[("tools/IC", 12.7), ("tools/R", 0.8), ("tools/phi1", 95.0), ("tools/phi2", 5.0)],
-    },
-    Sample {
-        name: ["Acabado VBMT 160404", "Finishing VBMT 160404"],
-        choices: &[("tools/type", "external"), ("tools/shape", "V")],
-        numbers: &[("tools/IC", 9.525), ("tools/R", 0.4), ("tools/phi1", 93.0), ("tools/phi2", 52.0)],
-    },
-    Sample {
-        name: ["Ranurar 3 mm", "Grooving 3 mm"],
-        choices: &[("tools/type", "groove")],
-        numbers: &[("tools/R", 0.2), ("tools/w", 3.0), ("tools/h", 14.0)],
-    },
-    Sample {
-        name: ["Roscar 60°, 1 a 3 mm", "Threading 60°, 1 to 3 mm"],
-        choices: &[("tools/type", "thread")],
-        numbers: &[("tools/R", 0.1), ("tools/h", 2.5), ("tools/psi", 60.0), ("tools/p_min", 1.0), ("tools/p_max", 3.0)],
-    },
-    Sample {
-        name: ["Broca de 10 mm", "10 mm drill"],
-        choices: &[("tools/type", "drill")],
-        numbers: &[
-            ("tools/w", 10.0),
-            ("tools/h", 60.0),
-            ("tools/psi", 118.0),
-            ("tools/b", 25.0),
-            ("tools/l", 100.0),
-            ("tools/Q_x", 0.0),
-            ("tools/Q_z", 120.0),
-        ],
-    },
-    Sample {
-        name: ["Mandrinar CCMT 060204", "Boring CCMT 060204"],
-        choices: &[("tools/type", "internal"), ("tools/shape", "C")],
-        numbers: &[
-            ("tools/IC", 6.35),
-            ("tools/R", 0.4),
-            ("tools/phi1", 95.0),
-            ("tools/phi2", 5.0),
-            ("tools/b", 6.0),
-            ("tools/l", 60.0),
-            ("tools/c", 4.5),
-            ("tools/Q_x", 0.0),
-            ("tools/Q_z", 100.0),
-        ],
-    },
-];
-
-fn row(T: u32, sample: &Sample, language: Language) -> Row {
-    let mut values = BTreeMap::from([
-        ("tools/T", Value::Whole(T)),
-        ("tools/hand", Value::Choice("R")),
-        ("tools/name", line(language, sample.name[0], sample.name[1])),
-    ]);
-    values.extend(sample.choices.iter().map(|&(key, choice)| (key, Value::Choice(choice))));
-    values.extend(SHANK.iter().chain(sample.numbers).map(|&(key, number)| (key, Value::Real(number))));
-    Row { values, cells: BTreeMap::new() }
+/// The tools of the example turret, in the order of its places.
+fn mounted() -> [NewTool; 6] {
+    let with_shank = |cells: &[Cell]| [cells, &shank()].concat();
+    [
+        NewTool {
+            name: t("Desbaste CNMG 120408", "Roughing CNMG 120408"),
+            cells: with_shank(&[
+                tools::TYPE.is(ToolType::External),
+                tools::SHAPE.is(Shape::C),
+                tools::IC.is(12.7),
+                tools::R.is(0.8),
+                tools::PHI1.is(95.0),
+                tools::PHI2.is(5.0),
+            ]),
+        },
+        NewTool {
+            name: t("Acabado VBMT 160404", "Finishing VBMT 160404"),
+            cells: with_shank(&[
+                tools::TYPE.is(ToolType::External),
+                tools::SHAPE.is(Shape::V),
+                tools::IC.is(9.525),
+                tools::R.is(0.4),
+                tools::PHI1.is(93.0),
+                tools::PHI2.is(52.0),
+            ]),
+        },
+        NewTool {
+            name: t("Ranurar 3 mm", "Grooving 3 mm"),
+            cells: with_shank(&[
+                tools::TYPE.is(ToolType::Groove),
+                tools::R.is(0.2),
+                tools::W.is(3.0),
+                tools::H.is(14.0),
+            ]),
+        },
+        NewTool {
+            name: t("Roscar 60°, 1 a 3 mm", "Threading 60°, 1 to 3 mm"),
+            cells: with_shank(&[
+                tools::TYPE.is(ToolType::Thread),
+                tools::R.is(0.1),
+                tools::H.is(2.5),
+                tools::PSI.is(60.0),
+                tools::P_MIN.is(1.0),
+                tools::P_MAX.is(3.0),
+            ]),
+        },
+        NewTool {
+            name: t("Broca de 10 mm", "10 mm drill"),
+            cells: vec![
+                tools::TYPE.is(ToolType::Drill),
+                tools::W.is(10.0),
+                tools::H.is(60.0),
+                tools::PSI.is(118.0),
+                tools::B.is(25.0),
+                tools::L.is(100.0),
+                tools::Q_X.is(0.0),
+                tools::Q_Z.is(120.0),
+            ],
+        },
+        NewTool {
+            name: t("Mandrinar CCMT 060204", "Boring CCMT 060204"),
+            cells: vec![
+                tools::TYPE.is(ToolType::Internal),
+                tools::SHAPE.is(Shape::C),
+                tools::IC.is(6.35),
+                tools::R.is(0.4),
+                tools::PHI1.is(95.0),
+                tools::PHI2.is(5.0),
+                tools::B.is(6.0),
+                tools::L.is(60.0),
+                tools::C.is(4.5),
+                tools::Q_X.is(0.0),
+                tools::Q_Z.is(100.0),
+            ],
+        },
+    ]
 }
 
 /// The tools of a new workbook: the example turret, and the catalogue.
 #[must_use]
 pub fn turret(language: Language) -> Rows {
-    let mounted = (1..).zip(&TURRET).map(|(T, sample)| row(T, sample, language));
+    let mounted = (1..).zip(mounted()).map(|(T, mut tool)| {
+        tool.cells.extend([tools::T.is(T), tools::HAND.is(Hand::Right)]);
+        tool.row(language)
+    });
     let rows = mounted.chain(catalogue::rows(language)).collect();
     Rows { list: TOOLS_KEY, sheet: String::new(), rows }
 }
 
 fn blocks(lines: &[&str]) -> Rows {
-    let rows = lines
-        .iter()
-        .map(|block| Row {
-            values: BTreeMap::from([("program/BLOCK", Value::Line((*block).to_owned()))]),
-            cells: BTreeMap::new(),
-        })
-        .collect();
+    let rows = lines.iter().map(|block| Row::of([BLOCK.is((*block).to_owned())])).collect();
     Rows { list: PROGRAM_KEY, sheet: String::new(), rows }
 }
 
@@ -248,22 +253,12 @@ fn blank_lists(language: Language) -> Vec<Rows> {
     let mut tools = turret(language);
     tools.rows.truncate(1);
     if let Some(first) = tools.rows.first_mut() {
-        first.values.insert("tools/R", Value::Real(0.0));
-        first.values.insert("tools/name", line(language, "Herramienta de punta viva", "Sharp tool"));
+        first.put(&tools::R, 0.0);
+        first.put(&tools::NAME, t("Herramienta de punta viva", "Sharp tool").get(language).to_owned());
     }
-    let point = |G: &'static str, X: f64, Z: f64, R: Option<f64>| {
-        let mut values = BTreeMap::from([
-            ("profile/G", Value::Choice(G)),
-            ("profile/X", Value::Real(X)),
-            ("profile/Z", Value::Real(Z)),
-        ]);
-        values.extend(R.map(|R| ("profile/R", Value::Real(R))));
-        Row { values, cells: BTreeMap::new() }
-    };
-    let profile = Rows {
-        list: PROFILE_KEY,
-        sheet: String::new(),
-        rows: vec![point("1", 20.0, 0.0, None), point("2", 50.0, -15.0, Some(15.0))],
-    };
+    let point = |G: Element, X: f64, Z: f64| [PROFILE_G.is(G), PROFILE_X.is(X), PROFILE_Z.is(Z)];
+    let face = Row::of(point(Element::Line, 20.0, 0.0));
+    let torus = Row::of(point(Element::Clockwise, 50.0, -15.0).into_iter().chain([PROFILE_R.is(15.0)]));
+    let profile = Rows { list: PROFILE_KEY, sheet: String::new(), rows: vec![face, torus] };
     vec![tools, blocks(BLANK), profile]
 }

@@ -1,8 +1,9 @@
 //! What the user fills in: a row for each parameter, with its Rust type.
 
+use rodete::gcode::control::POST_LINUXCNC;
 use rodete::gcode::fields::{DIALECT, PART, SCHEMA};
 use rodete::parameter::field::{Field, Required};
-use rodete::parameter::{Case, Form, Parameter, Section, Sheet, Value};
+use rodete::parameter::{Case, Form, Parameter, Section, Sheet};
 use rodete::table::Unit;
 use rodete::text::{Language, Text, t};
 
@@ -70,8 +71,8 @@ pub static FORM: Form = Form {
 pub static CASES: [Case; 1] =
     [Case::new("six", t("Una brida de seis agujeros.", "A flange of six holes."), |_: Language| {
         vec![
-            ("schema", Value::Line(FORM.schema.to_owned())),
-            ("part", Value::Line("FLANGE".to_owned())),
+            SCHEMA.is(FORM.schema.to_owned()),
+            PART.is("FLANGE".to_owned()),
             N.is(6),
             PITCH.is(80.0),
             FIRST.is(30.0),
@@ -80,6 +81,6 @@ pub static CASES: [Case; 1] =
             DEPTH.is(12.0),
             FEED.is(120.0),
             SPEED.is(1200),
-            ("dialect", Value::Choice("linuxcnc")),
+            DIALECT.is(POST_LINUXCNC),
         ]
     })];

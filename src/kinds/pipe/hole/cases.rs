@@ -1,7 +1,19 @@
 //! The cases that a new pipe-hole workbook can start from.
 
-use crate::kinds::pipe::hole::parameters::SCHEMA;
-use crate::parameter::{Case, Value};
+use crate::figure::Paper;
+use crate::gcode::chosen::Codes;
+use crate::gcode::control::POST_LINUXCNC;
+use crate::gcode::fields;
+use crate::kinds::pipe::form::{
+    BLOCK_STEP, BRANCH_SCHEDULE, BRANCH_SIZE, DIALECT, E, END_CODES, HEADER_SCHEDULE, HEADER_SIZE, MATERIAL, NUMBER,
+    PAPER, PART, PIERCE_DELAY, THETA, TORCH_OFF, TORCH_ON,
+};
+use crate::kinds::pipe::hole::parameters::{
+    ARC_TOLERANCE, B, D_MAX, D0, F, F_MAX, G0, GAMMA, H, LEAD_IN, M, N, NOZZLE_R_G, OVERCUT, PSI, SCHEMA,
+    TORCH_BODY_RADIUS, Z_S,
+};
+use crate::kinds::pipe::size::{Schedule, Size};
+use crate::parameter::{Case, Cell};
 use crate::text::{Language, t};
 
 /// The cases, the usual one first.
@@ -14,47 +26,41 @@ pub static CASES: [Case; 1] = [Case::new(
     filled,
 )];
 
-fn filled(language: Language) -> Vec<(&'static str, Value)> {
-    let line = |es: &str, en: &str| {
-        Value::Line(match language {
-            Language::Es => es.to_owned(),
-            Language::En => en.to_owned(),
-        })
-    };
+fn filled(language: Language) -> Vec<Cell> {
     vec![
-        ("schema", Value::Line(SCHEMA.to_owned())),
-        ("branch_size", Value::Choice("3")),
-        ("branch_schedule", Value::Choice("40")),
-        ("header_size", Value::Choice("6")),
-        ("header_schedule", Value::Choice("40")),
-        ("theta", Value::Real(90.0)),
-        ("e", Value::Real(0.0)),
-        ("gamma", Value::Real(30.0)),
-        ("b", Value::Real(2.0)),
-        ("h", Value::Real(1.0)),
-        ("N", Value::Whole(72)),
-        ("r_g", Value::Real(6.0)),
-        ("R_g", Value::Real(15.0)),
-        ("Psi", Value::Real(30.0)),
-        ("m", Value::Real(0.8)),
-        ("d0", Value::Real(4.0)),
-        ("g0", Value::Real(2.0)),
-        ("D_max", Value::Real(15.0)),
-        ("F", Value::Real(1500.0)),
-        ("F_max", Value::Real(15_000.0)),
-        ("pierce_delay", Value::Real(0.8)),
-        ("lead_in", Value::Real(8.0)),
-        ("overcut", Value::Real(4.0)),
-        ("arc_tolerance", Value::Real(0.05)),
-        ("Z_s", Value::Real(60.0)),
-        ("paper", Value::Choice("a4")),
-        ("part", line("Tubo 6 con agujero de 3", "Pipe 6 with a hole for 3")),
-        ("material", line("Acero al carbono", "Carbon steel")),
-        ("program", Value::Whole(1)),
-        ("dialect", Value::Choice("linuxcnc")),
-        ("torch_on", Value::Line("M3".to_owned())),
-        ("torch_off", Value::Line("M5".to_owned())),
-        ("end_codes", Value::Line("M30".to_owned())),
-        ("block_step", Value::Whole(10)),
+        fields::SCHEMA.is(SCHEMA.to_owned()),
+        BRANCH_SIZE.is(&Size::NPS_3),
+        BRANCH_SCHEDULE.is(Schedule::S40),
+        HEADER_SIZE.is(&Size::NPS_6),
+        HEADER_SCHEDULE.is(Schedule::S40),
+        THETA.is(90.0),
+        E.is(0.0),
+        GAMMA.is(30.0),
+        B.is(2.0),
+        H.is(1.0),
+        N.is(72),
+        NOZZLE_R_G.is(6.0),
+        TORCH_BODY_RADIUS.is(15.0),
+        PSI.is(30.0),
+        M.is(0.8),
+        D0.is(4.0),
+        G0.is(2.0),
+        D_MAX.is(15.0),
+        F.is(1500.0),
+        F_MAX.is(15_000.0),
+        PIERCE_DELAY.is(0.8),
+        LEAD_IN.is(8.0),
+        OVERCUT.is(4.0),
+        ARC_TOLERANCE.is(0.05),
+        Z_S.is(60.0),
+        PAPER.is(Paper::A4),
+        PART.says(&t("Tubo 6 con agujero de 3", "Pipe 6 with a hole for 3"), language),
+        MATERIAL.says(&t("Acero al carbono", "Carbon steel"), language),
+        NUMBER.is(1),
+        DIALECT.is(POST_LINUXCNC),
+        TORCH_ON.is(Codes::m([3])),
+        TORCH_OFF.is(Codes::m([5])),
+        END_CODES.is(Codes::m([30])),
+        BLOCK_STEP.is(10),
     ]
 }

@@ -1,7 +1,20 @@
 //! The cases that a new pipe-insert workbook can start from.
 
-use crate::kinds::pipe::insert::parameters::SCHEMA;
-use crate::parameter::{Case, Value};
+use crate::figure::Paper;
+use crate::gcode::chosen::Codes;
+use crate::gcode::control::{POST_8055, POST_LINUXCNC};
+use crate::gcode::fields;
+use crate::gcode::program::Style;
+use crate::kinds::pipe::form::{
+    BLOCK_STEP, BRANCH_SCHEDULE, BRANCH_SIZE, D_BRANCH, D_HEADER, DIALECT, E, END_CODES, HEADER_SCHEDULE, HEADER_SIZE,
+    MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, T_BRANCH, T_HEADER, THETA, TORCH_OFF, TORCH_ON,
+};
+use crate::kinds::pipe::insert::parameters::{
+    ARC_TOLERANCE, CONTACT, Contact, EXPERT_BRANCH_R, F, KERF, LEAD_IN, MODE, Mode, N, OVERCUT, R, R_DEV, SCHEMA,
+    SHEET, STYLE, Surface, Z,
+};
+use crate::kinds::pipe::size::{Schedule, Size};
+use crate::parameter::{Case, Cell};
 use crate::text::{Language, t};
 
 /// The cases, the usual one first.
@@ -24,77 +37,70 @@ pub static CASES: [Case; 2] = [
     ),
 ];
 
-fn line(language: Language, es: &str, en: &str) -> Value {
-    Value::Line(match language {
-        Language::Es => es.to_owned(),
-        Language::En => en.to_owned(),
-    })
-}
-
-fn square(language: Language) -> Vec<(&'static str, Value)> {
+fn square(language: Language) -> Vec<Cell> {
     vec![
-        ("schema", Value::Line(SCHEMA.to_owned())),
-        ("paper", Value::Choice("a4")),
-        ("branch_size", Value::Choice("3")),
-        ("branch_schedule", Value::Choice("40")),
-        ("header_size", Value::Choice("4")),
-        ("header_schedule", Value::Choice("40")),
-        ("contact", Value::Choice("envelope")),
-        ("theta", Value::Real(90.0)),
-        ("e", Value::Real(0.0)),
-        ("Z", Value::Real(20.0)),
-        ("N", Value::Whole(64)),
-        ("mode", Value::Choice("rotary")),
-        ("sheet", Value::Choice("outside")),
-        ("kerf", Value::Real(1.5)),
-        ("F", Value::Real(2000.0)),
-        ("pierce_delay", Value::Real(0.4)),
-        ("lead_in", Value::Real(5.0)),
-        ("overcut", Value::Real(3.0)),
-        ("arc_tolerance", Value::Real(0.02)),
-        ("part", line(language, "Injerto 3 sobre 4 a 90", "Branch 3 on 4 at 90")),
-        ("material", line(language, "Acero al carbono", "Carbon steel")),
-        ("program", Value::Whole(1)),
-        ("dialect", Value::Choice("linuxcnc")),
-        ("style", Value::Choice("full")),
-        ("torch_on", Value::Line("M3".to_owned())),
-        ("torch_off", Value::Line("M5".to_owned())),
-        ("end_codes", Value::Line("M30".to_owned())),
-        ("block_step", Value::Whole(10)),
+        fields::SCHEMA.is(SCHEMA.to_owned()),
+        PAPER.is(Paper::A4),
+        BRANCH_SIZE.is(&Size::NPS_3),
+        BRANCH_SCHEDULE.is(Schedule::S40),
+        HEADER_SIZE.is(&Size::NPS_4),
+        HEADER_SCHEDULE.is(Schedule::S40),
+        CONTACT.is(Contact::Envelope),
+        THETA.is(90.0),
+        E.is(0.0),
+        Z.is(20.0),
+        N.is(64),
+        MODE.is(Mode::Rotary),
+        SHEET.is(Surface::Outside),
+        KERF.is(1.5),
+        F.is(2000.0),
+        PIERCE_DELAY.is(0.4),
+        LEAD_IN.is(5.0),
+        OVERCUT.is(3.0),
+        ARC_TOLERANCE.is(0.02),
+        PART.says(&t("Injerto 3 sobre 4 a 90", "Branch 3 on 4 at 90"), language),
+        MATERIAL.says(&t("Acero al carbono", "Carbon steel"), language),
+        NUMBER.is(1),
+        DIALECT.is(POST_LINUXCNC),
+        STYLE.is(Style::Full),
+        TORCH_ON.is(Codes::m([3])),
+        TORCH_OFF.is(Codes::m([5])),
+        END_CODES.is(Codes::m([30])),
+        BLOCK_STEP.is(10),
     ]
 }
 
-fn published(language: Language) -> Vec<(&'static str, Value)> {
+fn published(language: Language) -> Vec<Cell> {
     vec![
-        ("schema", Value::Line(SCHEMA.to_owned())),
-        ("paper", Value::Choice("a4")),
-        ("D_branch", Value::Real(88.9)),
-        ("t_branch", Value::Real(5.49)),
-        ("D_header", Value::Real(114.3)),
-        ("t_header", Value::Real(6.02)),
-        ("contact", Value::Choice("inside")),
-        ("theta", Value::Real(83.0)),
-        ("e", Value::Real(10.0)),
-        ("Z", Value::Real(20.0)),
-        ("N", Value::Whole(64)),
-        ("r", Value::Real(44.45)),
-        ("R", Value::Real(57.15)),
-        ("r_dev", Value::Real(49.94)),
-        ("mode", Value::Choice("flat")),
-        ("sheet", Value::Choice("outside")),
-        ("kerf", Value::Real(0.0)),
-        ("pierce_delay", Value::Real(0.0)),
-        ("lead_in", Value::Real(0.0)),
-        ("overcut", Value::Real(0.0)),
-        ("arc_tolerance", Value::Real(0.1)),
-        ("part", line(language, "Injerto 3 sobre 4 excéntrico", "Branch 3 on 4 eccentric")),
-        ("material", line(language, "Tubo cédula 40", "Schedule 40 pipe")),
-        ("program", Value::Whole(1)),
-        ("dialect", Value::Choice("fagor-8055")),
-        ("style", Value::Choice("annex")),
-        ("torch_on", Value::Line("M3".to_owned())),
-        ("torch_off", Value::Line("M5".to_owned())),
-        ("end_codes", Value::Line("M30".to_owned())),
-        ("block_step", Value::Whole(10)),
+        fields::SCHEMA.is(SCHEMA.to_owned()),
+        PAPER.is(Paper::A4),
+        D_BRANCH.is(88.9),
+        T_BRANCH.is(5.49),
+        D_HEADER.is(114.3),
+        T_HEADER.is(6.02),
+        CONTACT.is(Contact::Inside),
+        THETA.is(83.0),
+        E.is(10.0),
+        Z.is(20.0),
+        N.is(64),
+        EXPERT_BRANCH_R.is(44.45),
+        R.is(57.15),
+        R_DEV.is(49.94),
+        MODE.is(Mode::Flat),
+        SHEET.is(Surface::Outside),
+        KERF.is(0.0),
+        PIERCE_DELAY.is(0.0),
+        LEAD_IN.is(0.0),
+        OVERCUT.is(0.0),
+        ARC_TOLERANCE.is(0.1),
+        PART.says(&t("Injerto 3 sobre 4 excéntrico", "Branch 3 on 4 eccentric"), language),
+        MATERIAL.says(&t("Tubo cédula 40", "Schedule 40 pipe"), language),
+        NUMBER.is(1),
+        DIALECT.is(POST_8055),
+        STYLE.is(Style::Annex),
+        TORCH_ON.is(Codes::m([3])),
+        TORCH_OFF.is(Codes::m([5])),
+        END_CODES.is(Codes::m([30])),
+        BLOCK_STEP.is(10),
     ]
 }
