@@ -338,7 +338,7 @@ pub(super) struct Build {
 #[derive(Debug, Args)]
 pub(super) struct ControlOptions {
     /// Dialect of the programs [default: recognised from the program]
-    #[arg(long, value_parser = dialect(&ALL))]
+    #[arg(long, value_parser = control(&ALL))]
     pub(super) dialect: Option<&'static Control>,
     /// LinuxCNC's parameter file: work offsets and parameters at the start
     #[arg(long, value_name = "FILE")]
@@ -462,7 +462,7 @@ pub(super) struct Simulate {
     /// Turning program
     pub(super) program: PathBuf,
     /// Dialect of the program [default: recognised from the program]
-    #[arg(long, value_parser = dialect(&TURNING))]
+    #[arg(long, value_parser = control(&TURNING))]
     pub(super) dialect: Option<&'static Control>,
     /// Diameter, length and bore of the stock, in mm: D50xL100, D50xL100xd20 [default: the workbook's, or stock that encloses the path]
     #[arg(long, value_name = "STOCK", value_parser = super::stock::parse)]
@@ -532,7 +532,7 @@ fn system() -> impl TypedValueParser<Value = System> {
 }
 
 /// One of these controls, by its name.
-fn dialect(of: &'static [&'static Control]) -> impl TypedValueParser<Value = &'static Control> {
+fn control(of: &'static [&'static Control]) -> impl TypedValueParser<Value = &'static Control> {
     PossibleValuesParser::new(of.iter().map(|control| control.name)).try_map(|name| Control::named(&name).ok_or(name))
 }
 

@@ -1,4 +1,4 @@
-//! How the commands read a program's file: dialect, machine, and what stands beside it.
+//! How the commands read a program's file: control, machine, and what stands beside it.
 
 use std::cell::RefCell;
 use std::io::BufRead;
@@ -159,11 +159,11 @@ impl<'a> Shared<'a> {
         Ok(found)
     }
 
-    /// The dialect of a program: as named (true), or told from its beginning. What cannot be read is refused in its turn.
-    pub(super) fn dialect(&self, path: &Path, file: &mut dyn BufRead) -> (bool, &'static Control) {
+    /// The control of a program: as named (true), or told from its beginning. What cannot be read is refused in its turn.
+    pub(super) fn control(&self, path: &Path, file: &mut dyn BufRead) -> (bool, &'static Control) {
         let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
         match self.control.dialect {
-            Some(dialect) => (true, dialect),
+            Some(control) => (true, control),
             None => (false, guess(file.fill_buf().unwrap_or_default(), &ending, self.workbook.is_some())),
         }
     }
@@ -173,15 +173,15 @@ impl<'a> Shared<'a> {
         self.consulted.iter().chain(self.subprograms.borrow().iter()).cloned().collect()
     }
 
-    /// Whether the tools that were named are for a dialect.
+    /// Whether the tools that were named are for a control.
     ///
     /// # Errors
     /// Of a lathe workbook for a program of a milling machine.
-    pub(super) fn fits(&self, dialect: &Control) -> Result<(), Refusal> {
-        if self.workbook.is_none() || dialect.turns() {
+    pub(super) fn fits(&self, control: &Control) -> Result<(), Refusal> {
+        if self.workbook.is_none() || control.turns() {
             return Ok(());
         }
-        Err(LatheToolsForMill { control: dialect.name }.refused(Exit::Refused, Place::File))
+        Err(LatheToolsForMill { control: control.name }.refused(Exit::Refused, Place::File))
     }
 
     /// What the lathe workbook leaves to be assumed for a program that has been read; with a parameter file, nothing.
@@ -191,14 +191,14 @@ impl<'a> Shared<'a> {
     }
 
     /// What a program is read with.
-    pub(super) fn setting(&self, path: &Path, dialect: &'static Control) -> Setting {
-        let mut setting = Setting::new(dialect);
+    pub(super) fn setting(&self, path: &Path, control: &'static Control) -> Setting {
+        let mut setting = Setting::new(control);
         setting.unit = self.unit;
         setting.var_file = self.var_file.clone();
         setting.tools = self.tools.clone();
         setting.decimal_point = self.control.decimal_point;
         setting.hole_plane = self.control.hole_r;
-        setting.rotary = self.control.rotary.unwrap_or(dialect.rotary.delivered);
+        setting.rotary = self.control.rotary.unwrap_or(control.rotary.delivered);
         setting.block_delete = self.control.block_delete;
         if let Some(given) = &self.workbook {
             given.lend(&mut setting);
@@ -239,20 +239,20 @@ pub(super) fn told_of(finding: Finding, tools: Option<&Path>) -> Finding {
     finding.of_file(&printable_path(tools))
 }
 
-/// The note on a dialect that nobody named.
-pub(super) fn told_from(dialect: &Control) -> Finding {
-    ControlGuessed { control: dialect.name }.at(Place::File)
+/// The note on a control that nobody named.
+pub(super) fn told_from(control: &Control) -> Finding {
+    ControlGuessed { control: control.name }.at(Place::File)
 }
 
-/// The caution on a program of a guessed dialect that has a sign of a control that rodete does not read: the ending of its file's name, or
+/// The caution on a program of a guessed control that has a sign of a control that rodete does not read: the ending of its file's name, or
 /// a comment. Not beside the refusal that says the same.
-pub(super) fn told_other(path: &Path, head: &[u8], dialect: &Control) -> Option<Finding> {
+pub(super) fn told_other(path: &Path, head: &[u8], control: &Control) -> Option<Finding> {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     let found = String::from_utf8_lossy(head)
         .lines()
         .take(LEADER_LINES)
         .find_map(foreign::sign)
         .or_else(|| foreign::of_ending(&ending));
-    let foreign::Foreign { control, sign } = found?;
-    Some(OtherControlLikely { control, sign, dialect: dialect.name }.at(Place::File))
+    let foreign::Foreign { control: other, sign } = found?;
+    Some(OtherControlLikely { control: other, sign, dialect: control.name }.at(Place::File))
 }

@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &Simulate, kinds: &[&dyn Kind], terminal: &mut Term
     }
     let (name, width) = (printable_path(&arguments.program), terminal.width);
     if let Some(followed) = &followed {
-        terminal.out(&format!("{name}: {}, {}\n", followed.dialect.name, followed.stock));
+        terminal.out(&format!("{name}: {}, {}\n", followed.control.name, followed.stock));
         // Behind a rejected block nothing was measured: a 0 would say that there is no alarm.
         let known = |one: &Quantity| followed.whole || SET_UP.contains(&one.symbol);
         terminal.out(&quantity::table_of(&verdict.quantities, known, language, width));
@@ -62,7 +62,7 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Verdict) ->
     let wanted = Wanted {
         program: path,
         bytes: &bytes,
-        dialect: arguments.dialect,
+        control: arguments.dialect,
         decimal_point: arguments.decimal_point,
         hole_plane: arguments.hole_r,
         block_delete: arguments.block_delete,
@@ -147,7 +147,7 @@ fn document(arguments: &Simulate, verdict: &Verdict, followed: Option<&Followed>
         "status": status(verdict.exit),
         "program": arguments.program.to_string_lossy(),
         "sha256": verdict.sha256,
-        "dialect": followed.map(|followed| followed.dialect.name),
+        "dialect": followed.map(|followed| followed.control.name),
         "stock": followed.map(|followed| followed.stock.clone()),
         "motions": motions,
         "totals": totals,

@@ -52,8 +52,8 @@ pub(super) struct Wanted<'a> {
     pub(super) program: &'a Path,
     /// What stands in it.
     pub(super) bytes: &'a [u8],
-    /// Its dialect; `None`: told from the program.
-    pub(super) dialect: Option<&'static Control>,
+    /// Its control; `None`: told from the program.
+    pub(super) control: Option<&'static Control>,
     /// What a dimension without a decimal point is.
     pub(super) decimal_point: Option<DecimalPoint>,
     /// What R of G81 to G83 is; `None`: what the workbook says.
@@ -73,8 +73,8 @@ pub(super) struct Wanted<'a> {
 /// What was followed.
 #[derive(Debug)]
 pub(super) struct Followed {
-    /// The program's dialect.
-    pub(super) dialect: &'static Control,
+    /// The program's control.
+    pub(super) control: &'static Control,
     /// The stock, as `D50xL100`.
     pub(super) stock: String,
     /// What came of it.
@@ -100,17 +100,17 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
     let sha256 = store::sha256(wanted.bytes);
     verdict.sha256 = Some(sha256.clone());
     let ending = path.extension().unwrap_or_default().to_string_lossy();
-    if wanted.dialect.is_none() && wanted.tools.is_none() && mills(wanted.bytes, &ending) {
+    if wanted.control.is_none() && wanted.tools.is_none() && mills(wanted.bytes, &ending) {
         return Err(MillingProgram {}.refused(Exit::Refused, Place::File));
     }
     let (values, found) = given(wanted).map_err(|refusal| of_workbook(refusal, wanted.tools))?;
     let before = verdict.findings.len();
     verdict.language = wanted.tools.map(|_| values.language);
     verdict.findings.extend(found.into_iter().map(|finding| told_of(finding, wanted.tools)));
-    let dialect = wanted.dialect.unwrap_or_else(|| {
-        let dialect = guess_turning(wanted.bytes);
-        verdict.findings.push(told_from(dialect));
-        dialect
+    let control = wanted.control.unwrap_or_else(|| {
+        let control = guess_turning(wanted.bytes);
+        verdict.findings.push(told_from(control));
+        control
     });
     let main = text::Lines::of_file(&decoded(wanted.bytes));
     let subprograms = subprograms(&main.text, &mut Beside::of(path))?;
@@ -119,7 +119,7 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
     if turned_over {
         verdict.findings.push(ToolsTurnedOver {}.at(Place::File));
     }
-    let mut values = for_program(values, wanted, dialect, &program, turned_over);
+    let mut values = for_program(values, wanted, control, &program, turned_over);
     if let Some(stock) = wanted.stock {
         put_stock(&mut values, stock, wanted.tools.is_some());
     } else if wanted.tools.is_none() {
@@ -141,14 +141,14 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
     let Simulated { outcome, alarms, whole } =
         lathe::simulated(Fields::of(&FORM, values)?, source, Some(program), wants)
             .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
-    if wanted.dialect.is_none() && outcome.findings.iter().all(|one| one.code() != OtherControl::RULE.code) {
-        verdict.findings.extend(told_other(path, wanted.bytes, dialect));
+    if wanted.control.is_none() && outcome.findings.iter().all(|one| one.code() != OtherControl::RULE.code) {
+        verdict.findings.extend(told_other(path, wanted.bytes, control));
     }
     verdict.findings.extend(outcome.findings.iter().cloned());
     gravest_first(&mut verdict.findings);
     verdict.quantities.clone_from(&outcome.quantities);
     verdict.exit = outcome.exit();
-    Ok(Followed { dialect, stock, outcome, alarms, whole })
+    Ok(Followed { control, stock, outcome, alarms, whole })
 }
 
 /// A workbook in place of a program.
@@ -176,11 +176,11 @@ fn given(wanted: &Wanted<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
 fn for_program(
     mut values: Values,
     wanted: &Wanted<'_>,
-    dialect: &'static Control,
+    control: &'static Control,
     program: &text::SheetProgram,
     turned_over: bool,
 ) -> Values {
-    values.put(&form::DIALECT, Some(dialect));
+    values.put(&form::DIALECT, Some(control));
     if wanted.decimal_point.is_some() || wanted.tools.is_none() {
         values.put(&form::POINT, wanted.decimal_point);
     }

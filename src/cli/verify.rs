@@ -35,7 +35,7 @@ const CHUNK: usize = 1 << 16;
 /// What came of one program.
 struct Read {
     verdict: Verdict,
-    dialect: Option<&'static Control>,
+    control: Option<&'static Control>,
     rotary: Option<RotaryMode>,
     account: Account,
     net: [f64; 9],
@@ -55,7 +55,7 @@ impl Read {
     fn new(path: &Path) -> Self {
         Self {
             verdict: Verdict::new(path.to_owned()),
-            dialect: None,
+            control: None,
             rotary: None,
             account: Account::default(),
             net: [0.0; 9],
@@ -69,7 +69,7 @@ impl Read {
 
     /// True of a program whose X is a diameter.
     fn lathe(&self) -> bool {
-        self.dialect.is_some_and(|dialect| dialect.turns())
+        self.control.is_some_and(|control| control.turns())
     }
 
     /// True for an axis that is reported: always, or because it is anywhere but at 0 in what the program comes to. One that comes
@@ -155,14 +155,14 @@ fn follow(
     if file.fill_buf().is_ok_and(|head| head.starts_with(b"PK\x03\x04")) {
         return Err(is_workbook(path));
     }
-    let (named, dialect) = shared.dialect(path, &mut file);
-    read.dialect = Some(dialect);
-    shared.fits(dialect)?;
-    let mut setting = shared.setting(path, dialect);
+    let (named, control) = shared.control(path, &mut file);
+    read.control = Some(control);
+    shared.fits(control)?;
+    let mut setting = shared.setting(path, control);
     let head = file.fill_buf().unwrap_or_default();
     setting.headed = tools_headed(head);
     let made_from = made_from::compared(path, head);
-    let other = if named { None } else { told_other(path, head, dialect) };
+    let other = if named { None } else { told_other(path, head, control) };
     read.rotary = Some(setting.rotary);
     let sum = Sum::default();
     // A program may be far larger than memory, and only the document tells its sum.
@@ -174,7 +174,7 @@ fn follow(
     read.net = interpreter.position().1.differences(&start);
     read.lines = interpreter.lines();
     read.account.from_start = interpreter.from_start();
-    if dialect.turns() {
+    if control.turns() {
         as_diameters(read);
     }
     // Behind a rejected block nobody knows where the program ends.
@@ -184,7 +184,7 @@ fn follow(
     remarks.extend(settled);
     remarks.extend(made_from);
     if !named {
-        remarks.push(told_from(dialect));
+        remarks.push(told_from(control));
         let told = faults.iter().any(|fault| fault.rule.code == OtherControl::RULE.code);
         remarks.extend(other.filter(|_| !told));
     }
@@ -363,7 +363,7 @@ fn document(read: &Read) -> Value {
         "program": read.verdict.workbook.to_string_lossy(),
         "sha256": read.verdict.sha256,
         "read": read.consulted,
-        "dialect": read.dialect.map(|dialect| dialect.name),
+        "dialect": read.control.map(|control| control.name),
         "rotary": read.rotary.map(RotaryMode::name),
         "exit": code(read.verdict.exit),
         "status": status(read.verdict.exit),
@@ -401,19 +401,19 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
     if canon {
         return;
     }
-    let Some(dialect) = read.dialect else { return };
-    terminal.out(&summary(read, dialect, &name, language));
+    let Some(control) = read.control else { return };
+    terminal.out(&summary(read, control, &name, language));
     finding::notes(&read.verdict.findings, &name, language, terminal);
 }
 
 /// What a program does, in figures: lines and motions, the reach of each axis, where it ends, way and time.
-fn summary(read: &Read, dialect: &Control, name: &str, language: Language) -> String {
+fn summary(read: &Read, control: &Control, name: &str, language: Language) -> String {
     let (account, lathe) = (&read.account, read.lathe());
     let word = |text: Text| text.take(language);
     let number = |value: f64| shown(value, 3);
     let mut text = format!(
         "{name}: {}, {} {}, {} {}\n",
-        dialect.name,
+        control.name,
         read.lines,
         word(t("líneas", "lines")),
         account.motions,

@@ -125,7 +125,7 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
     }
     let ending = arguments.input.extension().unwrap_or_default().to_string_lossy().into_owned();
     Ok(match control.dialect {
-        Some(dialect) => dialect.turns(),
+        Some(control) => control.turns(),
         // A lathe's workbook is given for a turning program alone.
         None => machine == Some(true) || guess(head, &ending, false).turns(),
     })
@@ -138,7 +138,7 @@ fn of_turning(arguments: &View, title: String, verdict: &mut Verdict) -> Result<
     let wanted = Wanted {
         program: input,
         bytes: &bytes,
-        dialect: control.dialect,
+        control: control.dialect,
         decimal_point: control.decimal_point,
         hole_plane: control.hole_r,
         block_delete: control.block_delete,
@@ -179,16 +179,16 @@ fn of_program(
     file: &mut impl BufRead,
     verdict: &mut Verdict,
 ) -> Result<Scene, Refusal> {
-    let (input, control) = (&arguments.input, &arguments.control);
-    let shared = Shared::new(control)?;
-    let (named, dialect) = shared.dialect(input, file);
+    let input = &arguments.input;
+    let shared = Shared::new(&arguments.control)?;
+    let (named, control) = shared.control(input, file);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
-    let milling = !dialect.turns();
+    let milling = !control.turns();
     let frame = if milling { Chain::Milling } else { Chain::Turning };
     let text = decoded(&bytes);
-    let mut program = Program::new(Text::same(title.clone()), dialect, frame, &text);
-    shared.fits(dialect)?;
-    let setting = shared.setting(input, dialect);
+    let mut program = Program::new(Text::same(title.clone()), control, frame, &text);
+    shared.fits(control)?;
+    let setting = shared.setting(input, control);
     for (number, tool) in setting.tools.iter().flatten().filter(|(_, tool)| milling && tool.diameter > 0.0) {
         let (r, d) = (tool.diameter / 2.0, tool.diameter);
         let name = Text::same(format!("T{number} d{d}"));
@@ -204,8 +204,8 @@ fn of_program(
     verdict.findings.extend(findings);
     if !named {
         let other = verdict.findings.iter().all(|one| one.code() != OtherControl::RULE.code);
-        let other = told_other(input, &bytes, dialect).filter(|_| other);
-        for told in other.into_iter().chain([told_from(dialect)]) {
+        let other = told_other(input, &bytes, control).filter(|_| other);
+        for told in other.into_iter().chain([told_from(control)]) {
             program.remarks.push(Remark::from(&told));
             verdict.findings.push(told);
         }

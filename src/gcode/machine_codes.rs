@@ -26,7 +26,7 @@ pub struct CodesPlace {
 /// program where it must not. What the control refuses of them in one block, as they are written, is told with the parameter: the
 /// program's line would not say which cell it came from.
 #[must_use]
-pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], place: CodesPlace) -> Vec<Finding> {
+pub fn refused_codes(control: &'static Control, key: Key, codes: &[Word], place: CodesPlace) -> Vec<Finding> {
     let CodesPlace { last, tooled } = place;
     let mut findings = Vec::new();
     let both = || at([key, DIALECT.key()]);
@@ -34,8 +34,8 @@ pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], place:
         let Number::Whole(number) = word.number else { continue };
         if word.letter != 'M' {
             findings.push(NoMachineCode { key, letter: word.letter, number }.at(both()));
-        } else if !dialect.knows_machine_code(number) {
-            findings.push(MachineCodeNotKnown { control: dialect.name, number, key }.at(both()));
+        } else if !control.knows_machine_code(number) {
+            findings.push(MachineCodeNotKnown { control: control.name, number, key }.at(both()));
         } else if matches!(number, 2 | 30) && !last {
             findings.push(EndsTooSoon { key, number }.at(both()));
         }
@@ -46,7 +46,7 @@ pub fn refused_codes(dialect: &'static Control, key: Key, codes: &[Word], place:
     }
     if findings.is_empty() && !codes.is_empty() {
         let tool = if tooled { "T1\n" } else { "" };
-        findings.extend(refused_block(dialect, tool, codes).map(|why| CodesRefused { key, why }.at(both())));
+        findings.extend(refused_block(control, tool, codes).map(|why| CodesRefused { key, why }.at(both())));
     }
     findings
 }
@@ -85,7 +85,7 @@ pub fn refused_spindle(key: Key, codes: &[Word], starts: bool) -> Vec<Finding> {
 /// as of its codes. A return to a reference point goes over a point in program coordinates (the
 /// LinuxCNC manual, G28).
 #[must_use]
-pub fn refused_retract(dialect: &'static Control, key: Key, retract: &Retract) -> Vec<Finding> {
+pub fn refused_retract(control: &'static Control, key: Key, retract: &Retract) -> Vec<Finding> {
     let mut findings = Vec::new();
     let place = || at([key, DIALECT.key()]);
     for word in &retract.0 {
@@ -93,23 +93,23 @@ pub fn refused_retract(dialect: &'static Control, key: Key, retract: &Retract) -
         let letter = word.letter;
         let tenths = usize::try_from(number).unwrap_or(usize::MAX).saturating_mul(10);
         let known = match letter {
-            'G' => matches!(dialect.codes.get(tenths), Some(G::Rapid | G::MachineCoordinates | G::Absolute)),
-            _ => dialect.knows_machine_code(number) && !matches!(number, 2 | 30),
+            'G' => matches!(control.codes.get(tenths), Some(G::Rapid | G::MachineCoordinates | G::Absolute)),
+            _ => control.knows_machine_code(number) && !matches!(number, 2 | 30),
         };
         if !known {
-            findings.push(NotInRetract { letter, number, control: dialect.name }.at(place()));
+            findings.push(NotInRetract { letter, number, control: control.name }.at(place()));
         }
     }
     let moves = retract.sizes().next().is_some();
     if moves && retract.z().is_none() {
         findings.push(RetractWithoutZ {}.at(place()));
     }
-    let has_machine_zero = dialect.codes.has(G::MachineCoordinates);
+    let has_machine_zero = control.codes.has(G::MachineCoordinates);
     if findings.is_empty() && moves && !retract.by_machine() && has_machine_zero {
         findings.push(RetractInProgram {}.at(place()));
     }
     if findings.is_empty() && !retract.0.is_empty() {
-        findings.extend(refused_block(dialect, "", &retract.0).map(|why| RetractRefused { why }.at(place())));
+        findings.extend(refused_block(control, "", &retract.0).map(|why| RetractRefused { why }.at(place())));
     }
     findings
 }

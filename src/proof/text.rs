@@ -3,7 +3,7 @@
 //! Controls differ in what they forgive, so that one strict form is asked of all: printable ASCII; comments from an
 //! allow-list; words of one capital letter and one number, parted by one blank; dimensions and feeds with at most five
 //! digits before and three after the point, never −0, an exponent or a comma, and always with three decimals where the
-//! layout is fixed, times of a move in seconds with four and inverse times below 1 with six, or with up to ten digits before the point; codes as whole numbers; block numbers that rise by their step up to the greatest of the dialect.
+//! layout is fixed, times of a move in seconds with four and inverse times below 1 with six, or with up to ten digits before the point; codes as whole numbers; block numbers that rise by their step up to the greatest of the control.
 
 use crate::finding::Raise;
 use crate::gcode::comment;
@@ -67,21 +67,21 @@ impl<'a> Characters<'a> {
     }
 
     fn judge(&mut self, line: &str) -> Result<(), Text> {
-        let dialect = self.program.control;
+        let control = self.program.control;
         if line.len() > self.most {
             return Err(t("la línea es demasiado larga", "the line is too long"));
         }
         if let Some(wrong) = line.chars().find(|letter| !matches!(letter, ' '..='~')) {
             return Err(quoted("carácter", "character", &wrong.escape_default().to_string()));
         }
-        if let Some(opening) = dialect.text.opening.get(self.lines - 1) {
+        if let Some(opening) = control.text.opening.get(self.lines - 1) {
             let opens = opening.is(line);
             self.opened |= opens && self.lines == 1;
             if self.opened {
                 return if opens { Ok(()) } else { Err(quoted("línea", "line", line)) };
             }
         }
-        if self.opened && dialect.text.ending.get(self.ended) == Some(&line) {
+        if self.opened && control.text.ending.get(self.ended) == Some(&line) {
             self.ended += 1;
             return Ok(());
         }
@@ -91,7 +91,7 @@ impl<'a> Characters<'a> {
         if line.starts_with('%') {
             return Err(quoted("carácter", "character", "%"));
         }
-        let inside = match dialect.text.comment {
+        let inside = match control.text.comment {
             CommentForm::Semicolon => line.strip_prefix(';'),
             CommentForm::Parentheses => line.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')),
         };
@@ -105,7 +105,7 @@ impl<'a> Characters<'a> {
             let expected = self.number;
             let first = words.next().unwrap_or_default();
             let number: Option<u32> = first.strip_prefix('N').and_then(|digits| digits.parse().ok());
-            if number != Some(expected) || expected > dialect.text.greatest_number {
+            if number != Some(expected) || expected > control.text.greatest_number {
                 return Err(quoted("número de bloque", "block number", first));
             }
         }

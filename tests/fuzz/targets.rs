@@ -102,8 +102,8 @@ fn read(setting: Setting, bytes: &[u8], work: &mut Work) {
 /// A program, under every dialect.
 pub fn program(bytes: &[u8]) -> Work {
     let mut work = Work::default();
-    for dialect in control::ALL {
-        let mut setting = Setting::new(dialect);
+    for control in control::ALL {
+        let mut setting = Setting::new(control);
         setting.decimal_point = Some(DecimalPoint::Calculator);
         setting.budget.repeated_blocks = 20_000;
         read(setting, bytes, &mut work);
@@ -119,11 +119,11 @@ pub fn simulate(bytes: &[u8]) -> Work {
     let mut words = first.split_whitespace().map(|word| word.parse::<f64>().unwrap_or(0.0));
     let mut size = |most: f64| words.next().filter(|size| *size >= 1.0 && *size <= most);
     let (D, L) = (size(1000.0).unwrap_or(50.0), size(1000.0).unwrap_or(100.0));
-    let dialect: &Control = if first.ends_with('1') { &control::FAGOR_8055_T } else { &control::FANUC_LATHE_A };
+    let control: &Control = if first.ends_with('1') { &control::FAGOR_8055_T } else { &control::FANUC_LATHE_A };
     let mut values = Values { language: Language::En, ..Values::default() };
     values.values.extend(cases::CASES[0].values(Language::En));
     values.lists.push(cases::turret(Language::En));
-    values.values.insert("dialect", Value::Choice(dialect.name));
+    values.values.insert("dialect", Value::Choice(control.name));
     values.values.insert("point", Value::Choice("calculator"));
     values.values.insert("D", Value::Real(D));
     values.values.insert("L", Value::Real(L));

@@ -22,8 +22,8 @@ use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 #[must_use]
 pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
     let text = String::from_utf8_lossy(head);
-    if let Some(dialect) = text.lines().find_map(headed) {
-        return dialect;
+    if let Some(control) = text.lines().find_map(headed) {
+        return control;
     }
     if ending.eq_ignore_ascii_case("pit") {
         return &FAGOR_8055_T;
@@ -86,7 +86,7 @@ pub fn mills(head: &[u8], ending: &str) -> bool {
         || codes().any(|line| word(&line, 'Y')) && codes().any(|line| has(&line, "M", "6") || has(&line, "G", "43"))
 }
 
-/// The dialect that a header of rodete's names, as `;RODETE 0.1.0 - DIALECT FAGOR-8055-T`.
+/// The control that a header of rodete's names, as `;RODETE 0.1.0 - DIALECT FAGOR-8055-T`.
 fn headed(line: &str) -> Option<&'static Control> {
     let comment = line.trim().trim_start_matches([';', '(']).trim_end_matches(')').to_ascii_lowercase();
     let (_, named) = comment.strip_prefix("rodete ")?.split_once(" - dialect")?;

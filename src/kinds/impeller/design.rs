@@ -71,7 +71,7 @@ pub struct Design {
     pub material: String,
     /// The program number, of a clear cut that of the roughing program.
     pub program: u32,
-    /// The dialect: the control, and how it is written for.
+    /// The control that the programs are written for.
     pub post: Post,
     /// `annex`: blocks as published; `full`: complete programs.
     pub style: Style,

@@ -184,7 +184,7 @@ fn machine() -> Vec<LiveRow> {
     ]
 }
 
-/// True as a formula where the dialect is a control that is delivered with rollover axes.
+/// True as a formula where the control is one that is delivered with rollover axes.
 fn delivered_rolling() -> String {
     let named: Vec<String> = MILLING
         .into_iter()

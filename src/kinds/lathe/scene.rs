@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::Place;
+use crate::gcode::control::Control;
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::Standstill;
 use crate::gcode::motion::{Motion, MotionKind};
@@ -86,13 +87,7 @@ impl Watching {
         Scene { programs: self.programs, ..Scene::default() }
     }
 
-    fn begin(
-        &mut self,
-        title: Text,
-        dialect: &'static crate::gcode::control::Control,
-        source: &SheetProgram,
-        simulation: &Simulation,
-    ) {
+    fn begin(&mut self, title: Text, control: &'static Control, source: &SheetProgram, simulation: &Simulation) {
         // Subprograms of other sheets and files follow the program in the list of blocks.
         let mut text = source.main.text.clone();
         let mut known = Known::default();
@@ -105,7 +100,7 @@ impl Watching {
             text.push_str(&subprogram.text);
         }
         let setup = simulation.setup();
-        let mut program = Program::new(title, dialect, Chain::Turning, &text);
+        let mut program = Program::new(title, control, Chain::Turning, &text);
         program.tools = tools(setup);
         program.known = true;
         let mut turning = ShownTurning::new(simulation.contours());

@@ -6,10 +6,10 @@ use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::MotionKind;
 
 /// How many arcs a program makes, what is refused and what is cautioned of.
-fn read(dialect: &'static Control, arc: &str) -> (usize, Vec<String>, Vec<String>) {
-    let plane = if dialect.turns() { "G18" } else { "G17" };
+fn read(control: &'static Control, arc: &str) -> (usize, Vec<String>, Vec<String>) {
+    let plane = if control.turns() { "G18" } else { "G17" };
     let program = format!("{plane} G90 G94 F100\nG0 X0 Y0 Z0\n{arc}\nM30\n");
-    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(dialect));
+    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(control));
     let (mut arcs, mut refused) = (0, Vec::new());
     for item in &mut interpreter {
         match item {
@@ -23,12 +23,12 @@ fn read(dialect: &'static Control, arc: &str) -> (usize, Vec<String>, Vec<String
 
 #[test]
 fn a_zero_across_a_planar_arc_is_told_where_no_page_says_what_the_control_does() {
-    for (dialect, arc, told) in [
+    for (control, arc, told) in [
         (&FAGOR_8070, "G2 X10 Y0 I5 J0 K0", "K0 in an arc of G17: rodete ignores it"),
         (&FAGOR_8070, "G2 X10 Y0 Z0 I5 J0 K-0.000", "K0 in an arc of G17: rodete ignores it"),
         (&FAGOR_8055_T, "G2 X0 Z10 I0 J0 K5", "J0 in an arc of G18: rodete ignores it"),
     ] {
-        let (arcs, refused, cautions) = read(dialect, arc);
+        let (arcs, refused, cautions) = read(control, arc);
         assert_eq!((arcs, refused.as_slice()), (1, [].as_slice()), "{arc}");
         assert!(cautions.iter().any(|caution| caution.starts_with(told)), "{arc}: {cautions:?}");
     }
@@ -36,7 +36,7 @@ fn a_zero_across_a_planar_arc_is_told_where_no_page_says_what_the_control_does()
 
 #[test]
 fn a_word_across_an_arc_that_may_be_a_pitch_is_refused() {
-    for (dialect, arc, told) in [
+    for (control, arc, told) in [
         (
             &FAGOR_8070,
             "G2 X10 Y0 Z1 I5 J0 K0",
@@ -63,7 +63,7 @@ fn a_word_across_an_arc_that_may_be_a_pitch_is_refused() {
         // As LinuxCNC has it.
         (&LINUXCNC, "G2 X10 Y0 I5 J0 K0", "3 K does not belong to the plane G17; use I and J, or change the plane"),
     ] {
-        let (arcs, refused, _) = read(dialect, arc);
+        let (arcs, refused, _) = read(control, arc);
         assert_eq!((arcs, refused), (0, vec![told.to_owned()]), "{arc}");
     }
 }

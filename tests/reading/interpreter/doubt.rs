@@ -16,8 +16,8 @@ struct Read {
     ends: Vec<[f64; 2]>,
 }
 
-fn read(dialect: &'static Control, program: &str) -> Read {
-    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(dialect));
+fn read(control: &'static Control, program: &str) -> Read {
+    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(control));
     let mut read = Read::default();
     for item in &mut interpreter {
         match item {
@@ -66,8 +66,8 @@ fn a_second_block_behind_a_rejected_first_one_and_a_rejected_speed_limit_are_not
 
 #[test]
 fn another_unit_is_told_where_something_moves_in_it_and_gravely_where_the_manual_forbids_it() {
-    let graded = |dialect: &'static Control, program: &str| {
-        let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(dialect));
+    let graded = |control: &'static Control, program: &str| {
+        let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(control));
         interpreter.by_ref().for_each(drop);
         interpreter.remarks().into_iter().find(|one| one.code() == "G0506").map(|one| one.grade)
     };
@@ -99,8 +99,8 @@ fn a_missing_end_is_told_on_a_lathe_of_system_a_and_refused_elsewhere() {
     for program in ["O0001\nG0 X20. Z5.\n", "%\nO0001\nG0 X20. Z5.\n%\n"] {
         assert_eq!(told(program, "the program ends without M2 or M30").ends, [[10.0, 5.0]]);
     }
-    for dialect in [&LINUXCNC, &FAGOR_8055, &FAGOR_8055_T] {
-        assert_eq!(read(dialect, "G0 X20 Z5\n").refused[0].1, "the program ends without M2 or M30", "{}", dialect.name);
+    for control in [&LINUXCNC, &FAGOR_8055, &FAGOR_8055_T] {
+        assert_eq!(read(control, "G0 X20 Z5\n").refused[0].1, "the program ends without M2 or M30", "{}", control.name);
     }
 }
 
@@ -155,18 +155,18 @@ fn a_motion_a_feed_a_tool_or_a_parameter_that_a_refused_block_named_is_in_doubt(
 #[test]
 fn a_refused_block_with_the_unit_of_a_fagor_leaves_the_unit_in_doubt() {
     let left_out = "1 error that follows omitted, caused by rejected blocks; unknown from here on: the unit";
-    for dialect in [&FAGOR_8055, &FAGOR_8070, &FAGOR_8055_T] {
-        let plane = if dialect.turns() { "G18" } else { "G17" };
-        let arc = if dialect.turns() { "G2 X20 Z0 I0 K9" } else { "G2 X10 Y0 I9 J0" };
+    for control in [&FAGOR_8055, &FAGOR_8070, &FAGOR_8055_T] {
+        let plane = if control.turns() { "G18" } else { "G17" };
+        let arc = if control.turns() { "G2 X20 Z0 I0 K9" } else { "G2 X10 Y0 I9 J0" };
         for (unit, other) in [("G70", "G71"), ("G71", "G70")] {
             let program = format!("{other}\n{plane} G90 G94 F100\n{unit} S1,5\n{arc}\nM30\n");
-            let found = read(dialect, &program);
-            assert_eq!(found.refused.len(), 1, "{}: {program}\n{found:?}", dialect.name);
-            assert!(found.cautions.iter().any(|caution| caution == left_out), "{}: {found:?}", dialect.name);
+            let found = read(control, &program);
+            assert_eq!(found.refused.len(), 1, "{}: {program}\n{found:?}", control.name);
+            assert!(found.cautions.iter().any(|caution| caution == left_out), "{}: {found:?}", control.name);
             // What the refused block did not name is refused as ever, and so is an arc once the unit is given again.
             for named in ["S1,5".to_owned(), format!("{unit} S1,5\n{unit}")] {
-                let found = read(dialect, &format!("{other}\n{plane} G90 G94 F100\n{named}\n{arc}\nM30\n"));
-                assert_eq!(found.refused.len(), 2, "{}: {named}\n{found:?}", dialect.name);
+                let found = read(control, &format!("{other}\n{plane} G90 G94 F100\n{named}\n{arc}\nM30\n"));
+                assert_eq!(found.refused.len(), 2, "{}: {named}\n{found:?}", control.name);
             }
         }
     }
@@ -199,8 +199,8 @@ fn where_linuxcnc_goes_elsewhere_is_a_caution() {
 }
 
 /// The codes of what is told or refused, and how many motions are made.
-fn codes(dialect: &'static Control, program: &str) -> (Vec<String>, usize) {
-    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(dialect));
+fn codes(control: &'static Control, program: &str) -> (Vec<String>, usize) {
+    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(control));
     let (mut codes, mut made) = (Vec::new(), 0);
     for item in &mut interpreter {
         match item {
@@ -215,7 +215,7 @@ fn codes(dialect: &'static Control, program: &str) -> (Vec<String>, usize) {
 
 #[test]
 fn feed_and_surface_speed_beside_a_code_that_changes_the_unit_are_in_doubt_on_a_fagor() {
-    for (dialect, program, told, motions) in [
+    for (control, program, told, motions) in [
         // The block itself moves at that feed; what follows at the same feed is counted with it.
         (&FAGOR_8055, "G71 G90 S900 M3\nG70 G1 X1 F10\nX2\nG1 X3 F10\nM30\n", &["G0536:2"][..], 1),
         (&FAGOR_8070, "G71 G90 S900 M3\nG70 F10\nG0 X1\nG1 X2\nG2 X4 I1 J0\nM30\n", &["G0536:4", "G0535"], 1),
@@ -239,7 +239,7 @@ fn feed_and_surface_speed_beside_a_code_that_changes_the_unit_are_in_doubt_on_a_
         (&LINUXCNC, "G21 G90 S900 M3\nG20\nF10\nG1 X1\nM2\n", &[], 1),
         (&FANUC_LATHE_A, "G21 G98 S900 M3\nG20 G1 X1. F10.\nM30\n", &[], 1),
     ] {
-        assert_eq!(codes(dialect, program), (told.iter().map(|one| (*one).to_owned()).collect(), motions), "{program}");
+        assert_eq!(codes(control, program), (told.iter().map(|one| (*one).to_owned()).collect(), motions), "{program}");
     }
 }
 

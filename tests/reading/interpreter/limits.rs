@@ -94,8 +94,8 @@ fn an_endless_program_comes_to_its_budget() {
 }
 
 /// The refusals of a program: line, end and text.
-fn refusals(program: &str, dialect: &'static Control) -> Vec<(usize, Exit, String)> {
-    let read = Interpreter::over(program.as_bytes(), Setting::new(dialect));
+fn refusals(program: &str, control: &'static Control) -> Vec<(usize, Exit, String)> {
+    let read = Interpreter::over(program.as_bytes(), Setting::new(control));
     read.filter_map(Result::err).map(|fault| (fault.line, fault.exit, fault.what.en.to_string())).collect()
 }
 
@@ -145,14 +145,14 @@ fn the_motions_of_cycles_are_counted_too() {
 #[test]
 fn every_word_is_bounded_in_every_dialect() {
     let digits = "9".repeat(310);
-    for dialect in ALL {
+    for control in ALL {
         for word in ["F", "S", "F-", "T", "X", "Z"] {
-            let told = refusals(&format!("G1 X1. {word}{digits}\nM30\n"), dialect);
+            let told = refusals(&format!("G1 X1. {word}{digits}\nM30\n"), control);
             let wanted = ["number too large", "the line is longer than 251 characters"];
             assert!(
                 told.first().is_some_and(|one| wanted.contains(&one.2.as_str())),
                 "{} {word}: {told:?}",
-                dialect.name
+                control.name
             );
         }
         for (word, message) in [
@@ -161,12 +161,12 @@ fn every_word_is_bounded_in_every_dialect() {
             ("S100000", "S100000 is above 99,999.999"),
             ("T10000000000", "T10000000000 is above 9,999,999,999"),
         ] {
-            let told = refusals(&format!("G1 X1. Z1. F0.1 S100\n{word}\nM30\n"), dialect);
+            let told = refusals(&format!("G1 X1. Z1. F0.1 S100\n{word}\nM30\n"), control);
             let told: Vec<&str> = told.iter().filter(|one| one.0 == 2).map(|one| one.2.as_str()).collect();
             // A control without a limit of its own takes an F that a number holds.
-            let taken = word == "F100000." && !dialect.feed.limit.as_coordinate();
+            let taken = word == "F100000." && !control.feed.limit.as_coordinate();
             let expected: &[&str] = if taken { &[] } else { &[message] };
-            assert_eq!(told, expected, "{} {word}", dialect.name);
+            assert_eq!(told, expected, "{} {word}", control.name);
         }
     }
     assert!(refusals("G21 G93 G1 X1 F1000000\nM2\n", &LINUXCNC).is_empty(), "an inverse time in minutes");

@@ -15,8 +15,8 @@ struct Read {
     cautions: Vec<String>,
 }
 
-fn read(dialect: &'static Control, rotary: Option<RotaryMode>, program: &str) -> Read {
-    let mut setting = Setting::new(dialect);
+fn read(control: &'static Control, rotary: Option<RotaryMode>, program: &str) -> Read {
+    let mut setting = Setting::new(control);
     setting.rotary = rotary.unwrap_or(setting.rotary);
     let mut interpreter = Interpreter::over(program.as_bytes(), setting);
     let mut read = Read::default();
@@ -41,8 +41,8 @@ fn ends(rotary: RotaryMode, program: &str) -> Vec<f64> {
 fn only_a_fagor_8055_has_rollover_axes_as_delivered() {
     let rollover: Vec<_> = ALL
         .into_iter()
-        .filter(|dialect| dialect.rotary.delivered == RotaryMode::Rollover)
-        .map(|dialect| dialect.name)
+        .filter(|control| control.rotary.delivered == RotaryMode::Rollover)
+        .map(|control| control.name)
         .collect();
     assert_eq!(rollover, ["fagor-8055", "fagor-8055-t"]);
 }

@@ -18,7 +18,7 @@ pub struct Run {
 }
 
 /// Tools 1 (R 0.8, tip 3), 2 (R 0), 3 (no nose) and 4 (R 0.4, tip 2), all of length 0 but the first.
-pub fn run(dialect: &'static Control, text: &str) -> Run {
+pub fn run(control: &'static Control, text: &str) -> Run {
     let mut tools = Tools::new();
     let mut offset = Pose::default();
     offset.set(Axis::X, 30.0);
@@ -27,7 +27,7 @@ pub fn run(dialect: &'static Control, text: &str) -> Run {
     tools.insert(2, ToolOffset { nose: Some(nose(0.0, 3)), ..ToolOffset::default() });
     tools.insert(3, ToolOffset::default());
     tools.insert(4, ToolOffset { nose: Some(nose(0.4, 2)), ..ToolOffset::default() });
-    let mut setting = Setting::new(dialect);
+    let mut setting = Setting::new(control);
     setting.tools = Some(tools);
     let mut reader = Interpreter::over(text.as_bytes(), setting);
     let (mut motions, mut faults) = (Vec::new(), Vec::new());
@@ -42,8 +42,8 @@ pub fn run(dialect: &'static Control, text: &str) -> Run {
 }
 
 /// The same without a fault.
-pub fn clean(dialect: &'static Control, text: &str) -> Run {
-    let run = run(dialect, text);
+pub fn clean(control: &'static Control, text: &str) -> Run {
+    let run = run(control, text);
     assert!(run.faults.is_empty(), "{:?}", run.faults);
     run
 }
@@ -239,8 +239,8 @@ fn threads_and_tool_changes_under_compensation_are_refused_by_name() {
 
 #[test]
 fn a_fagor_mill_refuses_compensation_by_its_name() {
-    for dialect in [&FAGOR_8055, &FAGOR_8070] {
-        let run = run(dialect, "G71 G41 G1 X10 F100\nM30\n");
+    for control in [&FAGOR_8055, &FAGOR_8070] {
+        let run = run(control, "G71 G41 G1 X10 F100\nM30\n");
         assert!(run.faults.iter().any(|fault| fault.what.en.contains("tool radius compensation")), "{:?}", run.faults);
     }
 }

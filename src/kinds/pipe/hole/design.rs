@@ -90,13 +90,13 @@ pub struct Design {
     pub material: String,
     /// The number in the program's header.
     pub program: u32,
-    /// The dialect: the control, and how it is written for.
+    /// The control that the programs are written for.
     pub post: Post,
     /// M codes that turn the torch on.
     pub torch_on: Vec<Word>,
     /// M codes that turn it off.
     pub torch_off: Vec<Word>,
-    /// M codes that hold the torch height control; empty for those of the dialect.
+    /// M codes that hold the torch height control; empty for those of the control.
     pub hold_on: Vec<Word>,
     /// M codes that let it go.
     pub hold_off: Vec<Word>,

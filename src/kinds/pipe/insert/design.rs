@@ -85,7 +85,7 @@ pub struct Design {
     pub material: String,
     /// The number in the program's header.
     pub program: u32,
-    /// The dialect: the control, and how it is written for.
+    /// The control that the programs are written for.
     pub post: Post,
     /// `annex`: a part of a program, as published; `full`: a complete program with kerf.
     pub style: Style,
