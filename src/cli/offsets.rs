@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::args::Offsets;
 use super::locale::spoken;
-use super::offsets_view::{self, View, Way};
+use super::offsets_view::{self, Transfer, View};
 use super::rules::*;
 use super::terminal::Terminal;
 use super::verdict::{Verdict, gravest};
@@ -71,8 +71,8 @@ fn work(
 ) -> Result<(), Refusal> {
     // A link that leads nowhere is something, too: it is neither read nor written through.
     let there = |path: &Path| fs::symlink_metadata(path).is_ok();
-    let way = arguments.workbook.as_deref().map(|path| if there(path) { Way::In } else { Way::Out });
-    let changes = !edits.is_empty() || arguments.active.is_some() || way == Some(Way::In);
+    let transfer = arguments.workbook.as_deref().map(|path| if there(path) { Transfer::In } else { Transfer::Out });
+    let changes = !edits.is_empty() || arguments.active.is_some() || transfer == Some(Transfer::In);
     let mut file = VarFile::default();
     if !changes || there(&arguments.file) {
         let bytes = workbook::open_as(Input::VarFile, &arguments.file)?;
@@ -81,7 +81,7 @@ fn work(
     } else {
         file.complete();
     }
-    if let (Some(path), Some(Way::In)) = (&arguments.workbook, way) {
+    if let (Some(path), Some(Transfer::In)) = (&arguments.workbook, transfer) {
         let read = reading::verdict(path, |verdict| {
             let bytes = workbook::open(path)?;
             verdict.sha256 = Some(store::sha256(&bytes));
@@ -93,7 +93,7 @@ fn work(
             Ok(())
         });
         verdict.exit = gravest(verdict.exit, read.exit);
-        view.sheet = Some((Way::In, read));
+        view.sheet = Some((Transfer::In, read));
         if verdict.exit != Exit::Done {
             return Ok(());
         }
@@ -105,7 +105,7 @@ fn work(
         file.set(ACTIVE, f64::from(system.number())).map_err(unfit)?;
     }
     judge(&file, unit, view, verdict);
-    write(arguments, &file, unit, changes, way, view, verdict)?;
+    write(arguments, &file, unit, changes, transfer, view, verdict)?;
     view.file = Some(file);
     Ok(())
 }
@@ -134,14 +134,15 @@ fn write(
     file: &VarFile,
     unit: LengthUnit,
     changes: bool,
-    way: Option<Way>,
+    transfer: Option<Transfer>,
     view: &mut View,
     verdict: &mut Verdict,
 ) -> Result<(), Refusal> {
     let path = arguments.file.as_path();
     let name = path.file_name().unwrap_or_default();
-    let out = arguments.workbook.as_deref().filter(|_| way == Some(Way::Out));
-    let inputs: Vec<&Path> = arguments.workbook.as_deref().filter(|_| way == Some(Way::In)).into_iter().collect();
+    let out = arguments.workbook.as_deref().filter(|_| transfer == Some(Transfer::Out));
+    let inputs: Vec<&Path> =
+        arguments.workbook.as_deref().filter(|_| transfer == Some(Transfer::In)).into_iter().collect();
     let folder_of = |path: &Path| Folder::open(path.parent().unwrap_or(Path::new("")));
     let language = spoken(arguments.lang, None);
     let origin = printable(&name.to_string_lossy());
@@ -171,7 +172,7 @@ fn write(
         verdict.findings.push(ControlRunning {}.at(Place::File));
     }
     if let Some(out) = out {
-        view.sheet = Some((Way::Out, Verdict::new(out.to_owned())));
+        view.sheet = Some((Transfer::Out, Verdict::new(out.to_owned())));
     }
     Ok(())
 }

@@ -19,7 +19,7 @@ use crate::text::{Language, Text, t};
 
 /// What became of the workbook that was named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum Transfer {
     /// It was read into the file.
     In,
     /// It was written from the file.
@@ -36,7 +36,7 @@ pub(super) struct View {
     /// The blocks that set the same offsets.
     pub(super) preamble: Vec<String>,
     /// The workbook that was named, and which way it went.
-    pub(super) sheet: Option<(Way, Verdict)>,
+    pub(super) sheet: Option<(Transfer, Verdict)>,
 }
 
 /// The rows besides the systems, with their first parameter.
@@ -64,14 +64,14 @@ pub(super) fn show(verdict: &Verdict, view: &View, language: Language, terminal:
         finding::notes(findings, name, language, terminal);
     }
     terminal.out(&show::files(verdict));
-    let way = view.sheet.as_ref().map(|(way, _)| *way);
+    let transfer = view.sheet.as_ref().map(|(transfer, _)| *transfer);
     let workbook = workbook.unwrap_or_default();
-    let end = match (verdict.exit, way) {
-        (Exit::Done, Some(Way::In)) => Text::new(
+    let end = match (verdict.exit, transfer) {
+        (Exit::Done, Some(Transfer::In)) => Text::new(
             format!("{workbook} se ha leído y se ha escrito en {name}"),
             format!("{workbook} was read and written into {name}"),
         ),
-        (Exit::Done, Some(Way::Out)) => Text::new(
+        (Exit::Done, Some(Transfer::Out)) => Text::new(
             format!("{workbook} se ha escrito desde {name} y está listo para editar"),
             format!("{workbook} was written from {name} and is ready to edit"),
         ),
@@ -194,11 +194,11 @@ pub(super) fn document(verdict: &Verdict, view: &View) -> String {
         offsets: view.file.as_ref().map(|file| held(file, view.unit)),
         preamble: &view.preamble,
         findings: &verdict.findings,
-        workbook: view.sheet.as_ref().map(|(way, sheet)| Sheet {
+        workbook: view.sheet.as_ref().map(|(transfer, sheet)| Sheet {
             workbook: sheet.workbook.to_string_lossy().into_owned(),
-            way: match way {
-                Way::In => "read",
-                Way::Out => "written",
+            way: match transfer {
+                Transfer::In => "read",
+                Transfer::Out => "written",
             },
             sha256: sheet.sha256.as_deref(),
             findings: &sheet.findings,

@@ -159,7 +159,7 @@ mod tests {
     const NONE: Text = t("", "");
 
     choices! {
-        enum Way {
+        enum Side {
             In = "in" ("dentro", "inside"),
             Out = "out" ("fuera", "outside"),
         }
@@ -168,7 +168,7 @@ mod tests {
     static R: Field<f64, Required> = Field::real("R", "R", Unit::Millimetre, [1.0, 9.0], NONE, NONE);
     static EPS: Field<f64, Usual> = Field::real_or(0.5, "eps", "eps", Unit::Millimetre, [0.1, 1.0], NONE, NONE);
     static BORE: Field<f64, Optional> = Field::real("bore", "bore", Unit::Millimetre, [1.0, 9.0], NONE, NONE);
-    static WAY: Field<Way, Required> = Field::choice("way", "way", NONE, NONE);
+    static SIDE: Field<Side, Required> = Field::choice("way", "way", NONE, NONE);
     static PART: Field<String, Required> = Field::line("part", "part", 9, NONE, NONE);
     static SLOT: Field<u32, WithSheet> = Field::whole("slots/N", "slots_N", Unit::Count, [1, 9], NONE, NONE);
     static X: Field<f64, Required> = Field::real("list/X", "", Unit::Millimetre, [0.0, 9.0], NONE, NONE);
@@ -193,7 +193,7 @@ mod tests {
                 optional: false,
                 sections: &[Section {
                     title: NONE,
-                    parameters: &[&R.row, &EPS.row, &BORE.row, &WAY.row],
+                    parameters: &[&R.row, &EPS.row, &BORE.row, &SIDE.row],
                     optional: false,
                 }],
             },
@@ -232,10 +232,10 @@ mod tests {
     fn a_field_gives_its_type_and_an_empty_cell_what_its_presence_says() {
         let fields = fields();
         assert_eq!((fields.get(&R), fields.get(&EPS), fields.get(&BORE)), (2.0, 0.5, None));
-        assert_eq!((fields.get(&WAY), fields.get(&SLOT)), (Way::Out, None));
+        assert_eq!((fields.get(&SIDE), fields.get(&SLOT)), (Side::Out, None));
         assert_eq!(fields.rows("list").map(|row| row.get(&X)).collect::<Vec<_>>(), [3.0]);
         assert_eq!(
-            [WAY.row.required, EPS.row.required, BORE.row.required, SLOT.row.required],
+            [SIDE.row.required, EPS.row.required, BORE.row.required, SLOT.row.required],
             [true, false, false, true]
         );
     }
@@ -246,10 +246,10 @@ mod tests {
             let refusal = Fields::of(&FORM, values(given)).expect_err("no fields");
             refusal.findings.into_iter().map(|one| (one.rule().code, one.place)).collect()
         };
-        assert_eq!(told(&[]), [("P0001", at([R.key()])), ("P0001", at([WAY.key()]))]);
+        assert_eq!(told(&[]), [("P0001", at([R.key()])), ("P0001", at([SIDE.key()]))]);
         assert_eq!(
             told(&[("R", Value::Whole(2)), ("eps", Value::Real(f64::NAN)), ("way", Value::Choice("up"))]),
-            [("P0002", at([R.key()])), ("P0002", at([EPS.key()])), ("P0002", at([WAY.key()]))]
+            [("P0002", at([R.key()])), ("P0002", at([EPS.key()])), ("P0002", at([SIDE.key()]))]
         );
     }
 

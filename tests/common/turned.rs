@@ -1,7 +1,7 @@
 //! Contours and moves in short, and a lathe that keeps the metal as a height over Z.
 
 use rodete::gcode::turning::profile::{Element, Profile};
-use rodete::gcode::turning::{Move, Way};
+use rodete::gcode::turning::{Move, MoveKind};
 use rodete::number::trig;
 
 /// A count from a number that is one.
@@ -31,14 +31,14 @@ pub fn profile(start: [f64; 2], elements: impl IntoIterator<Item = Element>) -> 
 
 /// A move by a letter (r, f, a, t or d) and its end.
 pub fn bare(m: &Move) -> (char, [f64; 2]) {
-    let way = match m.way {
-        Way::Rapid => 'r',
-        Way::Feed(_) => 'f',
-        Way::Arc { .. } => 'a',
-        Way::Thread(_) => 't',
-        Way::Dwell(_) => 'd',
+    let letter = match m.kind {
+        MoveKind::Rapid => 'r',
+        MoveKind::Feed(_) => 'f',
+        MoveKind::Arc { .. } => 'a',
+        MoveKind::Thread(_) => 't',
+        MoveKind::Dwell(_) => 'd',
     };
-    (way, m.to)
+    (letter, m.to)
 }
 
 /// Fails where moves are not those expected, by letter and end to a billionth of a millimetre.
@@ -53,7 +53,7 @@ pub fn assert_moves(moves: &[Move], expected: &[(char, [f64; 2])]) {
 
 /// Points along a move, its ends included, close enough that a chord leaves an arc by less than 1e-4 mm.
 pub fn points(from: [f64; 2], m: &Move) -> Vec<[f64; 2]> {
-    let Way::Arc { centre, clockwise, .. } = m.way else { return vec![from, m.to] };
+    let MoveKind::Arc { centre, clockwise, .. } = m.kind else { return vec![from, m.to] };
     let angle = |p: [f64; 2]| trig::atan2(p[0] - centre[0], p[1] - centre[1]);
     let radius = trig::hypot(from[0] - centre[0], from[1] - centre[1]);
     let sign = if clockwise { -1.0 } else { 1.0 };

@@ -9,7 +9,7 @@ mod threads;
 use lathe::{Metal, assert_moves, bare, points};
 use proptest::prelude::*;
 use rodete::finding::Exit;
-use rodete::gcode::turning::Way;
+use rodete::gcode::turning::MoveKind;
 use rodete::gcode::turning::fagor::Along::{self, Cylinder, Face};
 use rodete::gcode::turning::fagor::drill::{Drill, drill};
 use rodete::gcode::turning::fagor::groove::{Groove, groove};
@@ -60,7 +60,7 @@ fn g85_of_the_publication_leaves_a_quarter_torus() {
     let mut at = [27.5, 0.0];
     let mut turned = 0.0;
     for m in &moves {
-        if let Way::Arc { centre, clockwise, .. } = m.way {
+        if let MoveKind::Arc { centre, clockwise, .. } = m.kind {
             assert_eq!((centre, clockwise), ([25.0, 0.0], false));
             let angle = |p: [f64; 2]| atan2(p[0] - 25.0, p[1]);
             turned += (angle(m.to) - angle(at)).rem_euclid(std::f64::consts::TAU);
@@ -74,7 +74,7 @@ fn g85_of_the_publication_leaves_a_quarter_torus() {
     let swap = |p: [f64; 2]| [p[1], p[0]];
     for m in &moves {
         let way: Vec<[f64; 2]> = points(at, m).into_iter().map(swap).collect();
-        if m.way == Way::Rapid {
+        if m.kind == MoveKind::Rapid {
             assert!(metal.hit(swap(at), swap(m.to)) < 1e-4, "{m:?}");
         } else {
             assert!(metal.cut(&way) < 1.0 + 1e-4, "{m:?}");
@@ -99,7 +99,7 @@ fn g84_follows_the_arc_about_the_centre_from_the_initial_point() {
         ..TORUS
     };
     let moves = section([45.0, 20.0], Cylinder, &ball).unwrap();
-    let ends: Vec<[f64; 2]> = moves.iter().filter(|m| matches!(m.way, Way::Feed(_))).map(|m| m.to).collect();
+    let ends: Vec<[f64; 2]> = moves.iter().filter(|m| matches!(m.kind, MoveKind::Feed(_))).map(|m| m.to).collect();
     // 45 mm in 23 steps; the first three lie above the final point and end over it.
     assert_eq!(ends.len(), 23);
     for (n, [x, z]) in (1..).zip(&ends) {
@@ -186,7 +186,7 @@ fn g82_with_stock_and_both_last_passes_runs_as_drawn() {
         ],
     );
     let feeds: Vec<Option<f64>> =
-        moves.iter().filter_map(|m| if let Way::Feed(feed) = m.way { Some(feed) } else { None }).collect();
+        moves.iter().filter_map(|m| if let MoveKind::Feed(feed) = m.kind { Some(feed) } else { None }).collect();
     assert_eq!(feeds[..5], [None; 5]);
     assert_eq!(feeds[5..], [Some(0.2), Some(0.2), Some(0.1), Some(0.1)]);
     // H alone, or F0, leave their passes out.
@@ -365,10 +365,10 @@ proptest! {
         let finish = parameters.finishing.unwrap_or(0.0) > 0.0;
         let mut at = start;
         for m in &moves {
-            if m.way == Way::Rapid {
+            if m.kind == MoveKind::Rapid {
                 prop_assert!(metal.hit(at, m.to) < 1e-4, "rapid through metal to {:?}", m);
             } else {
-                let last = matches!(m.way, Way::Feed(Some(_)) | Way::Arc { feed: Some(_), .. });
+                let last = matches!(m.kind, MoveKind::Feed(Some(_)) | MoveKind::Arc { feed: Some(_), .. });
                 let deepest = metal.cut(&points(at, m));
                 // Without following the profile the corners between the passes are left to the finishing pass.
                 prop_assert!(last || deepest < parameters.step + 1e-3, "{} deep in {:?}", deepest, m);
@@ -413,8 +413,8 @@ proptest! {
             for (a, b) in plain.iter().zip(&moves) {
                 let to = place(a.to);
                 prop_assert!((to[0] - b.to[0]).abs() < 1e-6 && (to[1] - b.to[1]).abs() < 1e-6, "{:?} {:?}", a, b);
-                let turns = |way: Way| if let Way::Arc { clockwise, .. } = way { Some(clockwise) } else { None };
-                prop_assert_eq!(turns(a.way).map(|clockwise| !clockwise), turns(b.way));
+                let turns = |kind: MoveKind| if let MoveKind::Arc { clockwise, .. } = kind { Some(clockwise) } else { None };
+                prop_assert_eq!(turns(a.kind).map(|clockwise| !clockwise), turns(b.kind));
             }
             Ok(())
         };

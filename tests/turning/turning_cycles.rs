@@ -15,7 +15,7 @@ use rodete::gcode::turning::finish::finish;
 use rodete::gcode::turning::pattern_repeating::{Repeat, repeat};
 use rodete::gcode::turning::rough::{Rough, axial, radial};
 use rodete::gcode::turning::trouble::Trouble;
-use rodete::gcode::turning::{Move, Way};
+use rodete::gcode::turning::{Move, MoveKind};
 
 const ROUGH: Rough = Rough { depth: 8.0, retract: 1.0, U: 0.5, W: 0.1, feed: Some(0.3), both_axes: None };
 
@@ -55,7 +55,10 @@ fn g71_type_i_runs_as_drawn() {
             ('r', [30.0, 2.0]),
         ],
     );
-    assert!(moves.iter().all(|m| !matches!(m.way, Way::Feed(feed) if feed != Some(0.3))), "F of the cycle throughout");
+    assert!(
+        moves.iter().all(|m| !matches!(m.kind, MoveKind::Feed(feed) if feed != Some(0.3))),
+        "F of the cycle throughout"
+    );
     let lines: Vec<usize> = moves.iter().filter_map(|m| m.line).collect();
     assert_eq!(lines, [1, 2, 3, 4], "the pass along the contour names its blocks");
 }
@@ -172,12 +175,14 @@ fn arcs_of_the_contour_end_the_passes_where_the_circle_is() {
         profile([25.0, 0.0], [rapid([10.0, 0.0]), arc([20.0, -10.0], [10.0, -10.0], false), line([25.0, -10.0])]);
     let rough = Rough { depth: 3.0, retract: 1.0, U: 0.0, W: 0.0, feed: None, both_axes: None };
     let moves = axial(&contour, &rough).unwrap();
-    let at = |x: f64| moves.iter().find(|m| matches!(m.way, Way::Feed(_)) && (m.to[0] - x).abs() < 1e-9).unwrap().to[1];
+    let at = |x: f64| {
+        moves.iter().find(|m| matches!(m.kind, MoveKind::Feed(_)) && (m.to[0] - x).abs() < 1e-9).unwrap().to[1]
+    };
     assert!((at(16.0) + 2.0).abs() < 1e-12);
     assert!((at(13.0) + 10.0 - 91.0_f64.sqrt()).abs() < 1e-12);
-    let round: Vec<&Move> = moves.iter().filter(|m| matches!(m.way, Way::Arc { .. })).collect();
+    let round: Vec<&Move> = moves.iter().filter(|m| matches!(m.kind, MoveKind::Arc { .. })).collect();
     assert_eq!(round.len(), 1);
-    assert_eq!(round[0].way, Way::Arc { centre: [10.0, -10.0], clockwise: false, feed: None });
+    assert_eq!(round[0].kind, MoveKind::Arc { centre: [10.0, -10.0], clockwise: false, feed: None });
 }
 
 #[test]
@@ -270,5 +275,5 @@ fn g70_runs_along_the_contour_and_returns() {
         &moves,
         &[('r', [10.0, 2.0]), ('f', [10.0, -20.0]), ('f', [20.0, -30.0]), ('f', [30.0, -30.0]), ('r', [30.0, 2.0])],
     );
-    assert!(moves[1..4].iter().all(|m| m.way == Way::Feed(None)), "at the feed in force at each block");
+    assert!(moves[1..4].iter().all(|m| m.kind == MoveKind::Feed(None)), "at the feed in force at each block");
 }

@@ -23,7 +23,7 @@ use crate::gcode::motion::Feed;
 use crate::gcode::turning::edge::{Broken, Edge, Square, broken};
 use crate::gcode::turning::rules::{CornerBeforeNoMotion, CornerBeforeOtherMotion, CornerTwice, CornerWithoutLine};
 use crate::gcode::turning::trouble::Trouble;
-use crate::gcode::turning::{Move, Way};
+use crate::gcode::turning::{Move, MoveKind};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
 use crate::text::Text;
@@ -163,7 +163,7 @@ impl Reader<'_, '_> {
                 }
             }
         }
-        let way = Move { way: Way::Feed(None), to: point(&to), line: None };
+        let way = Move { kind: MoveKind::Feed(None), to: point(&to), line: None };
         let Some(word) = self.block.edge else { return self.make_way(&way, Some(feed)) };
         self.memory.corner = Some(Corner {
             word,
@@ -183,11 +183,11 @@ impl Reader<'_, '_> {
         let mut block = Block::at(corner.spot);
         let mut state = State { modal: corner.modal, frame: self.state.frame, at: corner.from };
         let mut reader = Reader { memory: &mut *self.memory, block: &mut block, state: &mut state };
-        let straight = |to| Move { way: Way::Feed(None), to, line: None };
+        let straight = |to| Move { kind: MoveKind::Feed(None), to, line: None };
         let end = broken.map_or(whole, |broken| broken.from);
         let edge = broken.map(|Broken { to, arc, .. }| match arc {
             None => straight(to),
-            Some((centre, clockwise)) => Move { way: Way::Arc { centre, clockwise, feed: None }, to, line: None },
+            Some((centre, clockwise)) => Move { kind: MoveKind::Arc { centre, clockwise, feed: None }, to, line: None },
         });
         let line_before = (end != point(&corner.from)).then(|| straight(end));
         for way in line_before.into_iter().chain(edge) {

@@ -8,7 +8,7 @@ use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::refused::Result;
 use crate::gcode::motion::{Arc, Feed, MotionKind, Plane};
-use crate::gcode::turning::{Move, Way};
+use crate::gcode::turning::{Move, MoveKind};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::trig;
 
@@ -92,7 +92,7 @@ impl<'a> Reader<'_, 'a> {
 
     /// The feed of the moves that do not say their own: it need not be given where there are none.
     pub(super) fn feed_of(&mut self, moves: &[Move]) -> Result<Feed> {
-        if moves.iter().any(|one| matches!(one.way, Way::Feed(None) | Way::Arc { feed: None, .. })) {
+        if moves.iter().any(|one| matches!(one.kind, MoveKind::Feed(None) | MoveKind::Arc { feed: None, .. })) {
             return self.feed();
         }
         Ok(Feed { mode: self.state.modal.feed_mode, value: self.state.modal.feed })
@@ -198,14 +198,14 @@ impl<'a> Reader<'_, 'a> {
         let mut to = self.state.at;
         to.set(Axis::X, next.to[0]);
         to.set(Axis::Z, next.to[1]);
-        match next.way {
-            Way::Rapid => self.emit(MotionKind::Rapid, to, None),
-            Way::Feed(own) => {
+        match next.kind {
+            MoveKind::Rapid => self.emit(MotionKind::Rapid, to, None),
+            MoveKind::Feed(own) => {
                 let feed = self.feed_of_move(feed, own)?;
                 let seconds = self.straight_seconds(&to, feed);
                 self.emit(MotionKind::Feed(feed), to, seconds);
             }
-            Way::Arc { centre, clockwise, feed: own } => {
+            MoveKind::Arc { centre, clockwise, feed: own } => {
                 let feed = self.feed_of_move(feed, own)?;
                 let arc = self.arc_to(&to, centre, clockwise);
                 let seconds = if self.by_revolution(feed) {
@@ -215,12 +215,12 @@ impl<'a> Reader<'_, 'a> {
                 };
                 self.emit(MotionKind::Arc(arc, feed), to, seconds);
             }
-            Way::Thread(thread) => {
+            MoveKind::Thread(thread) => {
                 self.remark_standing_spindle();
                 let seconds = self.thread_seconds(&to, &thread);
                 self.emit(MotionKind::Thread(thread), to, seconds);
             }
-            Way::Dwell(seconds) => self.emit(MotionKind::Dwell(seconds), self.state.at, Some(seconds)),
+            MoveKind::Dwell(seconds) => self.emit(MotionKind::Dwell(seconds), self.state.at, Some(seconds)),
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use crate::gcode::turning::profile::Profile;
 use crate::gcode::turning::rough::check;
 use crate::gcode::turning::rules::{ContourBeginsWithArc, ContourNotFound};
 use crate::gcode::turning::trouble::Trouble;
-use crate::gcode::turning::{Move, Way};
+use crate::gcode::turning::{Move, MoveKind};
 
 /// G70: once along the contour, at the feed that is in force at each of its blocks; then back to the start at rapid.
 ///
@@ -21,13 +21,13 @@ pub fn finish(profile: &Profile) -> Result<Vec<Move>, Box<Trouble>> {
     }
     let mut moves: Vec<Move> = Vec::with_capacity(profile.elements.len() + 1);
     for element in &profile.elements {
-        let way = match element.arc {
-            Some((centre, clockwise)) => Way::Arc { centre, clockwise, feed: None },
-            None if element.rapid => Way::Rapid,
-            None => Way::Feed(None),
+        let kind = match element.arc {
+            Some((centre, clockwise)) => MoveKind::Arc { centre, clockwise, feed: None },
+            None if element.rapid => MoveKind::Rapid,
+            None => MoveKind::Feed(None),
         };
-        moves.push(Move { way, to: element.to, line: Some(element.line) });
+        moves.push(Move { kind, to: element.to, line: Some(element.line) });
     }
-    moves.push(Move { way: Way::Rapid, to: profile.start, line: None });
+    moves.push(Move { kind: MoveKind::Rapid, to: profile.start, line: None });
     Ok(moves)
 }

@@ -31,7 +31,7 @@ use crate::gcode::motion::Thread;
 
 /// How a move goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Way {
+pub enum MoveKind {
     /// At rapid, straight or bent as the machine goes.
     Rapid,
     /// Straight at feed; with its own F (in the units of the feed mode in force, mm) or with the cycle's.
@@ -42,7 +42,7 @@ pub enum Way {
         centre: [f64; 2],
         /// G2.
         clockwise: bool,
-        /// Its own F, as for [`Way::Feed`].
+        /// Its own F, as for [`MoveKind::Feed`].
         feed: Option<f64>,
     },
     /// A pass of a thread, led by the spindle.
@@ -55,7 +55,7 @@ pub enum Way {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move {
     /// At rapid, at feed, as a thread, or standing still.
-    pub way: Way,
+    pub kind: MoveKind,
     /// Where to, `[X, Z]`, mm, X on the radius.
     pub to: [f64; 2],
     /// The line of the block of a contour that it follows; `None` for the moves of the cycle's own block.

@@ -23,7 +23,7 @@ use crate::gcode::turning::rules::{
 };
 use crate::gcode::turning::scan::EPS;
 use crate::gcode::turning::trouble::Trouble;
-use crate::gcode::turning::{Move, Way};
+use crate::gcode::turning::{Move, MoveKind};
 use crate::limits::THREAD_PASSES;
 use crate::number::trig;
 
@@ -133,12 +133,12 @@ pub fn thread(start: [f64; 2], threading: &Threading) -> Result<Vec<Move>, Box<T
     if length < EPS || chamfer + height * slope >= length {
         return Err(Trouble::of(&ThreadTooShort {}));
     }
-    let thread = Way::Thread(Thread { lead, change: 0.0, angle: 0.0 });
+    let thread = MoveKind::Thread(Thread { lead, change: 0.0, angle: 0.0 });
     let mut moves: Vec<Move> = Vec::with_capacity(depths.len() * 6 + 1);
     let mut at = start;
-    let mut go = |to: [f64; 2], way: Way| {
+    let mut go = |to: [f64; 2], kind: MoveKind| {
         if to != at {
-            moves.push(Move { way, to, line: None });
+            moves.push(Move { kind, to, line: None });
             at = to;
         }
     };
@@ -146,18 +146,18 @@ pub fn thread(start: [f64; 2], threading: &Threading) -> Result<Vec<Move>, Box<T
         let root = to[0] + outside * (height - depth);
         let on = |z: f64| root + taper * ((to[1] - z) / (to[1] - start[1]));
         let begin = start[1] + along * depth * slope;
-        go([start[0], begin], Way::Rapid);
-        go([on(begin), begin], Way::Rapid);
+        go([start[0], begin], MoveKind::Rapid);
+        go([on(begin), begin], MoveKind::Rapid);
         let turn = to[1] - along * chamfer;
         go([on(turn), turn], thread);
         if chamfer > 0.0 {
             let rise = chamfer.min((start[0] - on(turn)).abs());
             go([on(turn) + outside * rise, turn + along * rise], thread);
-            go([start[0], turn + along * rise], Way::Rapid);
+            go([start[0], turn + along * rise], MoveKind::Rapid);
         } else {
-            go([start[0], to[1]], Way::Rapid);
+            go([start[0], to[1]], MoveKind::Rapid);
         }
-        go(start, Way::Rapid);
+        go(start, MoveKind::Rapid);
     }
     Ok(moves)
 }

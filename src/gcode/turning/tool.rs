@@ -2,7 +2,7 @@
 
 use crate::gcode::turning::profile::Element;
 use crate::gcode::turning::scan::{Leg, PassFrame, same};
-use crate::gcode::turning::{Move, Way};
+use crate::gcode::turning::{Move, MoveKind};
 
 /// The tool of a cycle in its drawing: where it stands, and the moves that brought it there.
 pub(super) struct CycleMoves {
@@ -20,27 +20,27 @@ impl CycleMoves {
     }
 
     /// Goes somewhere, unless it is there.
-    fn go(&mut self, to: [f64; 2], way: Way, line: Option<usize>) {
+    fn go(&mut self, to: [f64; 2], kind: MoveKind, line: Option<usize>) {
         if !same(self.at, to) {
-            self.moves.push(Move { way, to: self.frame.outward(to), line });
+            self.moves.push(Move { kind, to: self.frame.outward(to), line });
             self.at = to;
         }
     }
 
     /// Goes to `[u, v]` at rapid.
     pub fn rapid(&mut self, to: [f64; 2]) {
-        self.go(to, Way::Rapid, None);
+        self.go(to, MoveKind::Rapid, None);
     }
 
     /// Goes straight to `[u, v]` at feed, with this F, or with the cycle's where there is none.
     pub fn feed(&mut self, to: [f64; 2], feed: Option<f64>) {
-        self.go(to, Way::Feed(feed), None);
+        self.go(to, MoveKind::Feed(feed), None);
     }
 
     /// Some seconds of standing still.
     pub fn wait(&mut self, seconds: f64) {
         if seconds > 0.0 {
-            self.moves.push(Move { way: Way::Dwell(seconds), to: self.frame.outward(self.at), line: None });
+            self.moves.push(Move { kind: MoveKind::Dwell(seconds), to: self.frame.outward(self.at), line: None });
         }
     }
 
@@ -48,25 +48,25 @@ impl CycleMoves {
     pub fn follow(&mut self, legs: &[Leg], lines: &[Element], feed: Option<f64>) {
         for leg in legs {
             let line = lines.get(leg.element).map(|element| element.line);
-            let way = match leg.round {
-                None => Way::Feed(feed),
-                Some(round) => Way::Arc {
+            let kind = match leg.round {
+                None => MoveKind::Feed(feed),
+                Some(round) => MoveKind::Arc {
                     centre: self.frame.outward(round.centre),
                     clockwise: round.counter == self.frame.mirrors(),
                     feed,
                 },
             };
-            self.go(leg.to, way, line);
+            self.go(leg.to, kind, line);
         }
     }
 
     /// An element of a contour, in program coordinates: at its own rapid, or at a feed.
     pub fn element(&mut self, element: &Element, feed: Option<f64>) {
-        let way = match element.arc {
-            Some((centre, clockwise)) => Way::Arc { centre, clockwise, feed },
-            None if element.rapid => Way::Rapid,
-            None => Way::Feed(feed),
+        let kind = match element.arc {
+            Some((centre, clockwise)) => MoveKind::Arc { centre, clockwise, feed },
+            None if element.rapid => MoveKind::Rapid,
+            None => MoveKind::Feed(feed),
         };
-        self.go(self.frame.inward(element.to), way, Some(element.line));
+        self.go(self.frame.inward(element.to), kind, Some(element.line));
     }
 }

@@ -7,7 +7,7 @@ use rodete::number::trig::sin_cos;
 use rodete::parameter::at;
 use rodete::parameter::field::Fields;
 
-use crate::form::{DEPTH, DRILL, FEED, FIRST, N, PITCH, SPEED, WAY, Way};
+use crate::form::{DEPTH, DRILL, FEED, FIRST, N, PITCH, SPEED, Sense, WAY};
 use crate::rules::{HolesMeet, TooDeep};
 
 /// How far above the face the drill moves from hole to hole, mm.
@@ -34,8 +34,8 @@ pub struct BoltCircle {
 impl BoltCircle {
     pub fn new(fields: &Fields) -> Result<Self, Vec<Finding>> {
         let turn = match fields.get(&WAY) {
-            Way::Left => 360.0,
-            Way::Right => -360.0,
+            Sense::Left => 360.0,
+            Sense::Right => -360.0,
         };
         let circle = Self {
             step: turn / f64::from(fields.get(&N)),

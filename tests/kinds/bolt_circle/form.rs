@@ -12,7 +12,7 @@ const NONE: Text = t("", "");
 
 rodete::choices! {
     /// Which way the holes follow one another, seen from above.
-    pub enum Way {
+    pub enum Sense {
         Left = "left" ("a izquierdas", "counter-clockwise"),
         Right = "right" ("a derechas", "clockwise"),
     }
@@ -30,7 +30,7 @@ pub static FIRST: Field<f64, Required> = Field::real(
     t("Ángulo del primero", "Angle of the first"),
     t("Desde X, hacia Y", "From X towards Y"),
 );
-pub static WAY: Field<Way, Required> = Field::choice("way", "way", t("Sentido", "Way round"), NONE);
+pub static WAY: Field<Sense, Required> = Field::choice("way", "way", t("Sentido", "Way round"), NONE);
 pub static DRILL: Field<f64, Required> =
     Field::real("d", "drill_d", MM, [0.5, 100.0], t("Diámetro de la broca", "Diameter of the drill"), NONE);
 pub static DEPTH: Field<f64, Required> = Field::real(
@@ -76,7 +76,7 @@ pub static CASES: [Case; 1] =
             N.is(6),
             PITCH.is(80.0),
             FIRST.is(30.0),
-            WAY.is(Way::Left),
+            WAY.is(Sense::Left),
             DRILL.is(8.0),
             DEPTH.is(12.0),
             FEED.is(120.0),

@@ -13,7 +13,7 @@ use rodete::parameter::{Case, Form};
 use serde_json::Value;
 
 use crate::every_kind::every_command;
-use crate::form::Way;
+use crate::form::Sense;
 
 /// Runs this binary in a folder.
 fn run(folder: &Path, words: &[&str]) -> Output {
@@ -149,5 +149,5 @@ fn contradictions() {
         let circle = crate::BoltCircle::new(&Fields::of(&crate::FORM, values).unwrap()).unwrap();
         circle.angle(1)
     };
-    assert_eq!((second(Way::Left), second(Way::Right)), (90.0, -30.0));
+    assert_eq!((second(Sense::Left), second(Sense::Right)), (90.0, -30.0));
 }

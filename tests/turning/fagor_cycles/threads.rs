@@ -4,7 +4,7 @@ use rodete::finding::Exit;
 use rodete::gcode::motion::Thread;
 use rodete::gcode::turning::fagor::Along::{Cylinder, Face};
 use rodete::gcode::turning::fagor::thread::{Threading, thread};
-use rodete::gcode::turning::{Move, Way};
+use rodete::gcode::turning::{Move, MoveKind};
 
 use super::assert_moves;
 
@@ -54,7 +54,7 @@ fn a_thread_runs_as_drawn() {
     let mut expected: Vec<(char, [f64; 2])> = [pass(0.6), pass(1.2), pass(1.2)].concat();
     expected.extend([('r', [22.0, 0.0]), ('r', [25.0, 10.0])]);
     assert_moves(&moves, &expected);
-    assert_eq!(moves[2].way, Way::Thread(Thread { lead: 2.0, change: 0.0, angle: 0.0 }));
+    assert_eq!(moves[2].kind, MoveKind::Thread(Thread { lead: 2.0, change: 0.0, angle: 0.0 }));
     // With J5 it leaves the thread over the last 5 mm.
     let moves = thread([25.0, 10.0], Cylinder, &Threading { exit: 5.0, ..two }).unwrap();
     assert_moves(&moves[2..4], &[('t', [19.4, -25.0]), ('t', [22.0, -30.0])]);
@@ -71,7 +71,7 @@ fn starts(moves: &[Move], start: [f64; 2]) -> Vec<[f64; 2]> {
     let mut at = start;
     let mut starts = Vec::new();
     for m in moves {
-        if matches!(m.way, Way::Thread(_)) {
+        if matches!(m.kind, MoveKind::Thread(_)) {
             starts.push(at);
         }
         at = m.to;
@@ -85,7 +85,8 @@ fn a_cone_keeps_its_depth_and_its_lead_is_along_the_cone_or_the_axis() {
     let cone = Threading { to: [23.0, -4.0], step: -1.2, depth: 0.3, angle: 0.0, ..M40 };
     let moves = thread([30.0, 5.0], Cylinder, &Threading { lead: 2.5, ..cone }).unwrap();
     assert_moves(&moves[..4], &[('r', [22.0, 0.0]), ('r', [19.7, 0.0]), ('t', [22.7, -4.0]), ('r', [25.0, -4.0])]);
-    let lead = |moves: &[Move]| moves.iter().find_map(|m| if let Way::Thread(t) = m.way { Some(t.lead) } else { None });
+    let lead =
+        |moves: &[Move]| moves.iter().find_map(|m| if let MoveKind::Thread(t) = m.kind { Some(t.lead) } else { None });
     assert!((lead(&moves).unwrap() - 2.0).abs() < 1e-12);
     let moves = thread([30.0, 5.0], Cylinder, &Threading { lead: -2.0, ..cone }).unwrap();
     assert_eq!(lead(&moves), Some(2.0));

@@ -47,18 +47,18 @@ fn setup(stands: Stands) -> Setup {
 
 /// A motion along Z or along X (a radius) at the other's place, from where nothing is hit to where it just touches.
 #[derive(Clone, Copy)]
-enum Way {
+enum Approach {
     /// At a radius, to a Z.
     Left(f64, f64),
     /// At a Z, to a radius.
     Inwards(f64, f64),
 }
 
-fn run(stands: Stands, way: Way, beyond: f64, feed: bool) -> Run {
+fn run(stands: Stands, way: Approach, beyond: f64, feed: bool) -> Run {
     let run = Run::on(setup(stands));
     let (before, [x, z]) = match way {
-        Way::Left(r, z) => (run.rapid(2.0 * r, 50.0), [2.0 * r, z - beyond]),
-        Way::Inwards(z, r) => (run.rapid(200.0, z), [2.0 * (r - beyond), z]),
+        Approach::Left(r, z) => (run.rapid(2.0 * r, 50.0), [2.0 * r, z - beyond]),
+        Approach::Inwards(z, r) => (run.rapid(200.0, z), [2.0 * (r - beyond), z]),
     };
     before.silent();
     if feed { before.cut(x, z) } else { before.rapid(x, z) }
@@ -68,20 +68,20 @@ fn run(stands: Stands, way: Way, beyond: f64, feed: bool) -> Run {
 fn every_pair_of_what_moves_and_what_stands_is_told_from_its_neighbour() {
     let edges = [
         // The left of the cutter, at its corner's rounding 0.2 above the edge, comes to Z−100 with the tool at Z−98.5.
-        (111, Stands::Chuck(35.0), Way::Left(30.0, -98.5), [60.4, -101.0]),
-        (112, Stands::Jaws(35.0), Way::Left(30.0, -98.5), [60.4, -101.0]),
+        (111, Stands::Chuck(35.0), Approach::Left(30.0, -98.5), [60.4, -101.0]),
+        (112, Stands::Jaws(35.0), Approach::Left(30.0, -98.5), [60.4, -101.0]),
         // Onto the quill, with the flat of the edge between the roundings.
-        (113, Stands::Tailstock, Way::Inwards(100.0, 30.0), [58.0, 100.0]),
+        (113, Stands::Tailstock, Approach::Inwards(100.0, 30.0), [58.0, 100.0]),
         // The shank stands out 12.5 to the left; over 30 it begins at 56, and what it hits ends at 60.
-        (114, Stands::Chuck(60.0), Way::Left(30.0, -87.5), [116.0, -101.0]),
-        (115, Stands::Jaws(60.0), Way::Left(30.0, -87.5), [116.0, -101.0]),
+        (114, Stands::Chuck(60.0), Approach::Left(30.0, -87.5), [116.0, -101.0]),
+        (115, Stands::Jaws(60.0), Approach::Left(30.0, -87.5), [116.0, -101.0]),
         // With the cutter beyond the quill's end at 197, the shank over it from 187.5.
-        (116, Stands::Tailstock, Way::Inwards(200.0, 4.0), [58.0, 192.25]),
+        (116, Stands::Tailstock, Approach::Inwards(200.0, 4.0), [58.0, 192.25]),
         // The turret stands out 30, and over 40 it begins at 105, where chuck and jaws go on to 125.
-        (117, Stands::Chuck(125.0), Way::Left(40.0, -70.0), [230.0, -101.0]),
-        (118, Stands::Jaws(125.0), Way::Left(40.0, -70.0), [230.0, -101.0]),
+        (117, Stands::Chuck(125.0), Approach::Left(40.0, -70.0), [230.0, -101.0]),
+        (118, Stands::Jaws(125.0), Approach::Left(40.0, -70.0), [230.0, -101.0]),
         // Cutter and shank beyond the quill's end, and below the axis; the turret over it from 185.
-        (119, Stands::Tailstock, Way::Inwards(215.0, -35.0), [58.0, 191.0]),
+        (119, Stands::Tailstock, Approach::Inwards(215.0, -35.0), [58.0, 191.0]),
     ];
     for (number, stands, way, place) in edges {
         for feed in [false, true] {

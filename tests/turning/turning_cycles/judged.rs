@@ -1,6 +1,6 @@
 //! G71 against LinuxCNC's own roughing cycle, where both mean the same: where the passes of a level begin and end.
 
-use rodete::gcode::turning::Way;
+use rodete::gcode::turning::MoveKind;
 use rodete::gcode::turning::rough::{Rough, axial};
 
 use super::lathe::{arc, line, profile, rapid};
@@ -69,7 +69,7 @@ fn linuxcnc_begins_and_ends_its_passes_where_g71_of_type_ii_does() {
     let mut ours = Vec::new();
     let mut at = contour.start;
     for m in axial(&contour, &rough).unwrap() {
-        if matches!(m.way, Way::Feed(_)) && (m.to[0] - at[0]).abs() < 1e-9 {
+        if matches!(m.kind, MoveKind::Feed(_)) && (m.to[0] - at[0]).abs() < 1e-9 {
             ours.extend(level(at[0]).map(|level| (level, at[1], m.to[1])));
         }
         at = m.to;

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use rodete::gcode::turning::profile::{Element, Profile};
 use rodete::gcode::turning::rough::{Rough, axial, radial};
-use rodete::gcode::turning::{Move, Way};
+use rodete::gcode::turning::{Move, MoveKind};
 
 use super::lathe::{Metal, arc, count, line, points, profile, rapid};
 
@@ -66,11 +66,11 @@ fn heights(contour: &Profile, by: [f64; 2], metal: &Metal) -> Vec<f64> {
     let mut heights = vec![f64::NEG_INFINITY; metal.height.len()];
     let mut at = contour.elements[0].to;
     for element in &contour.elements[1..] {
-        let way = match element.arc {
-            None => Way::Feed(None),
-            Some((centre, clockwise)) => Way::Arc { centre, clockwise, feed: None },
+        let kind = match element.arc {
+            None => MoveKind::Feed(None),
+            Some((centre, clockwise)) => MoveKind::Arc { centre, clockwise, feed: None },
         };
-        let points = points(at, &Move { way, to: element.to, line: None });
+        let points = points(at, &Move { kind, to: element.to, line: None });
         for pair in points.windows(2) {
             let [a, b] = [pair[0], pair[1]].map(|p| [p[0] + by[0], p[1] + by[1]]);
             for (index, height) in heights.iter_mut().enumerate() {
@@ -96,7 +96,7 @@ fn turned(contour: &Profile, rough: &Rough) -> Result<(), TestCaseError> {
     let mut at = contour.start;
     for m in &moves {
         let way = points(at, m);
-        if m.way == Way::Rapid {
+        if m.kind == MoveKind::Rapid {
             prop_assert!(metal.hit(at, m.to) < 1e-6, "rapid through metal from {at:?} to {m:?}");
         } else {
             let deepest = metal.cut(&way);
@@ -143,8 +143,8 @@ fn same_moves(
     for (a, b) in plain.iter().zip(&other) {
         let close = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).abs() < 1e-5 && (p[1] - q[1]).abs() < 1e-5;
         prop_assert!(close(place(a.to), b.to), "{:?} {:?}", a, b);
-        match (a.way, b.way) {
-            (Way::Arc { centre, clockwise, feed }, Way::Arc { centre: c, clockwise: d, feed: f }) => {
+        match (a.kind, b.kind) {
+            (MoveKind::Arc { centre, clockwise, feed }, MoveKind::Arc { centre: c, clockwise: d, feed: f }) => {
                 prop_assert!(close(place(centre), c));
                 prop_assert_eq!((clockwise ^ flips, feed), (d, f));
             }
@@ -174,7 +174,7 @@ proptest! {
         let mut at = contour.start;
         let mut passes = 0;
         for m in &moves {
-            passes += usize::from(matches!(m.way, Way::Feed(_)) && m.line.is_none() && m.to[0] == at[0]);
+            passes += usize::from(matches!(m.kind, MoveKind::Feed(_)) && m.line.is_none() && m.to[0] == at[0]);
             at = m.to;
         }
         // One for each level at which the contour leaves a way of 0.001 mm, the last level as deep as the contour.
@@ -184,8 +184,8 @@ proptest! {
         let mut corner = contour.elements[0].to;
         let mut lowest = vec![0.0_f64; levels];
         for element in &contour.elements[1..] {
-            let way = element.arc.map_or(Way::Feed(None), |(centre, clockwise)| Way::Arc { centre, clockwise, feed: None });
-            for pair in points(corner, &Move { way, to: element.to, line: None }).windows(2) {
+            let kind = element.arc.map_or(MoveKind::Feed(None), |(centre, clockwise)| MoveKind::Arc { centre, clockwise, feed: None });
+            for pair in points(corner, &Move { kind, to: element.to, line: None }).windows(2) {
                 let [a, b] = [pair[0], pair[1]];
                 for (n, lowest) in (1..).zip(&mut lowest) {
                     let level = level(n) + 1e-9;

@@ -2,7 +2,7 @@
 
 use rodete::finding::{AlarmFamily, Exit};
 use rodete::gcode::motion::Thread;
-use rodete::gcode::turning::Way;
+use rodete::gcode::turning::MoveKind;
 use rodete::gcode::turning::thread_cycle::{Threading, thread};
 
 use super::assert_moves;
@@ -62,7 +62,7 @@ fn a_thread_runs_as_drawn_with_its_pull_out() {
             ('r', [16.0, 5.0]),
         ],
     );
-    assert_eq!(moves[2].way, Way::Thread(Thread { lead: 2.0, change: 0.0, angle: 0.0 }));
+    assert_eq!(moves[2].kind, MoveKind::Thread(Thread { lead: 2.0, change: 0.0, angle: 0.0 }));
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn linuxcnc_cuts_the_same_depths_and_begins_at_the_same_places() {
     let mut ours = Vec::new();
     let mut at = [16.0, 5.0];
     for m in thread([16.0, 5.0], &M30).unwrap() {
-        if matches!(m.way, Way::Thread(_)) {
+        if matches!(m.kind, MoveKind::Thread(_)) {
             ours.push(at);
         }
         at = m.to;

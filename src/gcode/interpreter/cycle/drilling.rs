@@ -21,7 +21,7 @@ use crate::gcode::interpreter::setting::HolePlane;
 use crate::gcode::turning::rules::{
     HoleDwellNegative, HolePlaneBelowBottom, HolePlaneNotSaid, PeckNotPositive, PeckWithoutDepth, TooManyLathePecks,
 };
-use crate::gcode::turning::{Move, Way};
+use crate::gcode::turning::{Move, MoveKind};
 use crate::limits::PECKS;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
@@ -87,27 +87,27 @@ impl Reader<'_, '_> {
         let x = to.get(Axis::X);
         let mut at = [self.state.at.get(Axis::X), self.state.at.get(Axis::Z)];
         let mut moves = Vec::new();
-        let mut go = |way: Way, to: [f64; 2]| {
+        let mut go = |kind: MoveKind, to: [f64; 2]| {
             if to != at {
-                moves.push(Move { way, to, line: None });
+                moves.push(Move { kind, to, line: None });
             }
             at = to;
         };
-        go(Way::Rapid, [x, self.state.at.get(Axis::Z)]);
-        go(Way::Rapid, [x, r]);
+        go(MoveKind::Rapid, [x, self.state.at.get(Axis::Z)]);
+        go(MoveKind::Rapid, [x, r]);
         let mut depth = r - q;
         while pecks && depth > bottom + NO_PECK {
-            go(Way::Feed(None), [x, depth]);
-            go(Way::Rapid, [x, r]);
-            go(Way::Rapid, [x, (depth + PECK_CLEARANCE).min(r)]);
+            go(MoveKind::Feed(None), [x, depth]);
+            go(MoveKind::Rapid, [x, r]);
+            go(MoveKind::Rapid, [x, (depth + PECK_CLEARANCE).min(r)]);
             depth -= q;
         }
-        go(Way::Feed(None), [x, bottom]);
+        go(MoveKind::Feed(None), [x, bottom]);
         if p > 0.0 && cycle != Cycle::Drill {
-            moves.push(Move { way: Way::Dwell(p), to: [x, bottom], line: None });
+            moves.push(Move { kind: MoveKind::Dwell(p), to: [x, bottom], line: None });
         }
         if bottom < r {
-            moves.push(Move { way: Way::Rapid, to: [x, r], line: None });
+            moves.push(Move { kind: MoveKind::Rapid, to: [x, r], line: None });
         }
         self.make_moves(moves, feed);
         Ok(())

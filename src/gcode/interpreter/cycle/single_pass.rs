@@ -23,7 +23,7 @@ use crate::gcode::turning::rules::{
     BareG90, LeadChangeMissing, LeadMissing, LeadRunsOut, LeadZero, PassBeginsBeyondStart, PassEndMissing,
     SpeedLimitWithPass, StartAngle, StartAngleForgotten,
 };
-use crate::gcode::turning::{Move, Way};
+use crate::gcode::turning::{Move, MoveKind};
 use crate::machine::axis::Axis;
 use crate::text::t;
 
@@ -169,9 +169,13 @@ impl Reader<'_, '_> {
                 Some((last, _)) => self.remark_far_deeper(start[0], [last[0], end[0]], thread.lead),
                 None => self.see_first_pass(),
             }
-            (Way::Thread(thread), Way::Rapid, Feed { mode: self.state.modal.feed_mode, value: self.state.modal.feed })
+            (
+                MoveKind::Thread(thread),
+                MoveKind::Rapid,
+                Feed { mode: self.state.modal.feed_mode, value: self.state.modal.feed },
+            )
         } else {
-            (Way::Feed(None), Way::Feed(None), self.feed()?)
+            (MoveKind::Feed(None), MoveKind::Feed(None), self.feed()?)
         };
         let mut points = if pass == SinglePassCycle::Radial {
             [[start[0], end[1] + taper], end, [end[0], start[1]], start]
@@ -187,9 +191,9 @@ impl Reader<'_, '_> {
         self.state.modal.pass = Some((end, taper));
         let mut moves = Vec::with_capacity(4);
         let mut from = start;
-        for (way, to) in [Way::Rapid, cut, out, Way::Rapid].into_iter().zip(points) {
+        for (kind, to) in [MoveKind::Rapid, cut, out, MoveKind::Rapid].into_iter().zip(points) {
             if to != from {
-                moves.push(Move { way, to, line: None });
+                moves.push(Move { kind, to, line: None });
             }
             from = to;
         }

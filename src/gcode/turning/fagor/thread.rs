@@ -26,7 +26,7 @@ use crate::gcode::turning::rules::{
 };
 use crate::gcode::turning::scan::EPS;
 use crate::gcode::turning::trouble::Trouble;
-use crate::gcode::turning::{Move, Way};
+use crate::gcode::turning::{Move, MoveKind};
 use crate::limits::THREAD_PASSES;
 use crate::number::trig;
 
@@ -128,31 +128,31 @@ pub fn thread(start: [f64; 2], along: Along, threading: &Threading) -> Result<Ve
     let incline = trig::hypot(1.0, rise);
     // The lead along the axis that moves more.
     let along_u = if lead > 0.0 { lead / incline } else { -lead };
-    let way = Way::Thread(Thread { lead: along_u * rise.abs().max(1.0), change: 0.0, angle: 0.0 });
+    let thread = MoveKind::Thread(Thread { lead: along_u * rise.abs().max(1.0), change: 0.0, angle: 0.0 });
     let safety = safety.abs();
     let crest = |u: f64| B[1] + rise * (u - B[0]);
     let mut moves = Vec::with_capacity(depths.len() * 5 + 2);
     let mut at = S;
-    let mut go = |to: [f64; 2], way: Way| {
+    let mut go = |to: [f64; 2], kind: MoveKind| {
         if to != at {
-            moves.push(Move { way, to: frame.outward(to), line: None });
+            moves.push(Move { kind, to: frame.outward(to), line: None });
             at = to;
         }
     };
     for (n, p) in depths.iter().enumerate() {
         let aside = if angle < 0.0 && n % 2 == 1 { 2.0 * full - p } else { *p };
         let begin = A[0] - aside * slope;
-        go([begin, crest(begin) + safety], Way::Rapid);
-        go([begin, crest(begin) - p], Way::Rapid);
+        go([begin, crest(begin) + safety], MoveKind::Rapid);
+        go([begin, crest(begin) - p], MoveKind::Rapid);
         let turn = B[0] + exit;
-        go([turn, crest(turn) - p], way);
+        go([turn, crest(turn) - p], thread);
         if exit > 0.0 {
-            go([B[0], B[1] + safety], way);
+            go([B[0], B[1] + safety], thread);
         } else {
-            go([B[0], B[1] + safety], Way::Rapid);
+            go([B[0], B[1] + safety], MoveKind::Rapid);
         }
     }
-    go([A[0], A[1] + safety], Way::Rapid);
-    go(S, Way::Rapid);
+    go([A[0], A[1] + safety], MoveKind::Rapid);
+    go(S, MoveKind::Rapid);
     Ok(moves)
 }

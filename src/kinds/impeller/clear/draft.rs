@@ -114,8 +114,8 @@ struct Lanes {
     from: f64,
 }
 
-/// A way that passes are placed on.
-struct Way<F> {
+/// A curve that passes are placed on.
+struct PassCurve<F> {
     stand: F,
     /// Where its pieces end, from the hub to the rim.
     breaks: Vec<f64>,
@@ -123,7 +123,7 @@ struct Way<F> {
     inside: [f64; 2],
     /// How high above its tip the tool cuts, mm.
     height: f64,
-    /// v, radians, of a place along the way.
+    /// v, radians, of a place along it.
     to_v: fn(f64) -> f64,
 }
 
@@ -238,11 +238,11 @@ impl Draft<'_> {
     }
 
     /// Runs what is clear of a way; true where a piece of it begins at the rim and ends inside.
-    fn run(&mut self, wanted: &Wanted, way: &Way<impl Fn(f64) -> Stand>, kept: &[[f64; 2]], by: By) -> bool {
+    fn run(&mut self, wanted: &Wanted, way: &PassCurve<impl Fn(f64) -> Stand>, kept: &[[f64; 2]], by: By) -> bool {
         if self.full() {
             return false;
         }
-        let Way { stand: way, breaks, inside, height, to_v } = way;
+        let PassCurve { stand: way, breaks, inside, height, to_v } = way;
         let (inside, height) = (*inside, *height);
         let (Some(&begin), Some(&end)) = (breaks.first(), breaks.last()) else { return false };
         let tolerance = self.tolerance(wanted.tool, height);
@@ -335,7 +335,7 @@ impl Draft<'_> {
         let machine = self.job.machine;
         let way = |q: f64| lane.stand(machine, q, contacts.psi(lambda, q));
         let height = self.height(wanted.tool, lane.r_f - lane.torus.r);
-        let way = Way { stand: way, breaks, inside: [wanted.from.max(0.0), 1.0], height, to_v: v_at };
+        let way = PassCurve { stand: way, breaks, inside: [wanted.from.max(0.0), 1.0], height, to_v: v_at };
         self.run(wanted, &way, kept, By::Splitter)
     }
 
@@ -534,7 +534,7 @@ impl Draft<'_> {
         let mut breaks = vec![begin];
         breaks.extend([HUB, RIM - FADES[0], RIM - FADES[1], RIM].into_iter().filter(|&v| v > from));
         breaks.push(way.v[1]);
-        let way = Way {
+        let way = PassCurve {
             stand: |v| way.stand(machine, v, turn),
             breaks,
             inside: [from.max(HUB), RIM],

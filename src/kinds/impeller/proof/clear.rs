@@ -50,7 +50,7 @@ const CLOSE: f64 = 0.0005;
 
 /// A pass as it is run.
 #[derive(Clone, Debug)]
-struct Way {
+struct RunPass {
     stands: Vec<Stand>,
     positions: Vec<Position>,
     at: Vec<At>,
@@ -71,7 +71,7 @@ pub struct ClearCutting<'a> {
     channel: Option<Milli>,
     begun: bool,
     made: usize,
-    ways: Vec<Way>,
+    passes: Vec<RunPass>,
 }
 
 impl<'a> ClearCutting<'a> {
@@ -81,7 +81,18 @@ impl<'a> ClearCutting<'a> {
         let due = plan.of(which).count() * plan.channels as usize;
         let splitter = plan.told.splitter_from;
         let stick_out = plan.told.tool(which).stick_out;
-        Self { design, asked, which, splitter, stick_out, due, channel: None, begun: false, made: 0, ways: Vec::new() }
+        Self {
+            design,
+            asked,
+            which,
+            splitter,
+            stick_out,
+            due,
+            channel: None,
+            begun: false,
+            made: 0,
+            passes: Vec::new(),
+        }
     }
 
     fn limit(&self) -> f64 {
@@ -112,8 +123,8 @@ impl<'a> ClearCutting<'a> {
         let mut least: Option<(Bounds, At)> = None;
         let (mut work, mut deciding) = (WORK, WORK);
         // The last passes come nearest: of all before them it is then enough to know that they are not nearer still.
-        for way in self.ways.iter().rev() {
-            let mut clearance = |until| searched(walls, &way.stands, until, &mut work);
+        for pass in self.passes.iter().rev() {
+            let mut clearance = |until| searched(walls, &pass.stands, until, &mut work);
             let seen = least.map_or(f64::INFINITY, |(bounds, _)| bounds.upper);
             // What is clear by more than was seen need not be known closer.
             let enough = seen.max(self.asked.cut.s / 2.0);
@@ -127,7 +138,7 @@ impl<'a> ClearCutting<'a> {
             // Where the work has ended before, on which side of the limit they are takes far less.
             if self.straddles(bounds) {
                 let limit = Until::Decided(self.turned() - self.limit());
-                bounds = both(bounds, searched(walls, &way.stands, limit, &mut deciding));
+                bounds = both(bounds, searched(walls, &pass.stands, limit, &mut deciding));
             }
             let place = match bounds.place {
                 Some(place) => motion(place.along),
@@ -136,7 +147,7 @@ impl<'a> ClearCutting<'a> {
                 // The work has ended before anything was seen: what is not known is not left out.
                 None => 0,
             };
-            lower(&mut least, bounds, way.place(place));
+            lower(&mut least, bounds, pass.place(place));
         }
         self.widened(least)
     }
@@ -157,15 +168,15 @@ impl<'a> ClearCutting<'a> {
         let walls = Walls::new(middle, design.machine, 0.0, self.turns(offset), from);
         let radius = design.mill(self.which).d / 2.0;
         let (mut least, mut work) = (None, WORK);
-        for way in &self.ways {
-            let bounds = searched(&walls, &way.stands, Until::Decided(half), &mut work);
+        for pass in &self.passes {
+            let bounds = searched(&walls, &pass.stands, Until::Decided(half), &mut work);
             // A tool beside a face that it may enter by the limit keeps its axis farther off.
             if bounds.lower >= half {
                 continue;
             }
             let deep = |distance: f64| distance - half - radius;
             let found = Bounds { lower: deep(bounds.lower), upper: deep(bounds.upper), ..bounds };
-            lower(&mut least, found, way.place(bounds.place.map_or(0, |place| motion(place.along))));
+            lower(&mut least, found, pass.place(bounds.place.map_or(0, |place| motion(place.along))));
         }
         self.widened(least)
     }
@@ -175,8 +186,8 @@ impl<'a> ClearCutting<'a> {
         let half = PI / f64::from(self.design.N);
         let nose = Nose::new(self.design, v_s, self.design.mill(self.which).d / 2.0);
         let mut least: Option<(Bounds, At)> = None;
-        for way in &self.ways {
-            let sweep = Sweep::through(0_usize, self.design.machine, &way.positions, nose.reach());
+        for pass in &self.passes {
+            let sweep = Sweep::through(0_usize, self.design.machine, &pass.positions, nose.reach());
             let along = (sweep.stretches.as_slice(), &*nose.ways(&sweep.stretches));
             for turn in self.turns(half) {
                 let seen = least.map_or(f64::INFINITY, |(bounds, _)| bounds.upper);
@@ -188,7 +199,7 @@ impl<'a> ClearCutting<'a> {
                 };
                 if let Some(bounds) = bounds {
                     let at = bounds.place.map_or(0, |place| motion(place.along));
-                    lower(&mut least, bounds, way.place(at));
+                    lower(&mut least, bounds, pass.place(at));
                 }
             }
         }
@@ -213,8 +224,8 @@ impl<'a> ClearCutting<'a> {
     fn to_floor(&self) -> Option<Deepest<usize>> {
         let mill = self.asked.cut.tool(self.which);
         let through =
-            |(number, way): (usize, &Way)| Sweep::through(number, self.design.machine, &way.positions, mill.r_c);
-        let sweeps: Vec<Sweep<usize>> = self.ways.iter().enumerate().map(through).collect();
+            |(number, pass): (usize, &RunPass)| Sweep::through(number, self.design.machine, &pass.positions, mill.r_c);
+        let sweeps: Vec<Sweep<usize>> = self.passes.iter().enumerate().map(through).collect();
         within(self.design.torus, self.design.a_p, mill, &sweeps, self.limit())
     }
 
@@ -231,8 +242,8 @@ impl<'a> ClearCutting<'a> {
 
 /// The clearance along a way, with so much work at most. Where that is not enough, little comes of the other ways: they get
 /// less of it, so that what cannot be proved does not take minutes.
-fn searched(walls: &Walls, way: &[Stand], until: Until, work: &mut usize) -> Bounds {
-    let bounds = walls.clearance(way, until, *work);
+fn searched(walls: &Walls, pass: &[Stand], until: Until, work: &mut usize) -> Bounds {
+    let bounds = walls.clearance(pass, until, *work);
     if bounds.work >= *work {
         *work = LESS;
     }
@@ -245,7 +256,7 @@ fn both(one: Bounds, other: Bounds) -> Bounds {
     if other.upper < one.upper { Bounds { lower, ..other } } else { Bounds { lower, ..one } }
 }
 
-impl Way {
+impl RunPass {
     /// Where motion `motion` of the way is, the last one for any beyond it; line 0 for a way without motions.
     fn place(&self, motion: usize) -> At {
         self.at.get(motion.min(self.at.len().saturating_sub(1))).copied().unwrap_or(At::line(0))
@@ -350,14 +361,14 @@ impl ClearCutting<'_> {
     /// How far it goes below the floor.
     fn floor_check(&self, program: &Program, found: &Deepest<usize>) -> Check {
         let (most, limit) = (found.most, self.limit());
-        let first = self.ways.first().and_then(|way| way.at.first()).copied();
+        let first = self.passes.first().and_then(|pass| pass.at.first()).copied();
         // A stretch counts its positions from the one after the first.
-        let at = self.ways.get(found.track).map(|way| way.place(motion((found.x + 1.0).max(0.0)))).or(first);
+        let at = self.passes.get(found.track).map(|pass| pass.place(motion((found.x + 1.0).max(0.0)))).or(first);
         let name = t("Fondo: lo que más baja de a_p", "Floor: the deepest below a_p");
         let asked = Question::new("floor", name, program)
             .showing(Text::same(format!("≤ {}", mm(up(most)))), Text::same(mm(limit)))
             .at(at)
-            .seen(self.ways.len())
+            .seen(self.passes.len())
             .measuring(most)
             .against(Limit::AtMost(limit));
         asked.holds(most <= limit, |place| {
@@ -373,7 +384,7 @@ impl ClearCutting<'_> {
         asked
             .showing(bounded(bounds.lower, bounds.upper), Text::same(format!("≥ {sign}{}", mm(least.abs()))))
             .at(Some(at))
-            .seen(self.ways.len())
+            .seen(self.passes.len())
             .measuring(bounds.lower)
             .against(Limit::AtLeast(least))
     }
@@ -424,14 +435,18 @@ impl Judge for ClearCutting<'_> {
         };
         if !self.begun {
             let from = own(&motion.from);
-            self.ways.push(Way { stands: vec![Stand::from(&from)], positions: vec![position(&from)], at: Vec::new() });
+            self.passes.push(RunPass {
+                stands: vec![Stand::from(&from)],
+                positions: vec![position(&from)],
+                at: Vec::new(),
+            });
             self.begun = true;
         }
-        if let Some(way) = self.ways.last_mut() {
+        if let Some(pass) = self.passes.last_mut() {
             let to = own(&motion.to);
-            way.stands.push(Stand::from(&to));
-            way.positions.push(position(&to));
-            way.at.push(At::motion(motion));
+            pass.stands.push(Stand::from(&to));
+            pass.positions.push(position(&to));
+            pass.at.push(At::motion(motion));
         }
     }
 
@@ -443,8 +458,8 @@ impl Judge for ClearCutting<'_> {
         checks.extend(blades.map(|found| self.faces_check(program, found)));
         checks.extend(splitters.map(|found| self.splitters_check(program, found)));
         checks.extend(floor.map(|found| self.floor_check(program, &found)));
-        let ways = self.ways.iter().map(|way| way.stands.as_slice());
-        checks.extend(holder::check((self.design, self.asked, self.which), self.stick_out, ways, program));
+        let passes = self.passes.iter().map(|pass| pass.stands.as_slice());
+        checks.extend(holder::check((self.design, self.asked, self.which), self.stick_out, passes, program));
         checks
     }
 }

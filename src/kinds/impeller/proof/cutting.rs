@@ -10,7 +10,7 @@ use crate::kinds::impeller::figures::Curve;
 use crate::kinds::impeller::ideal::Ideal;
 use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::proof::Geometry;
-use crate::kinds::impeller::proof::flanks::{self, Clearances, Neighbours, Way};
+use crate::kinds::impeller::proof::flanks::{self, Clearances, Neighbours, PassMotions};
 use crate::kinds::impeller::proof::floor::rim;
 use crate::kinds::impeller::proof::refinement::needed;
 use crate::kinds::impeller::proof::rules::{
@@ -30,7 +30,7 @@ use crate::text::{Text, t};
 struct Measured {
     along: Along,
     /// The first pass so far, and then its clearances.
-    way: Way,
+    motions: PassMotions,
     clearances: Clearances,
     /// The first pass has ended.
     done: bool,
@@ -41,8 +41,8 @@ impl Measured {
     /// The first pass has ended.
     fn finish(&mut self, neighbours: &Neighbours) {
         if !self.done {
-            let way = std::mem::take(&mut self.way);
-            self.clearances = neighbours.along(&way, self.along.track());
+            let motions = std::mem::take(&mut self.motions);
+            self.clearances = neighbours.along(&motions, self.along.track());
             self.done = true;
         }
     }
@@ -74,8 +74,8 @@ impl Known {
         // A clear cut runs along none of them.
         let tracks = Track::ALL.into_iter().filter(|_| design.clear.is_none()).filter_map(|track| {
             let along = Along::new(Ideal::new(design, splitter, track)?, design.n, limits(design));
-            let (way, clearances) = (Way::default(), Clearances::default());
-            Some(Measured { along, way, clearances, done: false, turn: None })
+            let (motions, clearances) = (PassMotions::default(), Clearances::default());
+            Some(Measured { along, motions, clearances, done: false, turn: None })
         });
         let tracks = KnownTracks { neighbours: Neighbours::new(design, splitter), tracks: tracks.collect(), wants };
         Self { tracks, clear_moves: Vec::new(), finish_moves: Vec::new() }
@@ -125,7 +125,7 @@ impl Judge for Cutting<'_, '_> {
         let motion = &step.motion;
         let (at, block) = (At::motion(motion), (motion.line, motion.n));
         let passed = if let [Some(from), Some(to)] = points { Some([from, to]) } else { None };
-        measured.way.go([&motion.from, &motion.to], turn, at, passed);
+        measured.motions.go([&motion.from, &motion.to], turn, at, passed);
         match points {
             [Some(from), Some(to)] => {
                 measured.along.block(design.machine, [&motion.from, &motion.to], [from, to], turn, block);

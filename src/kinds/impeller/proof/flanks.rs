@@ -59,13 +59,13 @@ pub struct Clearances {
 
 /// The motions of a pass, from the safe point before it to that after it.
 #[derive(Clone, Debug, Default)]
-pub struct Way {
+pub struct PassMotions {
     stands: Vec<Stand>,
     /// Where each motion is, and the point indices from which and to which it runs.
     motions: Vec<(At, Option<[usize; 2]>)>,
 }
 
-impl Way {
+impl PassMotions {
     /// The next motion, its C turned back by `turn`.
     pub fn go(&mut self, [from, to]: [&Pose; 2], turn: Milli, at: At, points: Option<[usize; 2]>) {
         let own = |pose: &Pose| {
@@ -134,7 +134,7 @@ impl Neighbours {
 
     /// The clearances of a pass along `track` to all other blades and splitters, over every motion of the way.
     #[must_use]
-    pub fn along(&self, way: &Way, track: Track) -> Clearances {
+    pub fn along(&self, way: &PassMotions, track: Track) -> Clearances {
         let to = |walls: &Walls| {
             let bounds = walls.clearance(&way.stands, Until::Within(CLOSE), WORK);
             let place = match bounds.place {

@@ -43,17 +43,17 @@ pub struct Clear<'a> {
     known: &'a mut Vec<Known>,
     safe: Option<(Bounds, At)>,
     /// The moves that differ, each where it is met first.
-    moves: Vec<(Way, At)>,
+    moves: Vec<(RoundedMove, At)>,
 }
 
 /// A move without C, on a grid far finer than that of programs, and its ends.
 #[derive(Clone, Copy, Debug)]
-struct Way {
+struct RoundedMove {
     key: [f64; 8],
     ends: [Stand; 2],
 }
 
-impl Way {
+impl RoundedMove {
     fn new(from: &Pose, to: &Pose) -> Self {
         let mut key = [0.0; 8];
         let axes = [Axis::X, Axis::Y, Axis::Z, Axis::B];
@@ -77,18 +77,18 @@ impl<'a> Clear<'a> {
     }
 
     /// What is known already of the distance along a move.
-    fn known(&self, way: &Way) -> Option<Bounds> {
-        self.known.iter().find(|(known, _)| *known == way.key).map(|(_, bounds)| *bounds)
+    fn known(&self, rounded: &RoundedMove) -> Option<Bounds> {
+        self.known.iter().find(|(known, _)| *known == rounded.key).map(|(_, bounds)| *bounds)
     }
 
-    fn distance(&mut self, way: &Way) -> Bounds {
-        if let Some(bounds) = self.known(way) {
+    fn distance(&mut self, rounded: &RoundedMove) -> Bounds {
+        if let Some(bounds) = self.known(rounded) {
             return bounds;
         }
-        let [from, to] = &way.ends;
+        let [from, to] = &rounded.ends;
         let found = self.outside.along(from, to, WORK);
         let bounds = Bounds { lower: found.lower - self.nearer(ALIKE), ..found };
-        self.known.push((way.key, bounds));
+        self.known.push((rounded.key, bounds));
         bounds
     }
 
@@ -96,16 +96,17 @@ impl<'a> Clear<'a> {
     /// of most others it is soon known that they are farther.
     fn nearest(&mut self) -> Option<(Bounds, At)> {
         let moves = std::mem::take(&mut self.moves);
-        let glance = |(way, _): &(Way, At)| self.outside.along(&way.ends[0], &way.ends[1], GLANCE).upper;
+        let glance =
+            |(rounded, _): &(RoundedMove, At)| self.outside.along(&rounded.ends[0], &rounded.ends[1], GLANCE).upper;
         let mut order: Vec<(f64, usize)> = moves.iter().map(glance).zip(0..).collect();
         order.sort_by(|one, other| one.0.total_cmp(&other.0));
         let (mut least, mut found) = (f64::INFINITY, vec![None; moves.len()]);
         for (_, at) in order {
-            let (way, _) = &moves[at];
-            let [from, to] = &way.ends;
-            let known = self.known(way).is_some() || least == f64::INFINITY;
+            let (rounded, _) = &moves[at];
+            let [from, to] = &rounded.ends;
+            let known = self.known(rounded).is_some() || least == f64::INFINITY;
             if known || !self.outside.is_farther(from, to, least, WORK) {
-                let bounds = self.distance(way);
+                let bounds = self.distance(rounded);
                 least = least.min(bounds.lower);
                 found[at] = Some(bounds);
             }
@@ -146,9 +147,9 @@ impl Judge for Clear<'_> {
     fn see(&mut self, step: &Step<'_>) {
         let (motion, at) = (&step.motion, At::motion(&step.motion));
         if clear(step) {
-            let way = Way::new(&motion.from, &motion.to);
-            if !self.moves.iter().any(|(known, _)| known.key == way.key) {
-                self.moves.push((way, at));
+            let rounded = RoundedMove::new(&motion.from, &motion.to);
+            if !self.moves.iter().any(|(known, _)| known.key == rounded.key) {
+                self.moves.push((rounded, at));
             }
         } else if let Some(cut) = TrackStep::of(step) {
             let safe = match cut.points {
@@ -156,7 +157,7 @@ impl Judge for Clear<'_> {
                 [None, None] => &motion.to,
                 _ => return,
             };
-            let distance = self.distance(&Way::new(safe, safe));
+            let distance = self.distance(&RoundedMove::new(safe, safe));
             lower(&mut self.safe, distance, at);
         }
     }

@@ -150,7 +150,8 @@ fn near(value: f64, before: f64) -> f64 {
     value + ((before - value) / TAU).round() * TAU
 }
 
-struct Way<'d> {
+/// The path of the torch on its grid, put together leg by leg.
+struct TorchPath<'d> {
     design: &'d Design,
     groove: Groove,
     at: TorchAxes,
@@ -204,7 +205,7 @@ pub fn off(pose: &TorchPose, station: &Station, beside: f64) -> f64 {
 /// Pieces of the curve before they are halved.
 const PIECES: u32 = 32;
 
-impl Way<'_> {
+impl TorchPath<'_> {
     fn follow(&mut self, from: &Station, to: &Station, depth: u32) -> Result<(), NoWay> {
         let next = machine_axes(to, self.groove.beside, Some(&self.at));
         let middle = self.groove.at(f64::midpoint(from.alpha, to.alpha));
@@ -281,14 +282,14 @@ pub fn cut(design: &Design) -> Result<Cut, NoWay> {
     let first = at(0.0)?;
     let [pierce, onto] = lead_in(&groove, &first, design.lead_in);
     let held = first.rule != Rule::Wanted;
-    let mut way = Way { design, groove, at: pierce, place: on_grid(&pierce)?, legs: Vec::new() };
+    let mut path = TorchPath { design, groove, at: pierce, place: on_grid(&pierce)?, legs: Vec::new() };
     if design.lead_in > 0.0 {
-        way.go(&onto, held, design.lead_in, Follows::WayIn)?;
+        path.go(&onto, held, design.lead_in, Follows::WayIn)?;
     }
     let mut before = first;
     for j in 1..=PIECES {
         let next = at(TAU * f64::from(j) / f64::from(PIECES))?;
-        way.follow(&before, &next, 0)?;
+        path.follow(&before, &next, 0)?;
         before = next;
     }
     // Over the beginning once more.
@@ -303,7 +304,7 @@ pub fn cut(design: &Design) -> Result<Cut, NoWay> {
         left -= length;
     }
     if alpha > TAU {
-        way.follow(&before, &at(alpha)?, 0)?;
+        path.follow(&before, &at(alpha)?, 0)?;
     }
-    Ok(Cut { pierce: on_grid(&pierce)?, pierce_held: held, legs: way.legs })
+    Ok(Cut { pierce: on_grid(&pierce)?, pierce_held: held, legs: path.legs })
 }

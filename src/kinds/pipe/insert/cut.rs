@@ -101,8 +101,8 @@ pub fn pieces(outline: &Outline, N: u32) -> Vec<Vec<f64>> {
     pieces
 }
 
-/// The way on its grid, put together leg by leg.
-struct Way {
+/// The path of the torch on its grid, put together leg by leg.
+struct GridPath {
     at: Vector2<f64>,
     legs: Vec<Leg>,
 }
@@ -115,7 +115,7 @@ fn point([x, y]: [Milli; 2]) -> Vector2<f64> {
     Vector2::new(x.value(), y.value())
 }
 
-impl Way {
+impl GridPath {
     fn go(&mut self, to: [Milli; 2], bend: Option<Bend>, follows: Follows) {
         if point(to) != self.at {
             self.legs.push(Leg { to, bend, follows });
@@ -168,34 +168,34 @@ fn flat(design: &Design) -> Result<Cut, OutOfFormat> {
     let outline = design.outline();
     let first = outline.torch(0.0, Side::After);
     let pierce = on_grid(first - outline.along(0.0, Side::After) * design.lead_in)?;
-    let mut way = Way { at: point(pierce), legs: Vec::new() };
-    way.straight(first, Follows::WayIn)?;
+    let mut path = GridPath { at: point(pierce), legs: Vec::new() };
+    path.straight(first, Follows::WayIn)?;
     let corners = outline.corners();
     for (at, piece) in pieces(&outline, design.N).iter().enumerate() {
         let last = piece.len() - 1;
         let torch = |i: usize| outline.torch(piece[i], if i == last { Side::Before } else { Side::After });
         if at > 0 && outline.beside > 0.0 && corners.contains(&piece[0]) {
             let to = on_grid(torch(0))?;
-            let chord = (point(to) - way.at).norm();
+            let chord = (point(to) - path.at).norm();
             let radius = Milli::round(outline.beside.max(chord / 2.0))?;
             let radius = if radius.value() < chord / 2.0 { radius + Milli::new(1) } else { radius };
-            way.go(to, Some(Bend { clockwise: true, radius }), Follows::Corner(piece[0]));
+            path.go(to, Some(Bend { clockwise: true, radius }), Follows::Corner(piece[0]));
         }
         let mut i = 0;
         while i < last {
             if i + 2 <= last {
                 let angles = [piece[i], piece[i + 1], piece[i + 2]];
-                way.arc(torch(i + 1), torch(i + 2), angles, design.arc_tolerance)?;
+                path.arc(torch(i + 1), torch(i + 2), angles, design.arc_tolerance)?;
                 i += 2;
             } else {
-                way.straight(torch(i + 1), Follows::Curve([piece[i], piece[i + 1]]))?;
+                path.straight(torch(i + 1), Follows::Curve([piece[i], piece[i + 1]]))?;
                 i += 1;
             }
         }
     }
-    let beyond = way.at + outline.along(TAU, Side::Before) * design.overcut;
-    way.straight(beyond, Follows::Beyond)?;
-    Ok(Cut { pierce, legs: way.legs })
+    let beyond = path.at + outline.along(TAU, Side::Before) * design.overcut;
+    path.straight(beyond, Follows::Beyond)?;
+    Ok(Cut { pierce, legs: path.legs })
 }
 
 /// Of the bow of a curve that bends one way its quarter points see so much at least.
@@ -228,7 +228,7 @@ const DEEPEST: u32 = 24;
 struct Round<'d> {
     design: &'d Design,
     outline: Outline,
-    way: Way,
+    path: GridPath,
 }
 
 impl Round<'_> {
@@ -257,7 +257,7 @@ impl Round<'_> {
             self.follow(middle, to, [Side::After, sides[1]], depth + 1)
         } else {
             let place = self.place(end);
-            self.way.straight(place, Follows::Curve([from, to]))
+            self.path.straight(place, Follows::Curve([from, to]))
         }
     }
 
@@ -273,7 +273,7 @@ impl Round<'_> {
             let (sin, cos) = sin_cos(turn * f64::from(step) / f64::from(steps));
             let across = Vector2::new(before.x * cos - before.y * sin, before.x * sin + before.y * cos);
             let place = self.place(self.outline.curve(phi) + across * beside);
-            self.way.straight(place, Follows::Corner(phi))?;
+            self.path.straight(place, Follows::Corner(phi))?;
         }
         Ok(())
     }
@@ -282,11 +282,11 @@ impl Round<'_> {
 fn rotary(design: &Design) -> Result<Cut, OutOfFormat> {
     let outline = design.outline();
     let first = outline.torch(0.0, Side::After);
-    let mut round = Round { design, outline, way: Way { at: first, legs: Vec::new() } };
+    let mut round = Round { design, outline, path: GridPath { at: first, legs: Vec::new() } };
     let pierce = on_grid(round.place(first + outline.across(0.0, Side::After) * design.lead_in))?;
-    round.way.at = point(pierce);
+    round.path.at = point(pierce);
     let place = round.place(first);
-    round.way.straight(place, Follows::WayIn)?;
+    round.path.straight(place, Follows::WayIn)?;
     let corners = outline.corners();
     for (at, piece) in pieces(&outline, 4).iter().enumerate() {
         if at > 0 && outline.beside > 0.0 && corners.contains(&piece[0]) {
@@ -325,5 +325,5 @@ fn rotary(design: &Design) -> Result<Cut, OutOfFormat> {
         }
         round.follow(from, phi, [Side::After, Side::Before], 0)?;
     }
-    Ok(Cut { pierce, legs: round.way.legs })
+    Ok(Cut { pierce, legs: round.path.legs })
 }

@@ -8,7 +8,7 @@ use crate::kinds::pipe::insert::cut::{Follows, cut};
 use crate::kinds::pipe::insert::design::Design;
 use crate::kinds::pipe::insert::outline::Outline;
 use crate::kinds::pipe::insert::parameters::MOST_N;
-use crate::kinds::pipe::insert::proof::{Curve, Moves, PathOnCurve, Way, limits};
+use crate::kinds::pipe::insert::proof::{Curve, Moves, PathOnCurve, SurfacePath, limits};
 use crate::number::root::golden;
 use crate::number::trig::{asin, atan2};
 use crate::proof::check::At;
@@ -36,7 +36,7 @@ fn keeps(design: &Design) -> bool {
     };
     let moves = Moves::new(design, cut.as_ref());
     let mut from = Vector2::from(moves.pierce);
-    let ways: Vec<(Way, Follows)> = moves
+    let ways: Vec<(SurfacePath, Follows)> = moves
         .moves
         .iter()
         .map(|one| {
@@ -47,7 +47,7 @@ fn keeps(design: &Design) -> bool {
         })
         .collect();
     let (outline, [tolerance, _]) = (design.outline(), limits(design));
-    let near = |(way, follows): &(Way, Follows)| match follows {
+    let near = |(way, follows): &(SurfacePath, Follows)| match follows {
         Follows::Curve(leg) => SAMPLES.iter().all(|part| looked_at(&outline, way, *leg, *part) <= tolerance),
         _ => true,
     };
@@ -61,7 +61,7 @@ fn keeps(design: &Design) -> bool {
 }
 
 /// How far a place of a way is from the torch's path between two angles.
-fn looked_at(outline: &Outline, way: &Way, [from, to]: [f64; 2], part: f64) -> f64 {
+fn looked_at(outline: &Outline, way: &SurfacePath, [from, to]: [f64; 2], part: f64) -> f64 {
     let (point, around, wide) = (way.at(part), from + (to - from) * part, (to - from) / 2.0);
     let side = if part < 0.5 { Side::After } else { Side::Before };
     let span = [around - wide, around + wide].map(|phi| phi.clamp(from.min(to), from.max(to)));
@@ -69,13 +69,13 @@ fn looked_at(outline: &Outline, way: &Way, [from, to]: [f64; 2], part: f64) -> f
 }
 
 /// The way of a move: straight, or an arc of less than half a circle.
-fn way(from: Vector2<f64>, to: Vector2<f64>, run: Run) -> Way {
-    let Run::Arc { clockwise, radius } = run else { return Way::Straight([from, to]) };
+fn way(from: Vector2<f64>, to: Vector2<f64>, run: Run) -> SurfacePath {
+    let Run::Arc { clockwise, radius } = run else { return SurfacePath::Straight([from, to]) };
     let (chord, sign) = (to - from, if clockwise { -1.0 } else { 1.0 });
     let half = chord.norm() / 2.0;
     let aside = Vector2::new(-chord.y, chord.x) / (2.0 * half) * sign;
     let centre = from + chord / 2.0 + aside * (radius * radius - half * half).max(0.0).sqrt();
     let start = from - centre;
     let sweep = 2.0 * asin((half / radius).min(1.0)) * sign;
-    Way::Arc { centre, angle: atan2(start.y, start.x), sweep, radii: [radius; 2] }
+    SurfacePath::Arc { centre, angle: atan2(start.y, start.x), sweep, radii: [radius; 2] }
 }

@@ -164,7 +164,7 @@ impl Surface<'_> {
     }
 
     /// The way of a motion over the surface that is cut.
-    fn way(&self, motion: &Motion) -> Way {
+    fn way(&self, motion: &Motion) -> SurfacePath {
         let [from, to] = [&motion.from, &motion.to].map(|pose| axes(self.design.mode, pose));
         match motion.kind {
             MotionKind::Arc(arc, _) => {
@@ -172,14 +172,14 @@ impl Surface<'_> {
                 let [start, end] = [from, to].map(|place| Vector2::from(place) - centre);
                 let angle = atan2(start.y, start.x);
                 // The radius runs over from that of the start to that of the end.
-                Way::Arc { centre, angle, sweep: arc.sweep, radii: [start.norm(), end.norm()] }
+                SurfacePath::Arc { centre, angle, sweep: arc.sweep, radii: [start.norm(), end.norm()] }
             }
-            _ => Way::Straight([self.development(from), self.development(to)]),
+            _ => SurfacePath::Straight([self.development(from), self.development(to)]),
         }
     }
 
     /// The length of a motion over it, and its way.
-    fn run(&self, motion: &Motion) -> (f64, Way) {
+    fn run(&self, motion: &Motion) -> (f64, SurfacePath) {
         let way = self.way(motion);
         (if let MotionKind::Arc(arc, _) = motion.kind { arc.length(0.0) } else { way.length() }, way)
     }
@@ -283,7 +283,7 @@ impl<'a> PathOnCurve<'a> {
     }
 
     /// Holds a motion against what it follows.
-    fn follow(&mut self, way: &Way, follows: Follows, at: At) {
+    fn follow(&mut self, way: &SurfacePath, follows: Follows, at: At) {
         let outline = self.surface.outline;
         match follows {
             Follows::Curve(leg) => self.look_along(way, leg, at),
@@ -296,7 +296,7 @@ impl<'a> PathOnCurve<'a> {
     }
 
     /// Holds a motion against the curve between two angles.
-    fn look_along(&mut self, way: &Way, leg: [f64; 2], at: At) {
+    fn look_along(&mut self, way: &SurfacePath, leg: [f64; 2], at: At) {
         let outline = self.surface.outline;
         let [from, to] = leg;
         let inside = f64::midpoint(from, to);
@@ -398,14 +398,14 @@ struct Look {
     line: Line,
 }
 
-/// The way of a motion over the surface that is cut.
+/// The path of a motion over the surface that is cut.
 #[derive(Clone, Copy, Debug)]
-enum Way {
+enum SurfacePath {
     Straight([Vector2<f64>; 2]),
     Arc { centre: Vector2<f64>, angle: f64, sweep: f64, radii: [f64; 2] },
 }
 
-impl Way {
+impl SurfacePath {
     fn at(&self, part: f64) -> Vector2<f64> {
         match *self {
             Self::Straight([from, to]) => from + (to - from) * part,
@@ -457,7 +457,7 @@ impl Way {
 }
 
 /// The edge that is cut between two looks, on the development, and by how much the torch's path bends from its own.
-fn edge_jets(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> ([Jet; 2], f64) {
+fn edge_jets(outline: &Outline, way: &SurfacePath, inside: f64, one: &Look, other: &Look) -> ([Jet; 2], f64) {
     let point = way.jets([one.part, other.part]);
     let phi = Jet::running(one.phi, other.phi, [0.0, 1.0]);
     let [torch, across] = outline.torch_jets(phi, inside);
@@ -471,7 +471,7 @@ fn place_jets(outline: &Outline, edge: [Jet; 2]) -> [Jet; 2] {
 }
 
 /// What the wall's depth inside the header and its gaps nowhere exceed between two looks.
-fn over_wall(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> [f64; 3] {
+fn over_wall(outline: &Outline, way: &SurfacePath, inside: f64, one: &Look, other: &Look) -> [f64; 3] {
     let [phi, s] = place_jets(outline, edge_jets(outline, way, inside, one, other).0);
     let wall = &outline.wall;
     beyond(wall, [&one.line, &other.line], phi, s, 1.0).map(|most| most + ARITHMETIC)
@@ -489,7 +489,7 @@ fn over_touch(outline: &Outline, edge: [Jet; 2], one: &Look, other: &Look) -> f6
 }
 
 /// What the errors nowhere exceed between two looks.
-fn over(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> [f64; 2] {
+fn over(outline: &Outline, way: &SurfacePath, inside: f64, one: &Look, other: &Look) -> [f64; 2] {
     let (edge, bends) = edge_jets(outline, way, inside, one, other);
     let (r, header) = match outline.seat {
         Seat::Edge(pair) => {
