@@ -21,7 +21,7 @@ use rodete::geometry::exact::region::{Region, twice_area};
 use rodete::kinds::lathe::cases;
 use rodete::kinds::lathe::parameters::FORM;
 use rodete::kinds::lathe::text::{Lines, SheetProgram};
-use rodete::kinds::lathe::{Seen, watched};
+use rodete::kinds::lathe::{SimulationEvent, watched};
 use rodete::machine::axis::{Axis, Pose};
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
@@ -167,8 +167,8 @@ fn job(text: &str) -> (u64, u64) {
         version: env!("CARGO_PKG_VERSION"),
     };
     let (mut motions, mut cutting) = (0, 0);
-    let outcome = watched(Fields::of(&FORM, values()).expect("fields"), source, Some(program), &mut |seen| {
-        if let Seen::Step(step, ..) = seen {
+    let outcome = watched(Fields::of(&FORM, values()).expect("fields"), source, Some(program), &mut |event| {
+        if let SimulationEvent::Step(step, ..) = event {
             motions += 1;
             cutting += u64::from(step.removed.volume > 0.0);
         }

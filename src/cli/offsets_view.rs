@@ -152,7 +152,7 @@ struct Document<'a> {
     file: String,
     sha256: Option<&'a str>,
     unit: &'static str,
-    offsets: Option<Held>,
+    offsets: Option<ShownOffsets>,
     preamble: &'a [String],
     findings: &'a [Finding],
     workbook: Option<Sheet<'a>>,
@@ -161,7 +161,7 @@ struct Document<'a> {
 
 /// The offsets, in the machine's unit and in degrees, by axis; `R` is the rotation.
 #[derive(Serialize)]
-struct Held {
+struct ShownOffsets {
     active: &'static str,
     systems: BTreeMap<&'static str, BTreeMap<char, f64>>,
     g92_in_force: bool,
@@ -191,7 +191,7 @@ pub(super) fn document(verdict: &Verdict, view: &View) -> String {
         file: verdict.workbook.to_string_lossy().into_owned(),
         sha256: verdict.sha256.as_deref(),
         unit: view.unit.symbol(),
-        offsets: view.file.as_ref().map(|file| held(file, view.unit)),
+        offsets: view.file.as_ref().map(|file| shown_offsets(file, view.unit)),
         preamble: &view.preamble,
         findings: &verdict.findings,
         workbook: view.sheet.as_ref().map(|(transfer, sheet)| Sheet {
@@ -207,7 +207,7 @@ pub(super) fn document(verdict: &Verdict, view: &View) -> String {
     })
 }
 
-fn held(file: &VarFile, unit: LengthUnit) -> Held {
+fn shown_offsets(file: &VarFile, unit: LengthUnit) -> ShownOffsets {
     let (offsets, _) = Offsets::read(file, unit);
     let pose = |first: u32| -> BTreeMap<char, f64> {
         Axis::ALL.into_iter().map(|axis| (axis.letter(), value(file, first, axis) + 0.0)).collect()
@@ -217,7 +217,7 @@ fn held(file: &VarFile, unit: LengthUnit) -> Held {
         values.insert('R', file.get(system.rotation_parameter()).unwrap_or(0.0) + 0.0);
         (system.name(), values)
     });
-    Held {
+    ShownOffsets {
         active: offsets.active.name(),
         systems: systems.collect(),
         g92_in_force: offsets.g92_on,

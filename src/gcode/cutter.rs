@@ -111,7 +111,7 @@ enum Offset {
 }
 
 /// The pieces that are held back, the first with a way in the plane.
-struct Held<T> {
+struct PendingPieces<T> {
     /// Where the first begins.
     start: Point,
     /// The programmed way of the first, whose direction or sweep tells a reversal; for an entry what is made.
@@ -125,7 +125,7 @@ struct Following<T> {
     /// How the programmed path arrives at the corner to come.
     end: End,
     offset: Offset,
-    held: Held<T>,
+    held: PendingPieces<T>,
 }
 
 /// Radius compensation of a mill: pieces of the programmed path go in, pieces of the way of the cutter's centre come
@@ -203,7 +203,7 @@ impl<T: Clone> Stage<T> {
             self.flush(following.held, from, out)?;
             from
         };
-        let held = Held { start: begin, way: step.element, entry: false, first: step.tag, stills: Vec::new() };
+        let held = PendingPieces { start: begin, way: step.element, entry: false, first: step.tag, stills: Vec::new() };
         self.following = Some(Following { end, offset, held });
         Ok(())
     }
@@ -264,14 +264,14 @@ impl<T: Clone> Stage<T> {
             way.path = Path::Arc { centre, sweep: (swept + turns * TAU).copysign(sweep) };
             offset = self.circle(centre, apart, &end, 1.0);
         }
-        let held = Held { start: from, way, entry: true, first: step.tag, stills: Vec::new() };
+        let held = PendingPieces { start: from, way, entry: true, first: step.tag, stills: Vec::new() };
         self.following = Some(Following { end, offset, held });
         Ok(())
     }
 
     /// Places what is held back, its first piece ending at a point.
-    fn flush(&self, held: Held<T>, to: Point, out: &mut Vec<Placed<T>>) -> Result<(), Misfit> {
-        let Held { start: from, way, entry, first, stills } = held;
+    fn flush(&self, held: PendingPieces<T>, to: Point, out: &mut Vec<Placed<T>>) -> Result<(), Misfit> {
+        let PendingPieces { start: from, way, entry, first, stills } = held;
         let short = Misfit::Short { radius: self.radius };
         let path = match way.path {
             Path::Arc { centre, sweep } => {

@@ -47,7 +47,7 @@ const HALVINGS: u8 = 60;
 
 /// One line of the cut face: how far it is from the header's surface, mm, negative inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
+pub struct WallLine {
     /// At its nearest, or deepest.
     pub least: f64,
     /// How far that place is from the branch's axis.
@@ -246,13 +246,13 @@ impl PipeWall {
 
     /// The line of the cut face at φ and s.
     #[must_use]
-    pub fn line(&self, phi: f64, s: f64) -> Line {
+    pub fn line(&self, phi: f64, s: f64) -> WallLine {
         let ([y, z], [sin, c]) = self.across(phi, s);
         let (square, [bore, outside]) = (sin * sin + c * c, self.ends());
         let foot = -(y * sin + z * c) / square;
         let rho = if foot.is_finite() { foot.max(bore).min(outside) } else { bore };
         let off = |rho: f64| hypot(y + rho * sin, z + rho * c) - self.bore.R;
-        Line { least: off(rho), rho, ends: [off(bore), off(outside)] }
+        WallLine { least: off(rho), rho, ends: [off(bore), off(outside)] }
     }
 
     /// Across the header's axis: where the line of the cut face begins on the branch's axis, and its direction.

@@ -17,12 +17,12 @@
 
 mod book;
 mod donor;
+mod expected;
 mod host;
 mod marks;
 mod parts;
 mod put;
 pub mod rules;
-mod seen;
 mod sheet;
 mod styles;
 mod tree;

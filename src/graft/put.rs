@@ -14,11 +14,11 @@ use crate::workbook::stamp::STALE;
 
 use super::book::{Book, Name};
 use super::donor::{self, Donor, Opened};
+use super::expected::ExpectedBook;
 use super::host::{Host, OTHERS, SOURCE, refused, unfit};
 use super::marks::{self, mentions};
 use super::parts::{CONTENT_TYPES, RELATIONSHIPS, RELS, Relation, folder, kind, normal, relations_of};
 use super::rules::*;
-use super::seen::Seen;
 use super::sheet::{Title, emptied, moved};
 use super::styles::Styles;
 use super::tree::Splices;
@@ -137,8 +137,15 @@ impl Host<'_> {
         let edited = changed.keys().chain(&gone).map(|name| normal(name)).collect();
         let placed: Vec<&str> = going.iter().map(|one| one.name.as_str()).collect();
         let added: Vec<&str> = added.parts.iter().map(|(part, _)| part.as_str()).collect();
-        Seen { host: &mut self.parts, donor: donor.bytes, edited, sheets: &expected, placed: &placed, added: &added }
-            .judge(&bytes)?;
+        ExpectedBook {
+            host: &mut self.parts,
+            donor: donor.bytes,
+            edited,
+            sheets: &expected,
+            placed: &placed,
+            added: &added,
+        }
+        .judge(&bytes)?;
         Ok(bytes)
     }
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::kind::comparison::Comparison;
-use crate::kind::comparison::sheets::{Held, Line, Sheet as Table};
+use crate::kind::comparison::sheets::{ComparedCell, ComparedRow, Sheet as Table};
 use crate::limits::PRINTED_DIFFERENCES;
 use crate::text::{Language, Text, t};
 use crate::typeset;
@@ -102,16 +102,17 @@ pub fn pdf(
 /// The rows of a table that differ, and how many are the same.
 fn sheet(table: &Table, words: &mut Words) -> Sheet {
     let language = words.language;
-    let differing: Vec<&Line> = table.lines.iter().filter(|line| line.differs).collect();
+    let differing: Vec<&ComparedRow> = table.lines.iter().filter(|line| line.differs).collect();
     let same = table.lines.len() - differing.len();
-    let shown: Vec<&Line> = differing.iter().take(PRINTED_DIFFERENCES).copied().collect();
+    let shown: Vec<&ComparedRow> = differing.iter().take(PRINTED_DIFFERENCES).copied().collect();
     let rows: Vec<Vec<String>> =
         shown.iter().map(|line| line.texts(language).iter().map(|cell| words.line(cell)).collect()).collect();
     let column = |(at, heading): (usize, &Text)| {
         let held = || shown.iter().filter_map(|line| line.cells.get(at));
         Column {
             heading: words.text(heading),
-            number: held().any(|one| matches!(one, Held::Number(_))) && held().all(|one| !matches!(one, Held::Text(_))),
+            number: held().any(|one| matches!(one, ComparedCell::Number(_)))
+                && held().all(|one| !matches!(one, ComparedCell::Text(_))),
             wide: rows.iter().filter_map(|row| row.get(at)).any(|cell| cell.chars().count() > WIDE),
         }
     };

@@ -48,21 +48,21 @@ pub const fn varies(parameter: &Parameter) -> bool {
 /// # Errors
 /// Everything that is wrong with it, each at its cells.
 pub fn plan(kind: &dyn Kind, fields: &Fields, designs: Option<Designs>) -> Result<(Plan, Vec<Finding>), Vec<Finding>> {
-    let mut reading = Reading { kind, fields, method: fields.get(&METHOD), findings: Vec::new(), notes: Vec::new() };
+    let mut reader = PlanReader { kind, fields, method: fields.get(&METHOD), findings: Vec::new(), notes: Vec::new() };
     let level = fields.get(&LEVEL);
-    let inputs = reading.inputs(designs);
-    let (objectives, constraints) = reading.measured(level);
-    let count = reading.count(&inputs);
-    if reading.method == Method::Saltelli && objectives.is_empty() {
-        reading.wrong(OBJECTIVES.key(), &NothingExplained {});
+    let inputs = reader.inputs(designs);
+    let (objectives, constraints) = reader.measured(level);
+    let count = reader.count(&inputs);
+    if reader.method == Method::Saltelli && objectives.is_empty() {
+        reader.wrong(OBJECTIVES.key(), &NothingExplained {});
     }
-    let Reading { method, findings, notes, .. } = reading;
+    let PlanReader { method, findings, notes, .. } = reader;
     let Some(count) = count.filter(|_| findings.is_empty()) else { return Err(findings) };
     let seed = fields.get(&SEED).map_or(1, u64::from);
     Ok((Plan::new(kind.form(), inputs, method, (seed, count), level, (objectives, constraints)), notes))
 }
 
-struct Reading<'a> {
+struct PlanReader<'a> {
     kind: &'a dyn Kind,
     fields: &'a Fields,
     method: Method,
@@ -70,7 +70,7 @@ struct Reading<'a> {
     notes: Vec<Finding>,
 }
 
-impl Reading<'_> {
+impl PlanReader<'_> {
     /// A finding at the cell of a setting.
     fn wrong(&mut self, key: Key, row: &dyn Raise) {
         let finding = self.fields.locate(row.at(at([key])));

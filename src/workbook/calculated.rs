@@ -20,7 +20,7 @@ pub(super) type Place = (usize, Position);
 const CELL: &str = "<c r=\"";
 
 /// What a cell holds.
-enum Held {
+enum CellContent {
     Value(Value),
     Formula(String),
 }
@@ -30,7 +30,7 @@ pub(super) struct Book {
     /// The sheets' names, and how many rows each has.
     sheets: Vec<(String, u32)>,
     names: HashMap<String, Place>,
-    cells: HashMap<Place, Held>,
+    cells: HashMap<Place, CellContent>,
     found: RefCell<HashMap<Place, Found>>,
 }
 
@@ -64,7 +64,7 @@ impl Book {
                 if let Some((_, rows)) = book.sheets.get_mut(at) {
                     *rows = (*rows).max(position.0 + 1);
                 }
-                book.cells.extend(held(cell, &strings).map(|held| ((at, position), held)));
+                book.cells.extend(content(cell, &strings).map(|content| ((at, position), content)));
             }
         }
         Ok(book)
@@ -89,8 +89,8 @@ impl Book {
     pub(super) fn cell(&self, place: Place) -> Found {
         let formula = match self.cells.get(&place) {
             None => return Ok(Value::Blank),
-            Some(Held::Value(value)) => return Ok(value.clone()),
-            Some(Held::Formula(formula)) => formula,
+            Some(CellContent::Value(value)) => return Ok(value.clone()),
+            Some(CellContent::Formula(formula)) => formula,
         };
         if let Some(found) = self.found.borrow().get(&place) {
             return found.clone();
@@ -162,13 +162,13 @@ fn read(cell: &str) -> Option<(Position, &str)> {
 }
 
 /// What a cell holds; `None` of an empty one.
-fn held(cell: &str, strings: &[String]) -> Option<Held> {
+fn content(cell: &str, strings: &[String]) -> Option<CellContent> {
     let (kind, content) = cell.split_once('>')?;
     if let Some(formula) = inside(content, "<f>", "</f>") {
-        return Some(Held::Formula(formula));
+        return Some(CellContent::Formula(formula));
     }
     let value = inside(content, "<v>", "</v>")?;
-    Some(Held::Value(if kind.contains("t=\"s\"") {
+    Some(CellContent::Value(if kind.contains("t=\"s\"") {
         Value::Text(strings.get(value.parse::<usize>().ok()?)?.clone())
     } else {
         Value::Number(value.parse().ok()?)

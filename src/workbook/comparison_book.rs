@@ -13,7 +13,7 @@ use super::save::{Additions, save};
 use super::style::{Styles, grade_fill};
 use crate::finding::Grade;
 use crate::kind::comparison::Comparison;
-use crate::kind::comparison::sheets::{Held, NAMES, Sheet};
+use crate::kind::comparison::sheets::{ComparedCell, NAMES, Sheet};
 use crate::text::{Language, Text, t};
 
 /// The row of the headings, from 0.
@@ -69,8 +69,8 @@ fn write_sheet(
         let column = ColNum::try_from(at).map_err(|_| WriteError::TooLarge("comparison"))?;
         write_text(sheet, HEADINGS, column, heading.get(language), &styles.header)?;
         let longest = table.lines.iter().filter_map(|line| match line.cells.get(at) {
-            Some(Held::Text(text)) => u16::try_from(text.get(language).chars().count()).ok(),
-            Some(Held::Number(_)) => Some(12),
+            Some(ComparedCell::Text(text)) => u16::try_from(text.get(language).chars().count()).ok(),
+            Some(ComparedCell::Number(_)) => Some(12),
             _ => None,
         });
         let [least, most] = WIDTH;
@@ -85,17 +85,17 @@ fn write_sheet(
         for ((column, held), width) in (0..).zip(&line.cells).zip(&widths) {
             let format = if line.differs { &coloured } else { &styles.text };
             match held {
-                Held::Nothing => {
+                ComparedCell::Nothing => {
                     sheet.write_blank(last, column, format)?;
                 }
-                Held::Number(value) if value.is_finite() => {
+                ComparedCell::Number(value) if value.is_finite() => {
                     sheet.write_number_with_format(last, column, *value, &numbers[usize::from(line.differs)])?;
                 }
-                Held::Number(_) => {
+                ComparedCell::Number(_) => {
                     let place = format!("{}, row {}", table.name.get(language), last + 1);
                     return Err(WriteError::NotFinite { place });
                 }
-                Held::Text(text) => {
+                ComparedCell::Text(text) => {
                     let text = text.get(language);
                     texts.push((text, *width));
                     write_text(sheet, last, column, text, format)?;

@@ -71,11 +71,11 @@ impl OffsetsTable {
         check_schema(&sheet)?;
         table.findings.append(&mut sheet.survey.findings);
         let head = heading(&sheet)?;
-        let mut reading = Reading { sheet: &sheet, unit, language, table: &mut table };
-        let columns = reading.columns(head);
-        reading.units(head + 1, &columns);
-        let rows = reading.rows(head);
-        reading.values(&columns, &rows);
+        let mut reader = OffsetsReader { sheet: &sheet, unit, language, table: &mut table };
+        let columns = reader.columns(head);
+        reader.units(head + 1, &columns);
+        let rows = reader.rows(head);
+        reader.values(&columns, &rows);
         if table.findings.iter().any(|finding| finding.grade == Grade::Stop) {
             return Err(refusal(exit, table.findings));
         }
@@ -154,14 +154,14 @@ impl Row {
     }
 }
 
-struct Reading<'a> {
+struct OffsetsReader<'a> {
     sheet: &'a SheetCells,
     unit: LengthUnit,
     language: Language,
     table: &'a mut OffsetsTable,
 }
 
-impl Reading<'_> {
+impl OffsetsReader<'_> {
     /// The columns by where they stand.
     fn columns(&mut self, head: u32) -> Vec<(Column, u32)> {
         let wanted = |text: &str, column: Column| {

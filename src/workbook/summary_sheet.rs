@@ -52,7 +52,7 @@ pub struct Summary<'a> {
 }
 
 /// A line above the derived values.
-struct Line {
+struct SummaryRow {
     label: Text,
     text: Text,
     grade: Option<Grade>,
@@ -103,7 +103,7 @@ impl Summary<'_> {
     }
 
     /// The lines in their order.
-    fn lines(&self) -> Vec<Line> {
+    fn lines(&self) -> Vec<SummaryRow> {
         let outcome = self.outcome;
         let found = &outcome.findings;
         let source = &outcome.source;
@@ -120,8 +120,8 @@ impl Summary<'_> {
         let looked = cautions(found, self.checks);
         let attention =
             if outcome.stopped() || found.iter().any(|one| one.grade != Grade::Note) { Some(grade) } else { None };
-        let line = |label: Text, text: Text| Line { label, text, grade: None, computed: false };
-        let computed = |label: Text, text: Text, grade| Line { label, text, grade, computed: true };
+        let line = |label: Text, text: Text| SummaryRow { label, text, grade: None, computed: false };
+        let computed = |label: Text, text: Text, grade| SummaryRow { label, text, grade, computed: true };
         let tables = self.live.note().map(|note| line(t("Tablas", "Tables"), note));
         let lines = vec![
             line(t("Pieza", "Part"), Text::same(part.join(", "))),

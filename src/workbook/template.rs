@@ -70,13 +70,13 @@ pub fn write_with_variants<W: Write + Seek + Send>(
 /// As [`write()`].
 pub fn write_into<W: Write + Seek + Send>(
     kind: &dyn Kind,
-    held: Held<'_>,
+    values: TemplateValues<'_>,
     note: &Text,
     language: Language,
     present: &Present,
     out: W,
 ) -> Result<Vec<Made>, WriteError> {
-    write_all(kind, held, note, language, present, out)
+    write_all(kind, values, note, language, present, out)
 }
 
 /// The sheet of variants alone, for a workbook that has the form. Gives the sheet that was written.
@@ -98,11 +98,11 @@ pub fn write_variants_into<W: Write + Seek + Send>(
 }
 
 /// The values of a workbook: those by key, the rows of its lists, and its sheet of variants.
-pub type Held<'a> = (&'a [Cell], &'a [Rows], Option<&'a Values>);
+pub type TemplateValues<'a> = (&'a [Cell], &'a [Rows], Option<&'a Values>);
 
 fn write_all<W: Write + Seek + Send>(
     kind: &dyn Kind,
-    (values, lists, variants): Held<'_>,
+    (values, lists, variants): TemplateValues<'_>,
     note: &Text,
     language: Language,
     present: &Present,

@@ -55,11 +55,11 @@ pub fn told(name: Text, text: &str, shown: String, unit: Unit, kind: &FieldKind)
                 if unit.label().is_empty() { t("sin unidad", "without a unit") } else { Text::same(unit.label()) };
             Box::new(NumberInOtherUnit { name, text: shown, unit })
         }
-        Some(Reading::One(number)) => {
+        Some(NumberMeaning::One(number)) => {
             let number = counted(number, factor);
             Box::new(NumberWithMarks { name, text: shown, number, unit: without, sign })
         }
-        Some(Reading::Either(one, other)) => {
+        Some(NumberMeaning::Either(one, other)) => {
             let [one, other] = [one, other].map(|number| counted(number, factor));
             // Of two readings that one is meant which the cell takes.
             match [fits(&one), fits(&other)] {
@@ -101,7 +101,7 @@ fn grouped(text: &str) -> bool {
 
 /// What a text may mean as a number.
 #[derive(Debug, PartialEq, Eq)]
-enum Reading {
+enum NumberMeaning {
     One(String),
     /// One mark that may stand before decimals or between thousands.
     Either(String, String),
@@ -114,13 +114,13 @@ fn strict(text: &str) -> bool {
         && text.parse::<f64>().is_ok_and(f64::is_finite)
 }
 
-fn read(text: &str) -> Option<Reading> {
+fn read(text: &str) -> Option<NumberMeaning> {
     let text = text.trim();
     if grouped(text) {
-        return Some(Reading::Either(text.to_owned(), text.replace('.', "")));
+        return Some(NumberMeaning::Either(text.to_owned(), text.replace('.', "")));
     }
     if strict(text) {
-        return Some(Reading::One(text.to_owned()));
+        return Some(NumberMeaning::One(text.to_owned()));
     }
     let (sign, digits) = match text.strip_prefix('-') {
         Some(rest) => ("-", rest.trim_start()),
@@ -138,15 +138,15 @@ fn read(text: &str) -> Option<Reading> {
         let [whole, fraction] = digits.split_once([',', '\'']).map(<[&str; 2]>::from).unwrap_or_default();
         let either = !whole.is_empty() && fraction.len() == 3;
         return Some(if either {
-            Reading::Either(format!("{sign}{whole}.{fraction}"), joined)
+            NumberMeaning::Either(format!("{sign}{whole}.{fraction}"), joined)
         } else {
-            Reading::One(joined)
+            NumberMeaning::One(joined)
         });
     }
     let (whole, fraction) = digits.rsplit_once([',', '.', '\''])?;
     let plain = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let whole = if plain(whole) { whole.to_owned() } else { joined(whole)? };
-    plain(fraction).then(|| Reading::One(format!("{sign}{whole}.{fraction}")))
+    plain(fraction).then(|| NumberMeaning::One(format!("{sign}{whole}.{fraction}")))
 }
 
 /// The digits of a number with one mark between its thousands: a group of one to three digits, and all others of three.

@@ -23,10 +23,10 @@ pub const DATE: usize = 40;
 /// Reads the value of a parameter from a row; what is wrong with it goes to `findings`. `None` where it is empty or
 /// wrong.
 pub fn read(parameter: &'static Parameter, sheet: &SheetCells, row: u32, findings: &mut Vec<Finding>) -> Option<Value> {
-    let mut reading = Reading { parameter, sheet, at: (row, sheet.columns.value), findings };
-    let value = reading.value();
+    let mut reader = CellReader { parameter, sheet, at: (row, sheet.columns.value), findings };
+    let value = reader.value();
     if is_filled(sheet, row) {
-        reading.unit();
+        reader.unit();
     }
     value
 }
@@ -38,7 +38,7 @@ pub fn read_at(
     at: Position,
     findings: &mut Vec<Finding>,
 ) -> Option<Value> {
-    Reading { parameter, sheet, at, findings }.value()
+    CellReader { parameter, sheet, at, findings }.value()
 }
 
 /// True where the value cell of a row holds anything, right or wrong.
@@ -100,14 +100,14 @@ fn range(parameter: &Parameter) -> String {
     }
 }
 
-struct Reading<'a> {
+struct CellReader<'a> {
     parameter: &'static Parameter,
     sheet: &'a SheetCells,
     at: Position,
     findings: &'a mut Vec<Finding>,
 }
 
-impl Reading<'_> {
+impl CellReader<'_> {
     fn value(&mut self) -> Option<Value> {
         let sheet = self.sheet;
         if sheet.survey.judged.contains(&self.at) {

@@ -100,10 +100,10 @@ fn named(name: &str) -> serde_json::Value {
 }
 
 /// The words of a command, and what must live as long as it runs.
-type Line = (Vec<String>, Option<Box<dyn Any>>);
+type CommandWords = (Vec<String>, Option<Box<dyn Any>>);
 
 /// Makes what an example's key stands for.
-fn made(key: &str, folder: &Path) -> Option<Line> {
+fn made(key: &str, folder: &Path) -> Option<CommandWords> {
     let path = |name: &str| folder.join(name);
     let put = |name: &str, text: &str| fs::write(path(name), text).unwrap();
     let view = "view part.nc";

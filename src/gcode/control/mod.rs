@@ -41,7 +41,7 @@ pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Ref
 pub use self::output::HeightHold;
 pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};
 pub use self::point::{
-    CountedFeed, Counting, DecimalPoint, DimensionPoint, LeastIncrement, Pointing, Quantity, Reading, Unpointed,
+    CountedFeed, Counting, DecimalPoint, DimensionPoint, ImpliedPoint, LeastIncrement, Pointing, Quantity, Unpointed,
 };
 pub use self::rotary::{Rollover, RotaryMode, RotaryRule};
 pub use self::source::Source;

@@ -142,7 +142,7 @@ impl Pointing {
 
 /// How a number without a decimal point is read.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reading {
+pub struct ImpliedPoint {
     /// By what it is divided.
     pub by: f64,
     /// In words.
@@ -181,8 +181,13 @@ impl DimensionPoint {
     ///
     /// # Errors
     /// Where that is not known.
-    pub fn reading(&self, quantity: Quantity, feed: bool, setting: Option<DecimalPoint>) -> Result<Reading, Unpointed> {
-        let written = Reading { by: 1.0, told: quantity.read() };
+    pub fn reading(
+        &self,
+        quantity: Quantity,
+        feed: bool,
+        setting: Option<DecimalPoint>,
+    ) -> Result<ImpliedPoint, Unpointed> {
+        let written = ImpliedPoint { by: 1.0, told: quantity.read() };
         match (self, setting) {
             (Self::Free, _) | (Self::BySetting(_), Some(DecimalPoint::Calculator)) => Ok(written),
             (Self::BySetting(counting), None) => Err(Unpointed::BySettingUnknown(counting.increment.choice(quantity))),
@@ -191,7 +196,7 @@ impl DimensionPoint {
                 CountedFeed::LengthUnknown => Err(Unpointed::FeedUnknown),
             },
             (Self::BySetting(Counting { increment, .. }), Some(DecimalPoint::Micrometre)) => {
-                Ok(Reading { by: increment.per(quantity), told: increment.read(quantity) })
+                Ok(ImpliedPoint { by: increment.per(quantity), told: increment.read(quantity) })
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Numbers without a decimal point: the control says which letters count what, and a setting of it whether they do.
 
 use crate::gcode::code::{G, Group, SinglePassCycle, TurningCycle};
-use crate::gcode::control::{Pointing, Quantity, Reading, Unpointed};
+use crate::gcode::control::{ImpliedPoint, Pointing, Quantity, Unpointed};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Decimal;
@@ -60,7 +60,7 @@ impl Reader<'_, '_> {
             (false, true) => Quantity::Inch,
             (false, false) => Quantity::Millimetre,
         };
-        let Reading { by, told: reading } =
+        let ImpliedPoint { by, told: reading } =
             match self.memory.control.lexis.point.reading(quantity, feed, self.memory.setting.decimal_point) {
                 Ok(reading) => reading,
                 Err(Unpointed::BySettingUnknown(reading)) => {

@@ -50,14 +50,14 @@ struct Square {
 
 /// An edge in the square that holds it.
 #[derive(Clone, Copy, Debug)]
-struct Held {
+struct IndexedEdge {
     square: u32,
     before: u32,
     next: u32,
     bounds: Bounds,
 }
 
-const NOWHERE: Held = Held {
+const NOWHERE: IndexedEdge = IndexedEdge {
     square: NONE,
     before: NONE,
     next: NONE,
@@ -69,7 +69,7 @@ const NOWHERE: Held = Held {
 pub(super) struct Index {
     squares: Vec<Square>,
     free: Vec<u32>,
-    held: Vec<Held>,
+    held: Vec<IndexedEdge>,
 }
 
 const fn side(level: u32) -> i64 {
@@ -149,13 +149,13 @@ impl Index {
         if next != NONE {
             self.held[next as usize].before = edge;
         }
-        self.held[slot] = Held { square: at, before: NONE, next, bounds };
+        self.held[slot] = IndexedEdge { square: at, before: NONE, next, bounds };
     }
 
     /// Takes an edge out, if it is in.
     pub(super) fn take(&mut self, edge: u32) {
         let Some(held) = self.held.get_mut(edge as usize).filter(|held| held.square != NONE) else { return };
-        let Held { square, before, next, .. } = std::mem::replace(held, NOWHERE);
+        let IndexedEdge { square, before, next, .. } = std::mem::replace(held, NOWHERE);
         match before {
             NONE => self.squares[square as usize].first = next,
             before => self.held[before as usize].next = next,

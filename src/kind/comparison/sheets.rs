@@ -10,7 +10,7 @@ use crate::text::{Language, Text, t};
 
 /// What a cell holds.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Held {
+pub enum ComparedCell {
     /// It is empty.
     Nothing,
     /// A number.
@@ -21,9 +21,9 @@ pub enum Held {
 
 /// A row of a table of the comparison.
 #[derive(Clone, Debug)]
-pub struct Line {
+pub struct ComparedRow {
     /// The cells, one for each heading.
-    pub cells: Vec<Held>,
+    pub cells: Vec<ComparedCell>,
     /// What it compares is not the same.
     pub differs: bool,
 }
@@ -36,19 +36,20 @@ const DECIMALS: usize = 6;
 /// Most characters of a block that are shown.
 const BLOCK: usize = 40;
 
-impl Line {
+impl ComparedRow {
     /// The cells as texts. Figures that differ do not look the same.
     #[must_use]
     pub fn texts(&self, language: Language) -> Vec<String> {
-        let rounded = |one: &Held| match one {
-            Held::Nothing => String::new(),
-            Held::Number(number) => shown(*number, DECIMALS),
-            Held::Text(text) => printable(text.get(language)),
+        let rounded = |one: &ComparedCell| match one {
+            ComparedCell::Nothing => String::new(),
+            ComparedCell::Number(number) => shown(*number, DECIMALS),
+            ComparedCell::Text(text) => printable(text.get(language)),
         };
-        let numbers: Vec<_> = self.cells.iter().filter(|one| matches!(one, Held::Number(_))).collect();
+        let numbers: Vec<_> = self.cells.iter().filter(|one| matches!(one, ComparedCell::Number(_))).collect();
         let alike =
             self.differs && numbers.windows(2).any(|pair| pair[0] != pair[1] && rounded(pair[0]) == rounded(pair[1]));
-        let whole = |one: &Held| if let Held::Number(number) = one { decimal(*number) } else { rounded(one) };
+        let whole =
+            |one: &ComparedCell| if let ComparedCell::Number(number) = one { decimal(*number) } else { rounded(one) };
         self.cells.iter().map(|one| if alike { whole(one) } else { rounded(one) }).collect()
     }
 }
@@ -63,16 +64,16 @@ pub struct Sheet {
     /// The headings, one for each column.
     pub headings: Vec<Text>,
     /// The rows below them.
-    pub lines: Vec<Line>,
+    pub lines: Vec<ComparedRow>,
 }
 
-fn text(text: impl Into<String>) -> Held {
+fn text(text: impl Into<String>) -> ComparedCell {
     let text = text.into();
-    if text.is_empty() { Held::Nothing } else { Held::Text(Text::same(text)) }
+    if text.is_empty() { ComparedCell::Nothing } else { ComparedCell::Text(Text::same(text)) }
 }
 
-fn number(value: Option<f64>) -> Held {
-    value.map_or(Held::Nothing, Held::Number)
+fn number(value: Option<f64>) -> ComparedCell {
+    value.map_or(ComparedCell::Nothing, ComparedCell::Number)
 }
 
 /// `one`, or `one / other` where the two are not the same.
@@ -90,38 +91,38 @@ fn cell(place: &CellPlace) -> String {
     format!("{}!{}", place.sheet, place.cell)
 }
 
-fn input(one: &Input) -> Line {
+fn input(one: &Input) -> ComparedRow {
     let value = |value: &Option<Shown>| match value {
-        None => Held::Nothing,
-        Some(Shown::Number(number)) => Held::Number(*number),
-        Some(Shown::Text(text)) => Held::Text(text.clone()),
+        None => ComparedCell::Nothing,
+        Some(Shown::Number(number)) => ComparedCell::Number(*number),
+        Some(Shown::Text(text)) => ComparedCell::Text(text.clone()),
     };
     let cells = both(one.cells.each_ref().map(|place| place.as_ref().map(cell)));
     let cells = if one.cells == [None, None] { String::new() } else { cells };
     let cells = vec![
-        Held::Text(one.symbol.clone()),
+        ComparedCell::Text(one.symbol.clone()),
         value(&one.values[0]),
         value(&one.values[1]),
         text(one.unit.label()),
         text(cells),
-        Held::Text(one.meaning.clone()),
+        ComparedCell::Text(one.meaning.clone()),
     ];
-    Line { cells, differs: true }
+    ComparedRow { cells, differs: true }
 }
 
-fn derived(one: &Derived) -> Line {
+fn derived(one: &Derived) -> ComparedRow {
     let cells = vec![
         text(one.symbol),
         number(one.values[0]),
         number(one.values[1]),
         number(apart(one.values).filter(|_| one.differs())),
         text(one.unit.label()),
-        Held::Text(one.meaning.clone()),
+        ComparedCell::Text(one.meaning.clone()),
     ];
-    Line { cells, differs: one.differs() }
+    ComparedRow { cells, differs: one.differs() }
 }
 
-fn found(one: &Found<'_>) -> Line {
+fn found(one: &Found<'_>) -> ComparedRow {
     let finding = one.finding();
     let seen = match one.sides {
         [Some(_), None] => Text::same("A"),
@@ -129,38 +130,38 @@ fn found(one: &Found<'_>) -> Line {
         _ => Text::same("A, B"),
     };
     let said = |side: usize| {
-        one.sides[side].map_or(Held::Nothing, |finding| {
+        one.sides[side].map_or(ComparedCell::Nothing, |finding| {
             let [es, en] = [Language::Es, Language::En].map(|language| {
                 let (what, [value, _]) = (finding.what.get(language), finding.shown(language));
                 let known = value.is_empty() || what.contains(value);
                 if known { what.to_owned() } else { format!("{what}: {value}") }
             });
-            Held::Text(Text::new(es, en))
+            ComparedCell::Text(Text::new(es, en))
         })
     };
     let cells = vec![
-        Held::Text(seen),
-        Held::Text(finding.grade.name()),
+        ComparedCell::Text(seen),
+        ComparedCell::Text(finding.grade.name()),
         text(finding.code()),
         said(0),
         said(1),
-        Held::Text(checks::place(&finding.place)),
+        ComparedCell::Text(checks::place(&finding.place)),
     ];
-    Line { cells, differs: one.differs() }
+    ComparedRow { cells, differs: one.differs() }
 }
 
 /// A count as a cell.
 #[expect(clippy::cast_precision_loss, reason = "counts of motions and lines are far below 2^53")]
-fn count(count: Option<u64>) -> Held {
+fn count(count: Option<u64>) -> ComparedCell {
     number(count.map(|count| count as f64))
 }
 
-fn program(one: &ProgramPair) -> Vec<Line> {
+fn program(one: &ProgramPair) -> Vec<ComparedRow> {
     let mut lines = Vec::new();
-    let mut line = |what: Text, [a, b]: [Held; 2], apart: Held, differs: bool| {
-        lines.push(Line { cells: vec![text(one.key), Held::Text(what), a, b, apart], differs });
+    let mut line = |what: Text, [a, b]: [ComparedCell; 2], apart: ComparedCell, differs: bool| {
+        lines.push(ComparedRow { cells: vec![text(one.key), ComparedCell::Text(what), a, b, apart], differs });
     };
-    let nothing = || [Held::Nothing, Held::Nothing];
+    let nothing = || [ComparedCell::Nothing, ComparedCell::Nothing];
     let verdict = match one.motions {
         [Some(_), Some(_)] if one.equal() => t("los mismos movimientos", "the same motions"),
         [Some(_), Some(_)] if one.moves_alike() => {
@@ -170,21 +171,26 @@ fn program(one: &ProgramPair) -> Vec<Line> {
         [Some(_), None] => t("solo en A", "only in A"),
         _ => t("solo en B", "only in B"),
     };
-    line(verdict, nothing(), Held::Nothing, !one.equal());
+    line(verdict, nothing(), ComparedCell::Nothing, !one.equal());
     let [a, b] = one.motions;
-    line(t("movimientos", "motions"), one.motions.map(count), Held::Nothing, a != b);
+    line(t("movimientos", "motions"), one.motions.map(count), ComparedCell::Nothing, a != b);
     if let Some(first) = one.first {
         let n = first.motion;
         let what = Text::new(format!("primero distinto, el {n}: línea"), format!("first other motion, {n}: line"));
-        line(what, first.lines.map(|line| count(line.map(|line| line as u64))), Held::Nothing, true);
+        line(what, first.lines.map(|line| count(line.map(|line| line as u64))), ComparedCell::Nothing, true);
     }
     if let (Some(blocks), true) = (&one.words, one.moves_alike()) {
         let said = |block: &Option<Block>| {
             block
                 .as_ref()
-                .map_or(Held::Nothing, |block| text(format!("{}: {}", block.line, excerpt(&block.text, BLOCK))))
+                .map_or(ComparedCell::Nothing, |block| text(format!("{}: {}", block.line, excerpt(&block.text, BLOCK))))
         };
-        line(t("primer bloque distinto", "first other block"), blocks.each_ref().map(said), Held::Nothing, true);
+        line(
+            t("primer bloque distinto", "first other block"),
+            blocks.each_ref().map(said),
+            ComparedCell::Nothing,
+            true,
+        );
     }
     let named = |axis: Axis| {
         let letter = axis.letter();
@@ -201,7 +207,7 @@ fn program(one: &ProgramPair) -> Vec<Line> {
             format!("mayor diferencia, {unit}: {}, el {n}", axis.es),
             format!("greatest apart, {unit}: {}, motion {n}", axis.en),
         );
-        line(what, nothing(), Held::Number(apart.by), true);
+        line(what, nothing(), ComparedCell::Number(apart.by), true);
     }
     for axis in Axis::ALL {
         let end = one.end.map(|end| end.map(|end| settled(end.get(axis))));
@@ -213,11 +219,11 @@ fn program(one: &ProgramPair) -> Vec<Line> {
     for axis in Axis::ALL {
         let reach = one.extents.map(|extents| extents.map(|extents| extents.of(axis).map(settled)));
         let said = |reach: Option<[f64; 2]>| {
-            reach.map_or(Held::Nothing, |[low, high]| text(format!("{} … {}", shown(low, 3), shown(high, 3))))
+            reach.map_or(ComparedCell::Nothing, |[low, high]| text(format!("{} … {}", shown(low, 3), shown(high, 3))))
         };
         let what = Text::new(format!("recorrido {}", named(axis).es), format!("extent {}", named(axis).en));
         if reach.iter().flatten().any(|reach| *reach != [0.0, 0.0]) {
-            line(what, reach.map(said), Held::Nothing, reach[0] != reach[1]);
+            line(what, reach.map(said), ComparedCell::Nothing, reach[0] != reach[1]);
         }
     }
     let seconds = one.seconds.map(|seconds| seconds.map(settled));

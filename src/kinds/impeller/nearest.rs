@@ -61,7 +61,7 @@ pub struct Axis {
 
 /// A line of the mean surface, with its place in the blade's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Line {
+struct MeanRuling {
     v: f64,
     /// Where it meets the tangent plane of the mean line.
     P: Vector3<f64>,
@@ -87,11 +87,11 @@ pub struct Wall {
     /// How far the upper ends of its lines stand above the turned surface, mm: where it goes straight on, they do.
     overhang: f64,
     /// The lines that are looked at first.
-    lines: Vec<Line>,
+    lines: Vec<MeanRuling>,
     /// Steps between the lines about each of the nearest of them.
     finer: u8,
     /// Those lines: the same for every axis, they are computed when the first one needs them.
-    rows: Vec<OnceLock<Vec<Line>>>,
+    rows: Vec<OnceLock<Vec<MeanRuling>>>,
     /// Between two of them no distance is less than at the nearer by more than this, mm.
     between: f64,
     /// The same between two that are looked at for each axis.
@@ -231,7 +231,7 @@ impl Wall {
     }
 
     /// The lines closer to each other about one of those that are looked at first.
-    fn row(&self, about: usize) -> &[Line] {
+    fn row(&self, about: usize) -> &[MeanRuling] {
         self.rows[about].get_or_init(|| {
             // Two valleys, one of the upper edge and one of the tool's end, may be nearer to each other than two lines.
             let [from, to] = self.within(self.lines[about].v, self.step() * 1.5);
@@ -245,11 +245,11 @@ impl Wall {
         [(v - aside).max(self.v[0]), (v + aside).min(self.v[1])]
     }
 
-    fn line(&self, v: f64) -> Line {
+    fn line(&self, v: f64) -> MeanRuling {
         let (P, frame, top) = self.part.frame_and_top(v);
         let bottoms = self.bottoms(v);
         let middle = self.part.a_p.max(bottoms[0]).max(bottoms[1]);
-        Line { v, P, b: frame.b, down: opposite(frame.N), top, bottoms, middle }
+        MeanRuling { v, P, b: frame.b, down: opposite(frame.N), top, bottoms, middle }
     }
 
     /// Where the lines of obverse and reverse at v end.
@@ -344,7 +344,7 @@ impl Wall {
     #[must_use]
     pub fn half_round(&self, v: f64) -> HalfRound {
         let (line, [top, bottom]) = (self.line(v), self.part.noses_ends(v));
-        HalfRound { line: Line { top, middle: line.middle.max(bottom), ..line }, radius: self.part.e / 2.0 }
+        HalfRound { line: MeanRuling { top, middle: line.middle.max(bottom), ..line }, radius: self.part.e / 2.0 }
     }
 }
 
@@ -352,7 +352,7 @@ impl Wall {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfRound {
     /// The ruling of the mean line that it stands about.
-    line: Line,
+    line: MeanRuling,
     radius: f64,
 }
 
@@ -373,7 +373,7 @@ impl HalfRound {
     }
 }
 
-impl Line {
+impl MeanRuling {
     /// The distance of an axis from the line that stands `aside` of this one.
     #[inline]
     fn apart(&self, aside: f64, axis: &Axis) -> f64 {

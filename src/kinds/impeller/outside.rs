@@ -190,7 +190,7 @@ impl<'a> Search<'a> {
         let [time, angles, parts] = cell.sides;
         let [from, to] = &self.way;
         let stand = from.towards(to, (time[0] + time[1]) / 2.0);
-        let seen = Seen {
+        let mid = MidStand {
             half: (time[1] - time[0]) / 2.0,
             by: to.at - from.at,
             way: (to.at - from.at).norm(),
@@ -200,10 +200,10 @@ impl<'a> Search<'a> {
         };
         let (mut least, mut lost) = (f64::INFINITY, [0.0; 3]);
         // All pieces are first seen from the same place.
-        let mut middle = self.point(cell, &seen, [angles, parts].map(|[low, high]| low + (high - low) / 2.0));
+        let mut middle = self.point(cell, &mid, [angles, parts].map(|[low, high]| low + (high - low) / 2.0));
         for piece in 0..3 {
             let mut best: Least = (f64::NEG_INFINITY, [0.0; 3]);
-            let (mut found, mut next) = self.from(cell, &seen, piece, &mut middle);
+            let (mut found, mut next) = self.from(cell, &mid, piece, &mut middle);
             let mut place = middle.place;
             for left in (0..PLACES).rev() {
                 if found.0 > best.0 {
@@ -213,8 +213,8 @@ impl<'a> Search<'a> {
                     break;
                 }
                 place = next;
-                let mut point = self.point(cell, &seen, place);
-                (found, next) = self.from(cell, &seen, piece, &mut point);
+                let mut point = self.point(cell, &mid, place);
+                (found, next) = self.from(cell, &mid, piece, &mut point);
             }
             if best.0 < least {
                 (least, lost) = best;
@@ -225,13 +225,13 @@ impl<'a> Search<'a> {
     }
 
     /// The point of the tool at one place of a cell, and how far the others are from it.
-    fn point(&mut self, cell: &Cell, seen: &Seen, [angle, part]: [f64; 2]) -> Point {
+    fn point(&mut self, cell: &Cell, mid: &MidStand, [angle, part]: [f64; 2]) -> Point {
         let Outside { stock, L, radius, reach } = *self.outside;
         let [_, angles, parts] = cell.sides;
         let (sine, cosine) = sin_cos(angle);
         let (wide, high) = if cell.end { (radius * part, 0.0) } else { (radius, reach * part) };
-        let m = seen.tip + Vector3::new(wide * cosine, wide * sine, high);
-        let (sin_B, cos_B) = seen.B;
+        let m = mid.tip + Vector3::new(wide * cosine, wide * sine, high);
+        let (sin_B, cos_B) = mid.B;
         let at = Vector3::new(m.x * cos_B + m.z * sin_B, m.y, m.z * cos_B - m.x * sin_B - L);
         let rho = (at.x * at.x + at.y * at.y).sqrt();
         self.upper = self.upper.min(stock.distance(rho, at.z));
@@ -241,20 +241,20 @@ impl<'a> Search<'a> {
         let (around, along) = (farthest(angles, angle).min(2.0) * wide, farthest(parts, part));
         let along = along * if cell.end { radius } else { reach };
         let extent = if cell.end { around + along } else { hypot(around, along) };
-        let v = seen.by + Vector3::new(m.z, 0.0, -m.x) * seen.turn;
-        let (turn, by) = (seen.turn.abs(), seen.way);
+        let v = mid.by + Vector3::new(m.z, 0.0, -m.x) * mid.turn;
+        let (turn, by) = (mid.turn.abs(), mid.way);
         let beside = if turn == 0.0 {
             0.0
         } else {
-            let far = hypot(m.x, m.z) + extent + seen.half * by;
-            seen.half * (turn * extent + seen.half * turn * (turn * far + 2.0 * by) / 2.0)
+            let far = hypot(m.x, m.z) + extent + mid.half * by;
+            mid.half * (turn * extent + mid.half * turn * (turn * far + 2.0 * by) / 2.0)
         };
-        let way = extent + seen.half * v.norm() + beside;
+        let way = extent + mid.half * v.norm() + beside;
         Point { place: [angle, part], at, rho, wide, around, along, extent, v, beside, way, fall: None }
     }
 
     /// By how much n·q may be less over a cell than at a point, by time, angle and part, and the place where it is.
-    fn fall(&self, cell: &Cell, seen: &Seen, point: &mut Point, n: &Vector3<f64>) -> Fall {
+    fn fall(&self, cell: &Cell, mid: &MidStand, point: &mut Point, n: &Vector3<f64>) -> Fall {
         let bits = n.map(f64::to_bits);
         if let Some((known, fall)) = point.fall
             && known == bits
@@ -262,7 +262,7 @@ impl<'a> Search<'a> {
             return fall;
         }
         let Outside { radius, reach, .. } = *self.outside;
-        let ([_, angles, parts], [angle, part], (sin_B, cos_B)) = (cell.sides, point.place, seen.B);
+        let ([_, angles, parts], [angle, part], (sin_B, cos_B)) = (cell.sides, point.place, mid.B);
         let turned = Vector3::new(n.x * cos_B - n.z * sin_B, n.y, n.x * sin_B + n.z * cos_B);
         let (flat, about) = (hypot(turned.x, turned.y), atan2(turned.y, turned.x));
         let (at, least, here) = least_cosine(angles, about, angle);
@@ -270,7 +270,7 @@ impl<'a> Search<'a> {
         let rise = if cell.end { radius * flat * least } else { reach * turned.z };
         let to = if rise < 0.0 { parts[1] } else { parts[0] };
         let by_part = rise * (part - to);
-        let by_time = seen.half * turned.dot(&point.v).abs() + point.beside;
+        let by_time = mid.half * turned.dot(&point.v).abs() + point.beside;
         let fall = ([by_time, by_angle.max(0.0), by_part.max(0.0)], [at, to]);
         point.fall = Some((bits, fall));
         fall
@@ -278,10 +278,10 @@ impl<'a> Search<'a> {
 
     /// What the distance from a piece of the stock is nowhere less than over a cell, seen from one place of the tool, and the
     /// place to which that leads.
-    fn from(&self, cell: &Cell, seen: &Seen, piece: usize, view: &mut Point) -> (Least, [f64; 2]) {
+    fn from(&self, cell: &Cell, mid: &MidStand, piece: usize, view: &mut Point) -> (Least, [f64; 2]) {
         let Outside { stock, .. } = *self.outside;
         let Point { place, at: point, rho, around, along, extent, way, .. } = *view;
-        let mut most = |n: &Vector3<f64>| self.fall(cell, seen, view, n).0.iter().sum::<f64>();
+        let mut most = |n: &Vector3<f64>| self.fall(cell, mid, view, n).0.iter().sum::<f64>();
 
         let torus = stock.torus;
         let (distance, n, tube) = if piece < 2 {
@@ -305,7 +305,7 @@ impl<'a> Search<'a> {
             let n = if T > 0.0 { -(radial * out + upwards * up) / T } else { Vector3::zeros() };
             (torus.r - T, n, Some(T))
         };
-        let (lost, place) = self.fall(cell, seen, view, &n);
+        let (lost, place) = self.fall(cell, mid, view, &n);
         let straight = distance - lost.iter().sum::<f64>();
         let bent = match tube {
             None => 0.0,
@@ -324,7 +324,7 @@ impl<'a> Search<'a> {
 }
 
 /// The machine in the middle of a cell's time.
-struct Seen {
+struct MidStand {
     /// Half of the cell's span of time.
     half: f64,
     by: Vector3<f64>,

@@ -75,12 +75,12 @@ pub fn ribs(part: &Part, N: u32, d_t: f64, sweeps: &[Sweep]) -> Ribs {
     let channel = torus.r * (pitch * (torus.R * FRAC_PI_2 - torus.r) - part.e * FRAC_PI_2 / sin_alpha);
     let bands: Vec<Band<'_>> = sweeps.iter().map(|sweep| Band::new(part, sweep, a, pitch)).collect();
     let (mut from, mut left) = (None, 0.0);
-    let mut seen = vec![Seen::default(); bands.len()];
-    let mut lines = [Line::new(part, HUB), Line::new(part, HUB)];
+    let mut memos = vec![BandMemo::default(); bands.len()];
+    let mut lines = [Parallel::new(part, HUB), Parallel::new(part, HUB)];
     for strip in 0..count {
         let v = [HUB + step * f64::from(strip), HUB + step * f64::from(strip + 1)];
-        lines = [lines[1], Line::new(part, v[1])];
-        let stands = standing(part, pitch, &bands, &lines, &mut seen, strip % FRESH == 0).0;
+        lines = [lines[1], Parallel::new(part, v[1])];
+        let stands = standing(part, pitch, &bands, &lines, &mut memos, strip % FRESH == 0).0;
         if stands > 0.0 {
             from.get_or_insert(f64::from(strip) / strips);
         }
@@ -89,8 +89,8 @@ pub fn ribs(part: &Part, N: u32, d_t: f64, sweeps: &[Sweep]) -> Ribs {
         left += stands * (area_1 - area_0);
     }
     let share = if channel > 0.0 { (left / channel).clamp(0.0, 1.0) } else { 0.0 };
-    let mut seen = vec![Seen::default(); bands.len()];
-    let (_, widest) = standing(part, pitch, &bands, &[Line::new(part, RIM); 2], &mut seen, true);
+    let mut memos = vec![BandMemo::default(); bands.len()];
+    let (_, widest) = standing(part, pitch, &bands, &[Parallel::new(part, RIM); 2], &mut memos, true);
     Ribs { share, width: widest * torus.R, from }
 }
 
@@ -99,8 +99,8 @@ fn standing(
     part: &Part,
     pitch: f64,
     bands: &[Band<'_>],
-    lines: &[Line; 2],
-    seen: &mut [Seen],
+    lines: &[Parallel; 2],
+    memos: &mut [BandMemo],
     fresh: bool,
 ) -> (f64, f64) {
     let torus = part.circle.torus;
@@ -112,7 +112,7 @@ fn standing(
         return (0.0, 0.0);
     }
     let found: Vec<Option<[f64; 2]>> =
-        bands.iter().zip(seen).map(|(band, seen)| band.cut(lines, seen, fresh)).collect();
+        bands.iter().zip(memos).map(|(band, memo)| band.cut(lines, memo, fresh)).collect();
     let of = |track: Track| bands.iter().zip(&found).find(|(band, _)| band.track == track).and_then(|(_, cut)| *cut);
     // The splitter itself, between the passes on both of its sides, is meant to stand.
     let splitter = of(Track::Out).zip(of(Track::Back)).map(|([_, low], [high, _])| [low, low.max(high)]);
@@ -132,14 +132,14 @@ fn standing(
 
 /// A parallel of the turned surface.
 #[derive(Clone, Copy)]
-struct Line {
+struct Parallel {
     v: f64,
     rho: f64,
     z: f64,
     u: f64,
 }
 
-impl Line {
+impl Parallel {
     fn new(part: &Part, v: f64) -> Self {
         let torus = part.circle.torus;
         Self { v, rho: torus.rho(v), z: torus.r * sin_cos(v).0, u: part.circle.u(v.clamp(HUB, RIM)) }
@@ -181,7 +181,7 @@ impl Pose {
 
     /// Of the point of a line beside the pose's own angle, by the sine and cosine of how far in x: the square of its distance
     /// from the axis, how that changes with x, and the height above the tip.
-    fn apart(&self, line: &Line, (sin_x, cos_x): (f64, f64)) -> [f64; 3] {
+    fn apart(&self, line: &Parallel, (sin_x, cos_x): (f64, f64)) -> [f64; 3] {
         let (sin_psi, cos_psi) = self.turned;
         let (sin, cos) = (sin_psi * cos_x - cos_psi * sin_x, cos_psi * cos_x + sin_psi * sin_x);
         let from = Vector3::new(line.rho * cos, line.rho * sin, line.z) - self.tip;
@@ -193,7 +193,7 @@ impl Pose {
 
 /// What is known of a band in the strip before.
 #[derive(Clone)]
-struct Seen {
+struct BandMemo {
     /// The poses that reached farthest.
     farthest: [usize; 2],
     /// Where poses end on both lines, by pose and side: the next strip begins with the second line.
@@ -202,7 +202,7 @@ struct Seen {
     cutting: Range<usize>,
 }
 
-impl Default for Seen {
+impl Default for BandMemo {
     fn default() -> Self {
         Self { farthest: [usize::MAX; 2], ends: Default::default(), cutting: 0..0 }
     }
@@ -255,8 +255,8 @@ impl<'a> Band<'a> {
     }
 
     /// From where to where the pass cuts two lines and what is between them; `None` where it does not.
-    fn cut(&self, lines: &[Line; 2], seen: &mut Seen, fresh: bool) -> Option<[f64; 2]> {
-        let Seen { farthest, ends, cutting } = seen;
+    fn cut(&self, lines: &[Parallel; 2], memo: &mut BandMemo, fresh: bool) -> Option<[f64; 2]> {
+        let BandMemo { farthest, ends, cutting } = memo;
         let known = std::mem::take(cutting);
         let R = self.part.circle.torus.R;
         let step = lines[1].v - lines[0].v;
@@ -300,7 +300,7 @@ impl<'a> Band<'a> {
         }
         let [one, other] = between;
         let between = one.min(other)..one.max(other) + 1;
-        let cuts = |at: usize, line: &Line| self.beside(&self.poses[at], line, off).is_some();
+        let cuts = |at: usize, line: &Parallel| self.beside(&self.poses[at], line, off).is_some();
         if !between.clone().all(|at| (known.contains(&at) || cuts(at, &lines[0])) && cuts(at, &lines[1])) {
             return None;
         }
@@ -316,7 +316,7 @@ impl<'a> Band<'a> {
     fn end(
         &self,
         at: usize,
-        lines: &[Line; 2],
+        lines: &[Parallel; 2],
         ends: &mut [FxHashMap<(usize, bool), Option<f64>>; 2],
         off: f64,
         end: f64,
@@ -331,7 +331,7 @@ impl<'a> Band<'a> {
 
     /// The square of the distance of a pose from a line, if it cuts it at its own angle about the axis of the part: there the
     /// middle of the tool is nearest to the line.
-    fn beside(&self, pose: &Pose, line: &Line, off: f64) -> Option<f64> {
+    fn beside(&self, pose: &Pose, line: &Parallel, off: f64) -> Option<f64> {
         let [square, _, up] = pose.apart(line, (0.0, 1.0));
         let radius = self.a - off;
         (square <= radius * radius && up >= off).then_some(square)
@@ -339,7 +339,7 @@ impl<'a> Band<'a> {
 
     /// The end of what a pose cuts on one line: where the distance from its axis is the radius, or the line falls away to the
     /// tool's end.
-    fn on_line(&self, pose: &Pose, line: &Line, less: f64, end: f64) -> Option<f64> {
+    fn on_line(&self, pose: &Pose, line: &Parallel, less: f64, end: f64) -> Option<f64> {
         let least = self.beside(pose, line, less)?;
         let radius = self.a - less;
         let off = |x: f64| {

@@ -97,12 +97,12 @@ fn reach(machine: TiltingTable, [x, y, z, B, _]: &Stand, height: f64) -> [f64; 2
 }
 
 /// Where all axes stand at a point, and how far the tool's axis then reaches.
-struct Seen {
+struct StandReach {
     stand: Stand,
     reach: [f64; 2],
 }
 
-impl Seen {
+impl StandReach {
     fn new(machine: TiltingTable, position: &Position, height: f64) -> Self {
         let stand = stand(position);
         Self { stand, reach: reach(machine, &stand, height) }
@@ -167,7 +167,7 @@ impl Sweep<Track> {
         let points = tracks.positions(track)?;
         let [entry, exit] = &tracks.safe_points(track);
         let at = std::iter::once(entry).chain(points).chain([exit]);
-        let at: Vec<Seen> = at.map(|position| Seen::new(design.machine, position, height)).collect();
+        let at: Vec<StandReach> = at.map(|position| StandReach::new(design.machine, position, height)).collect();
         let mut sweep = Self { track, stretches: Vec::new(), height };
         // The ways in and out stand by themselves.
         let last = at.len() - 1;
@@ -182,7 +182,7 @@ impl<T> Sweep<T> {
     /// The way through some positions, block by block. The bounds hold up to a height above the tip.
     #[must_use]
     pub fn through(track: T, machine: TiltingTable, positions: &[Position], height: f64) -> Self {
-        let at: Vec<Seen> = positions.iter().map(|position| Seen::new(machine, position, height)).collect();
+        let at: Vec<StandReach> = positions.iter().map(|position| StandReach::new(machine, position, height)).collect();
         let mut sweep = Self { track, stretches: Vec::new(), height };
         if let Some(last) = at.len().checked_sub(1).filter(|last| *last > 0) {
             sweep.take(machine, &at, 0, last);
@@ -191,7 +191,7 @@ impl<T> Sweep<T> {
     }
 
     /// Takes the blocks from one point to another as one stretch, or as the two halves of them.
-    fn take(&mut self, machine: TiltingTable, at: &[Seen], low: usize, high: usize) {
+    fn take(&mut self, machine: TiltingTable, at: &[StandReach], low: usize, high: usize) {
         let Some(slack) = self.slack(machine, &at[low..=high]) else {
             let middle = low + (high - low) / 2;
             self.take(machine, at, low, middle);
@@ -205,11 +205,11 @@ impl<T> Sweep<T> {
 
     /// How far the axis is from that of one block through all of these points; `None` where that is too much. Between two of
     /// them both run evenly, so that it is the farthest at one of them.
-    fn slack(&self, machine: TiltingTable, at: &[Seen]) -> Option<f64> {
+    fn slack(&self, machine: TiltingTable, at: &[StandReach]) -> Option<f64> {
         let (Some(from), Some(to)) = (at.first(), at.last()) else { return Some(0.0) };
         #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
         let off = |k: usize| {
-            let Seen { stand: here, reach: here_reach } = &at[k];
+            let StandReach { stand: here, reach: here_reach } = &at[k];
             let even = between(&from.stand, &to.stand, k as f64 / (at.len() - 1) as f64);
             let off = less(here, &even);
             let way = Vector3::new(off[0], off[1], off[2]).norm();

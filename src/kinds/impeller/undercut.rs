@@ -95,12 +95,12 @@ pub fn undercut(part: &Part, sweep: &Sweep, d_t: f64) -> Option<Undercut> {
         let tool = |s: f64| kept(&mut tools, (at, key(s)), || sweep.stretches[at].tool(s));
         let [before, after, tool] = [s_0, s_1, f64::midpoint(s_0, s_1)].map(tool);
         let [low, high, ruling] = &strip.rulings;
-        let seen = [(before, low), (before, high), (after, low), (after, high), (tool, ruling)];
-        let seen = seen.map(|(tool, ruling)| Seen::new(tool, ruling));
+        let rulings = [(before, low), (before, high), (after, low), (after, high), (tool, ruling)];
+        let rulings = rulings.map(|(tool, ruling)| ProjectedRuling::new(tool, ruling));
         let (pace, a, sides) = (&paces[at], d_t / 2.0, [s_1 - s_0, cell.t[1] - cell.t[0]]);
         let ways = [(pace.speed + pace.turn * 2.0 * a) * sides[0] / 2.0, strip.change.speed * sides[1] / 2.0];
         let stretch = &sweep.stretches[at];
-        let beside = Beside { part, stretch, height: sweep.height, tool, seen, pace, strip, a, ways, sides };
+        let beside = Beside { part, stretch, height: sweep.height, tool, rulings, pace, strip, a, ways, sides };
         let bounds = beside.bounds(best + CLOSE);
         best = best.max(bounds.middle);
         bounds
@@ -142,7 +142,7 @@ impl Strip {
 
 /// A ruling seen along the tool's axis.
 #[derive(Clone, Copy)]
-struct Seen {
+struct ProjectedRuling {
     /// From the axis to its foot.
     beside: Vector3<f64>,
     /// What it goes on by for each millimetre of depth.
@@ -151,7 +151,7 @@ struct Seen {
     nearest: f64,
 }
 
-impl Seen {
+impl ProjectedRuling {
     fn new((tip, axis): (Vector3<f64>, Vector3<f64>), ruling: &Ruling) -> Self {
         let (beside, down) = (ruling.foot - tip, opposite(ruling.N));
         let (beside, down) = (beside - axis * beside.dot(&axis), down - axis * down.dot(&axis));
@@ -176,7 +176,7 @@ struct Beside<'a> {
     /// Tip and axis in the middle of a part of it.
     tool: (Vector3<f64>, Vector3<f64>),
     /// The rulings at both v, seen from both ends, and that in the middle from there.
-    seen: [Seen; 5],
+    rulings: [ProjectedRuling; 5],
     pace: &'a Pace,
     strip: &'a Strip,
     a: f64,
@@ -252,7 +252,7 @@ impl Beside<'_> {
     /// No point between two depths is nearer to the axis, wherever the blocks have it.
     fn least(&self, depths: [f64; 2]) -> f64 {
         let (pace, change, [along, over]) = (self.pace, &self.strip.change, self.sides);
-        let [one, two, three, four, middle] = self.seen.each_ref().map(|seen| seen.nearest(depths).0);
+        let [one, two, three, four, middle] = self.rulings.each_ref().map(|ruling| ruling.nearest(depths).0);
         let corners = lesser(lesser(one, two), lesser(three, four));
         let by_way = middle - pace.speed * along / 2.0 - self.ways[1];
         let least = greater(corners - self.ways[0] - self.ways[1], by_way);
@@ -289,7 +289,7 @@ impl Beside<'_> {
 
     /// The depth below the face that is there, between two depths of the ruling in the middle.
     fn found(&self, depths: [f64; 2]) -> f64 {
-        let (distance, h) = self.seen[4].nearest(depths);
+        let (distance, h) = self.rulings[4].nearest(depths);
         if distance >= self.a {
             let point = self.strip.rulings[2].at(h);
             return if self.part.trimmed(&point) { self.a - distance } else { f64::NEG_INFINITY };

@@ -2,7 +2,7 @@
 
 use super::drawn::{Contour, Drawn};
 use super::part_view::cover;
-use super::sketch::{Held, chuck_cut_off, sketch};
+use super::sketch::{Clamping, chuck_cut_off, sketch};
 use crate::figure::{Figure, Ink, Label, Stroke};
 use crate::limits::DRAWN_MOTIONS;
 use crate::text::Text;
@@ -10,7 +10,7 @@ use crate::text::t;
 
 /// All figures, by the keys of the report's templates: the finished part, and for each set-up its sketch and its path.
 #[must_use]
-pub fn figures(drawn: &Drawn, setups: &[(Drawn, Held)]) -> Vec<Figure> {
+pub fn figures(drawn: &Drawn, setups: &[(Drawn, Clamping)]) -> Vec<Figure> {
     let mut figures = vec![cover(&drawn.part), half_section(drawn)];
     figures
         .extend(setups.iter().zip(["setup", "setup-2"]).filter_map(|((setup, held), key)| sketch(setup, *held, key)));

@@ -13,7 +13,7 @@ use super::setup::Given;
 use super::setup_sheet::CuttingConditions;
 use super::tables::Rows;
 use super::text::SheetProgram;
-use super::{Raised, Seen, outside};
+use super::{Raised, SimulationEvent, outside};
 use crate::finding::{Exit, Finding, Place, Raise, Rule, Size};
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::Interpreter;
@@ -142,11 +142,11 @@ pub(super) fn follow<'a>(
     source: &'a SheetProgram,
     given: &Given,
     Begins { mut simulation, lost, uncut, held }: Begins,
-    watch: &mut dyn FnMut(Seen<'_>),
+    watch: &mut dyn FnMut(SimulationEvent<'_>),
 ) -> Followed<'a> {
     let program = listed(key, title, source, given);
     simulation.repeat();
-    watch(Seen::Begin(&program, source, &simulation));
+    watch(SimulationEvent::Begin(&program, source, &simulation));
     let stock = simulation.contours();
     let mounted = simulation.setup().turret.tools.iter();
     let slow = mounted.filter(|(_, tool)| tool.fed_slowly()).map(|(&place, _)| place).collect();
@@ -182,7 +182,7 @@ pub(super) fn follow<'a>(
         turned: None,
     };
     interpreter.keep_stood();
-    watch(Seen::Stood(&interpreter.stands(), &following.one.simulation, None));
+    watch(SimulationEvent::Stood(&interpreter.stands(), &following.one.simulation, None));
     loop {
         let item = interpreter.next();
         following.one.uncut |= interpreter.uncut();
@@ -237,13 +237,13 @@ fn told_apart(alarms: &[Raised], told: &[Finding]) -> Vec<&'static Rule> {
 
 impl<'a> Following<'_, 'a> {
     /// What blocks without a motion have put in force.
-    fn stood(&mut self, interpreter: &mut Interpreter<'_>, watch: &mut dyn FnMut(Seen<'_>)) {
+    fn stood(&mut self, interpreter: &mut Interpreter<'_>, watch: &mut dyn FnMut(SimulationEvent<'_>)) {
         for stood in interpreter.stood().into_iter().filter(|_| !self.one.uncut) {
             if stood.control.tool != self.place {
                 (self.place, self.turned) = (stood.control.tool, Some((stood.control.file, stood.line)));
                 self.one.conditions.call(stood.control.tool);
             }
-            watch(Seen::Stood(&stood, &self.one.simulation, interpreter.file(stood.control.file)));
+            watch(SimulationEvent::Stood(&stood, &self.one.simulation, interpreter.file(stood.control.file)));
         }
     }
 
@@ -252,7 +252,7 @@ impl<'a> Following<'_, 'a> {
         &mut self,
         motion: &Motion,
         interpreter: &Interpreter<'_>,
-        watch: &mut dyn FnMut(Seen<'_>),
+        watch: &mut dyn FnMut(SimulationEvent<'_>),
     ) -> ControlFlow<()> {
         let control = *interpreter.in_force();
         let file = interpreter.file(control.file);
@@ -289,7 +289,7 @@ impl<'a> Following<'_, 'a> {
         let source = self.one.source;
         self.one.conditions.take(&step);
         self.one.rows.push(&step, source.text(file).unwrap_or(&source.main));
-        watch(Seen::Step(&step, &self.one.simulation, file));
+        watch(SimulationEvent::Step(&step, &self.one.simulation, file));
         ControlFlow::Continue(())
     }
 
@@ -361,7 +361,7 @@ impl<'a> Following<'_, 'a> {
         self,
         interpreter: &Interpreter<'_>,
         held: Option<Finding>,
-        watch: &mut dyn FnMut(Seen<'_>),
+        watch: &mut dyn FnMut(SimulationEvent<'_>),
     ) -> Followed<'a> {
         let Following { mut one, given, mut faults, fed, last, unjudged, .. } = self;
         let source = one.source;
@@ -408,7 +408,7 @@ impl<'a> Following<'_, 'a> {
         faults.told.extend(held);
         one.repeated = one.simulation.repeated().unwrap_or_default();
         faults.told.extend((one.repeated > AGREE).then(|| not_repeated(one.repeated)));
-        watch(Seen::End(&faults.told, &one.simulation));
+        watch(SimulationEvent::End(&faults.told, &one.simulation));
         one.findings = faults.placed(source);
         one.drawn.part = one.simulation.product();
         one
@@ -419,7 +419,7 @@ impl<'a> Following<'_, 'a> {
 ///
 /// What a refused block left undone, or what lies behind the end of a budget, may have been what takes a mark away: of such a
 /// program's marks, and of those on the part that it began with, none is reported.
-pub(super) fn late(followed: &mut [Followed], given: &Given, watch: &mut dyn FnMut(Seen<'_>)) {
+pub(super) fn late(followed: &mut [Followed], given: &Given, watch: &mut dyn FnMut(SimulationEvent<'_>)) {
     let whole = |one: &Followed| !one.lost && !one.endless;
     for number in 0..followed.len() {
         let Some((one, behind)) = followed[number..].split_first_mut() else { continue };
@@ -431,7 +431,7 @@ pub(super) fn late(followed: &mut [Followed], given: &Given, watch: &mut dyn FnM
         for alarm in lasting {
             let file = alarm.file.checked_sub(1).and_then(|at| one.files.get(at)).map(String::as_str);
             one.rows.late(&alarm);
-            watch(Seen::Late(number, &alarm, file));
+            watch(SimulationEvent::Late(number, &alarm, file));
             let place = one.source.place(file, alarm.line, Vec::new());
             one.alarms.push(Raised { alarm, place, other_offset: None });
         }

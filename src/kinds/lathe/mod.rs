@@ -42,7 +42,7 @@ use crate::kinds::lathe::parameters::{FORM, PROGRAM_KEY, SECOND_KEY};
 use crate::kinds::lathe::profile::{Comparison, Wanted, compared, wanted};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
-use crate::kinds::lathe::sketch::Held;
+use crate::kinds::lathe::sketch::Clamping;
 use crate::kinds::lathe::tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
@@ -54,9 +54,9 @@ use crate::text::t;
 /// How far the facets of the solid may be from the round part, mm.
 const TOLERANCE: f64 = 0.01;
 
-/// One thing seen while a program is followed.
+/// What happens while a program is followed.
 #[derive(Debug)]
-pub enum Seen<'a> {
+pub enum SimulationEvent<'a> {
     /// A program begins, with its text and the part as it is.
     Begin(&'a Program, &'a text::SheetProgram, &'a Simulation),
     /// What is in force before the first block, or after one that changed it without a motion; with the name of the
@@ -174,9 +174,9 @@ pub fn simulated(
     wants: Wants,
 ) -> Result<Simulated, Refusal> {
     let mut watching = wants.scene.then(Watching::default);
-    let mut simulated = watched(fields, source, program, &mut |seen| {
+    let mut simulated = watched(fields, source, program, &mut |event| {
         if let Some(watching) = &mut watching {
-            watching.see(seen);
+            watching.see(event);
         }
     })?;
     simulated.outcome.scene = watching.map(|watching| Ok(watching.scene()));
@@ -191,7 +191,7 @@ pub fn watched(
     fields: Fields,
     source: Provenance,
     program: Option<text::SheetProgram>,
-    watch: &mut dyn FnMut(Seen<'_>),
+    watch: &mut dyn FnMut(SimulationEvent<'_>),
 ) -> Result<Simulated, Refusal> {
     let mut wrong = Vec::new();
     if program.is_none() {
@@ -251,12 +251,12 @@ fn outcome(
     tables.push(turret_table(&given.setup.turret, &given.own));
     let mut drawn = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
     tables.push(contour_table(&drawn.part));
-    let paths: Vec<(Drawn, Held)> = followed
+    let paths: Vec<(Drawn, Clamping)> = followed
         .iter()
         .map(|one| {
             let setup = one.simulation.setup();
             let chuck = setup.fixtures().into_iter().map(|(_, ring)| ring).collect();
-            (Drawn { chuck, ..one.drawn.clone() }, Held::of(setup))
+            (Drawn { chuck, ..one.drawn.clone() }, Clamping::of(setup))
         })
         .collect();
     drawn.chuck = paths.last().map(|(drawn, _)| drawn.chuck.clone()).unwrap_or_default();

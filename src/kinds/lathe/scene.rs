@@ -7,7 +7,7 @@ use crate::gcode::control::Control;
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::Standstill;
 use crate::gcode::motion::{Motion, MotionKind};
-use crate::kinds::lathe::Seen;
+use crate::kinds::lathe::SimulationEvent;
 use crate::kinds::lathe::text::SheetProgram;
 use crate::limits::SHOWN_ALARMS;
 use crate::machine::axis::Axis;
@@ -45,15 +45,15 @@ struct Known {
 
 impl Watching {
     /// Takes in what is shown while the programs are followed.
-    pub fn see(&mut self, seen: Seen<'_>) {
-        match seen {
-            Seen::Begin(program, source, simulation) => {
+    pub fn see(&mut self, event: SimulationEvent<'_>) {
+        match event {
+            SimulationEvent::Begin(program, source, simulation) => {
                 self.begin(program.title.clone(), program.control, source, simulation)
             }
-            Seen::Stood(stood, simulation, file) => self.stood(stood, simulation, file),
-            Seen::Step(step, simulation, file) => self.step(step, simulation, file),
-            Seen::Late(number, alarm, file) => self.late(number, alarm, file),
-            Seen::End(findings, simulation) => {
+            SimulationEvent::Stood(stood, simulation, file) => self.stood(stood, simulation, file),
+            SimulationEvent::Step(step, simulation, file) => self.step(step, simulation, file),
+            SimulationEvent::Late(number, alarm, file) => self.late(number, alarm, file),
+            SimulationEvent::End(findings, simulation) => {
                 if let (Some(program), Some(known)) = (self.programs.last_mut(), self.known.last()) {
                     if let (Some(motion), Some(turning)) = (self.parted, &mut program.turning)
                         && let Some(piece) = simulation.parted()

@@ -10,7 +10,7 @@ const HEIGHT: f64 = 72.0;
 
 /// Where a set-up holds the part; mm along Z from W1.
 #[derive(Clone, Copy, Debug)]
-pub struct Held {
+pub struct Clamping {
     /// Machine zero M.
     pub machine: f64,
     /// The face of the jaws.
@@ -21,7 +21,7 @@ pub struct Held {
     pub first: bool,
 }
 
-impl Held {
+impl Clamping {
     /// How a set-up holds its part.
     #[must_use]
     pub fn of(setup: &Setup) -> Self {
@@ -46,7 +46,7 @@ pub fn chuck_cut_off(caption: &Text) -> Text {
 
 /// The sketch of one set-up; `None` if there is nothing to hold.
 #[must_use]
-pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
+pub fn sketch(drawn: &Drawn, clamping: Clamping, key: &'static str) -> Option<Figure> {
     let points = || drawn.stock.iter().flatten();
     points().next()?;
     let most = |axis: usize| points().map(|point| point[axis]).fold(f64::NEG_INFINITY, f64::max);
@@ -55,7 +55,7 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
     // Only the bodies of chuck and tailstock near the part.
     let high = 1.5 * radius;
     let reach = drawn.chuck.iter().flatten().map(|point| point[0]).fold(right, f64::max).min(right + 1.2 * radius);
-    let mut sketch = Sketch::new([reach - held.machine, 2.0 * high], [118.0, HEIGHT - 38.0]);
+    let mut sketch = Sketch::new([reach - clamping.machine, 2.0 * high], [118.0, HEIGHT - 38.0]);
     let (gap, long) = (sketch.paper(2.0), sketch.paper(10.0));
     for ring in &drawn.chuck {
         let near: Vec<[f64; 2]> = ring.iter().map(|&[z, r]| [z.min(reach), r.clamp(-high, high)]).collect();
@@ -65,11 +65,11 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
         sketch.shape(Ink::Outline, ring.as_slice());
         sketch.shape(Ink::Outline, ring.iter().map(|&[z, r]| [z, -r]).collect::<Vec<_>>());
     }
-    sketch.line(Ink::Centre, [[held.machine - long, 0.0], [reach + gap, 0.0]]);
+    sketch.line(Ink::Centre, [[clamping.machine - long, 0.0], [reach + gap, 0.0]]);
     // M, W1, and the direction of X: towards the turret.
-    let up = if held.behind { 1.0 } else { -1.0 };
-    sketch.zero([held.machine, 0.0]);
-    sketch.label([held.machine, gap], Side::Above, Text::same("M"));
+    let up = if clamping.behind { 1.0 } else { -1.0 };
+    sketch.zero([clamping.machine, 0.0]);
+    sketch.label([clamping.machine, gap], Side::Above, Text::same("M"));
     sketch.zero([0.0, 0.0]);
     // Over the part, or beside it if its face is behind W1.
     if right < -gap {
@@ -81,21 +81,21 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
     sketch.arrow(Ink::Axis(2), [[axes, 0.0], [axes + long, 0.0]]);
     sketch.label([axes + long, 0.0], Side::Right, Text::same("+Z"));
     sketch.arrow(Ink::Axis(0), [[axes, 0.0], [axes, beyond]]);
-    let turret = if held.behind {
+    let turret = if clamping.behind {
         t("+X, torreta trasera", "+X, rear turret")
     } else {
         t("+X, torreta delantera", "+X, front turret")
     };
     sketch.label([axes, beyond], Side::Right, turret);
-    let symbol = |name: &'static str| if held.first { name } else { "" };
+    let symbol = |name: &'static str| if clamping.first { name } else { "" };
     // Above: the clamped length, and the stick-out.
     let over = high + sketch.paper(4.0);
-    let (facing, clamped, out) = (right, held.jaws - left, right - held.jaws);
+    let (facing, clamped, out) = (right, clamping.jaws - left, right - clamping.jaws);
     // The jaws may hold only a part of what is behind their face, if the part was turned round.
-    if held.first && clamped > 0.0 {
-        sketch.level([left, radius], [held.jaws, high], over, sized("L4", clamped));
+    if clamping.first && clamped > 0.0 {
+        sketch.level([left, radius], [clamping.jaws, high], over, sized("L4", clamped));
     }
-    sketch.level([held.jaws, high], [right, radius], over, sized(symbol("L3"), out));
+    sketch.level([clamping.jaws, high], [right, radius], over, sized(symbol("L3"), out));
     if facing.abs() > 0.0 {
         let (low, high) = (facing.min(0.0), facing.max(0.0));
         sketch.level([low, radius], [high, radius], over + sketch.paper(7.0), sized(symbol("L5"), high - low));
@@ -103,10 +103,15 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
     // Below: the whole length, and the part zero from M, whose number the extension lines of a shorter one do not cross.
     let under = -high - sketch.paper(7.0);
     sketch.level([left, -radius], [right, -radius], under, sized(symbol("L"), right - left));
-    sketch.level([held.machine, -high], [0.0, -radius], under - sketch.paper(7.0), sized("Z_W1", -held.machine));
+    sketch.level(
+        [clamping.machine, -high],
+        [0.0, -radius],
+        under - sketch.paper(7.0),
+        sized("Z_W1", -clamping.machine),
+    );
     let across = axes + sketch.paper(24.0);
     sketch.upright([right, -radius], [right, radius], across, Side::Right, sized(symbol("D"), 2.0 * radius));
-    let caption = if held.first {
+    let caption = if clamping.first {
         t("El bruto en el plato, antes de tornear", "The stock in the chuck, before turning")
     } else {
         t(

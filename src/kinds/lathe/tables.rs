@@ -172,14 +172,14 @@ impl Rows {
 /// What each line of the programs did: motions, time, volume, alarms. A line of a subprogram's file stands under its own.
 #[must_use]
 pub fn lines_table(motions: &[Table]) -> Table {
-    struct Line {
+    struct LineTotals {
         program: usize,
         line: f64,
         block: Text,
         sums: [f64; 7],
         alarms: Vec<String>,
     }
-    let mut lines: Vec<Line> = Vec::new();
+    let mut lines: Vec<LineTotals> = Vec::new();
     let mut known: BTreeMap<(usize, u64, String), usize> = BTreeMap::new();
     for (program, table) in motions.iter().enumerate() {
         let number = |symbol: &str, row: usize| match table.column(symbol).map(|column| column.values.get(row)) {
@@ -193,7 +193,7 @@ pub fn lines_table(motions: &[Table]) -> Table {
         for row in 0..table.rows() {
             let (line, block) = (number("line", row), text("block", row));
             let at = *known.entry((program, line.to_bits(), block.en.to_string())).or_insert_with(|| {
-                lines.push(Line { program: program + 1, line, block, sums: [0.0; 7], alarms: Vec::new() });
+                lines.push(LineTotals { program: program + 1, line, block, sums: [0.0; 7], alarms: Vec::new() });
                 lines.len() - 1
             });
             let Some(one) = lines.get_mut(at) else { continue };

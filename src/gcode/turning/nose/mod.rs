@@ -100,7 +100,7 @@ pub struct Step<T> {
 }
 
 /// A piece that is held back until the next one says where it ends.
-struct Held<T> {
+struct PendingPiece<T> {
     step: Step<T>,
     /// 1 for left, −1 for right.
     s: f64,
@@ -117,7 +117,7 @@ struct Held<T> {
 enum State<T> {
     /// Nothing is compensated. The tip where it is not at the end of the last piece.
     Off(Option<Point>),
-    Held(Box<Held<T>>),
+    Held(Box<PendingPiece<T>>),
     /// A misfit has been found: pieces pass as they are.
     Broken,
 }
@@ -195,7 +195,12 @@ impl<T: Clone> Stage<T> {
     }
 
     /// The piece after one that is held back.
-    fn follow(&mut self, mut held: Held<T>, step: Step<T>, out: &mut Vec<(Element, T)>) -> Result<(), (Misfit, T)> {
+    fn follow(
+        &mut self,
+        mut held: PendingPiece<T>,
+        step: Step<T>,
+        out: &mut Vec<(Element, T)>,
+    ) -> Result<(), (Misfit, T)> {
         let Some(start) = step.element.start() else {
             if held.stills.len() < STILL_PIECES {
                 held.stills.push(step);
@@ -241,7 +246,7 @@ impl<T: Clone> Stage<T> {
             return Err(misfit);
         }
         let [_, trim] = round.trims;
-        let next = Held { step, s, entry: false, start: round.last(), trim, stills: Vec::new() };
+        let next = PendingPiece { step, s, entry: false, start: round.last(), trim, stills: Vec::new() };
         self.state = State::Held(Box::new(next));
         Ok(())
     }
@@ -259,13 +264,13 @@ impl<T: Clone> Stage<T> {
 }
 
 /// Places what is held back and the piece that does not fit, and gives the misfit.
-fn broken<T: Clone>(held: Held<T>, step: Step<T>, misfit: Misfit, out: &mut Vec<(Element, T)>) -> (Misfit, T) {
+fn broken<T: Clone>(held: PendingPiece<T>, step: Step<T>, misfit: Misfit, out: &mut Vec<(Element, T)>) -> (Misfit, T) {
     let (_, earlier) = held.release_to_normal(out);
     out.push((step.element, step.tag.clone()));
     earlier.unwrap_or((misfit, step.tag))
 }
 
-impl<T: Clone> Held<T> {
+impl<T: Clone> PendingPiece<T> {
     /// What is watched for cuts: a piece of the contour, which neither an entry nor a rapid move is.
     fn watched(&self) -> Option<(Element, Nose, T)> {
         let step = &self.step;
@@ -337,9 +342,10 @@ fn begin<T: Clone>(step: Step<T>, tip: Option<Point>, out: &mut Vec<(Element, T)
             out.push((element, step.tag.clone()));
             (State::Broken, Some((Misfit::ArcEntry, step.tag)))
         }
-        Some(s) => {
-            (State::Held(Box::new(Held { step, s, entry: true, start: from, trim: 0.0, stills: Vec::new() })), None)
-        }
+        Some(s) => (
+            State::Held(Box::new(PendingPiece { step, s, entry: true, start: from, trim: 0.0, stills: Vec::new() })),
+            None,
+        ),
         None if curved && tip.is_some() => {
             out.push((element, step.tag.clone()));
             (State::Off(None), Some((Misfit::ArcExit, step.tag)))

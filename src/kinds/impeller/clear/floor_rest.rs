@@ -16,7 +16,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use crate::kinds::impeller::clear::floor_feet::{ARITHMETIC, Floor, psi_at};
-use crate::kinds::impeller::clear::poses::{Pose, Poses, Seen};
+use crate::kinds::impeller::clear::poses::{BunchBounds, Pose, Poses};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::part::{Part, RIM};
 use crate::number::root::halved;
@@ -160,7 +160,7 @@ impl Ground {
         let far = poses.of(|bunch| {
             let deepest = deepest.get();
             let (middle, half) = (c + out * f64::midpoint(deepest, r_f), (r_f - deepest) / 2.0 + ARITHMETIC);
-            let Seen { beside, up } = bunch.seen(&middle);
+            let BunchBounds { beside, up } = bunch.bounds(&middle);
             beside > self.tool.a() + half || up < -half
         });
         for (number, pose) in far {

@@ -110,7 +110,7 @@ pub struct Bunch {
 
 /// What a bunch of poses looks like from a point.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen {
+pub struct BunchBounds {
     /// No pose has its axis nearer than this.
     pub beside: f64,
     /// No pose has its end lower below the point than this.
@@ -130,10 +130,10 @@ pub struct Poses {
 impl Bunch {
     /// What it looks like from a point.
     #[must_use]
-    pub fn seen(&self, point: &Vector3<f64>) -> Seen {
+    pub fn bounds(&self, point: &Vector3<f64>) -> BunchBounds {
         let [beside, up] = self.middle.seen(point);
         let ([tip, turn, along], away) = (self.off, (point - self.middle.tip).norm());
-        Seen { beside: beside - (tip + turn * away), up: up + along + turn * (away + tip) }
+        BunchBounds { beside: beside - (tip + turn * away), up: up + along + turn * (away + tip) }
     }
 }
 
@@ -227,7 +227,7 @@ impl Poses {
     #[must_use]
     pub fn held_before(&self, before: usize, tool: Tool, point: &Vector3<f64>) -> bool {
         let far = |bunch: &Bunch| {
-            let Seen { beside, up } = bunch.seen(point);
+            let BunchBounds { beside, up } = bunch.bounds(point);
             bunch.first >= before || apart(tool, [beside, up]) > 0.0
         };
         self.of(far).any(|(number, pose)| number < before && pose.apart(tool, point) <= 0.0)
@@ -244,7 +244,7 @@ impl Poses {
             return Some(at);
         }
         let far = |bunch: &Bunch| {
-            let Seen { beside, up } = bunch.seen(point);
+            let BunchBounds { beside, up } = bunch.bounds(point);
             apart(tool, [beside, up]) > over
         };
         self.of(far).find(|(_, pose)| pose.apart(tool, point) <= over).map(|(number, _)| number)
@@ -255,7 +255,7 @@ impl Poses {
     pub fn apart(&self, tool: Tool, point: &Vector3<f64>, most: f64) -> f64 {
         let nearest = Cell::new(most);
         let far = |bunch: &Bunch| {
-            let Seen { beside, up } = bunch.seen(point);
+            let BunchBounds { beside, up } = bunch.bounds(point);
             apart(tool, [beside, up]) >= nearest.get()
         };
         for (_, pose) in self.of(far) {

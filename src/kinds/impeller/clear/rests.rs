@@ -9,7 +9,7 @@ use crate::kinds::impeller::clear::floor_rest::FloorLook;
 use crate::kinds::impeller::clear::lane::v_at;
 use crate::kinds::impeller::clear::pass::Cutting;
 use crate::kinds::impeller::clear::poses::{Poses, cusp};
-use crate::kinds::impeller::clear::root::{Line, Root, face_lines, left_above, nose_lines, root};
+use crate::kinds::impeller::clear::root::{FaceLine, Root, face_lines, left_above, nose_lines, root};
 use crate::kinds::impeller::clear::told::{FaceError, Unfinished};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::part::{Face, HUB, RIM};
@@ -106,7 +106,7 @@ impl Draft<'_> {
     }
 
     /// The lines along which the corners are looked at: those of the blades as far as they are wanted, and of the splitter.
-    fn lines(&self, wanted: impl Fn(Face, f64) -> bool) -> Vec<Line> {
+    fn lines(&self, wanted: impl Fn(Face, f64) -> bool) -> Vec<FaceLine> {
         let part = &self.job.part;
         let of = |face: Face, turn: f64| {
             face_lines(part, face, turn, HUB - 1.0)

@@ -79,7 +79,7 @@ pub struct Root {
 
 /// A line of a face down to the floor.
 #[derive(Clone, Copy, Debug)]
-pub struct Line {
+pub struct FaceLine {
     ruling: Ruling,
     /// From which depth on.
     top: f64,
@@ -90,7 +90,7 @@ pub struct Line {
     turn: f64,
 }
 
-impl Line {
+impl FaceLine {
     /// v of its ruling, radians.
     #[must_use]
     pub const fn v(&self) -> f64 {
@@ -107,7 +107,7 @@ impl Line {
 
 /// The lines of a face of a blade turned about the axis of the part, from v on, as far as it is in the blank.
 #[must_use]
-pub fn face_lines(part: &Part, face: Face, turn: f64, from: f64) -> Vec<Line> {
+pub fn face_lines(part: &Part, face: Face, turn: f64, from: f64) -> Vec<FaceLine> {
     let pieces = part.pieces(face);
     // At its very edges a face is not in the blank but on it.
     let begin = pieces.first().map_or(HUB, |piece| piece.v[0] + EDGE).max(from);
@@ -122,28 +122,28 @@ pub fn face_lines(part: &Part, face: Face, turn: f64, from: f64) -> Vec<Line> {
         .chain([HUB, RIM].into_iter().filter(|v| (begin..=end).contains(v)))
         .map(|v| {
             let out = part.frame(v).1.b * face.side();
-            Line { ruling: part.ruling(face, v), top: part.top(v), out, v, turn }
+            FaceLine { ruling: part.ruling(face, v), top: part.top(v), out, v, turn }
         })
         .collect()
 }
 
 /// The lines of the half-round nose of a splitter that begins at v_s.
 #[must_use]
-pub fn nose_lines(part: &Part, v_s: f64, turn: f64) -> Vec<Line> {
+pub fn nose_lines(part: &Part, v_s: f64, turn: f64) -> Vec<FaceLine> {
     let frame = part.frame(v_s).1;
     (0..=NOSE_LINES)
         .map(|line| {
             let f = PI * f64::from(line) / f64::from(NOSE_LINES) - FRAC_PI_2;
             let (sin, cos) = sin_cos(f);
             let out = frame.b * sin - frame.t * cos;
-            Line { ruling: part.nose(v_s, f), top: part.nose_top(v_s, f), out, v: v_s, turn }
+            FaceLine { ruling: part.nose(v_s, f), top: part.nose_top(v_s, f), out, v: v_s, turn }
         })
         .collect()
 }
 
 /// What the poses of a tool leave along some lines: where it is more than `over`.
 #[must_use]
-pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -> Root {
+pub fn root(part: &Part, lines: &[FaceLine], poses: &Poses, tool: Tool, over: f64) -> Root {
     let torus = part.circle.torus;
     let r_f = torus.r + part.a_p;
     let mut root = Root { over, height: 0.0, v: HUB, thick: 0.0, width: 0.0, width_v: HUB, above: over };
@@ -224,7 +224,7 @@ pub fn root(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, over: f64) -
 /// The most that the poses of a tool leave along some lines higher above the floor than the corner; `None` where it is nowhere
 /// more than `most`.
 #[must_use]
-pub fn left_above(part: &Part, lines: &[Line], poses: &Poses, tool: Tool, [corner, most]: [f64; 2]) -> Option<f64> {
+pub fn left_above(part: &Part, lines: &[FaceLine], poses: &Poses, tool: Tool, [corner, most]: [f64; 2]) -> Option<f64> {
     let mut found = None;
     let (mut most, mut last) = (most, 0);
     for line in lines {

@@ -5,7 +5,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::geometry::pipe_wall::{Line, PipeWall, Seat};
+use crate::geometry::pipe_wall::{PipeWall, Seat, WallLine};
 use crate::kinds::pipe::insert::outline::Outline;
 use crate::limits::CURVE_LOOKS;
 use crate::number::bound::Enclosure;
@@ -199,7 +199,7 @@ pub struct Rest {
 #[derive(Clone, Copy, Debug)]
 struct Look {
     phi: f64,
-    line: Line,
+    line: WallLine,
     grind: f64,
 }
 
@@ -216,7 +216,7 @@ impl Look {
 /// The least square over ρ of distances with |f″| ≤ M is nowhere below its chord by more than M/8 of the span's square, as f − M φ²/2
 /// is concave for each ρ, and so is the least of them. The same holds of what falls with |f′|.
 #[must_use]
-pub fn beyond(wall: &PipeWall, [one, other]: [&Line; 2], phi: Jet, s: Jet, span: f64) -> [f64; 3] {
+pub fn beyond(wall: &PipeWall, [one, other]: [&WallLine; 2], phi: Jet, s: Jet, span: f64) -> [f64; 3] {
     let ([bore, outside], R) = (wall.ends(), wall.R());
     let square = |off: f64| (R + off) * (R + off);
     let within = -wall.square_jet(phi, s, Interval::between(bore, outside));

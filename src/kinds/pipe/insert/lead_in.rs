@@ -34,7 +34,7 @@ const LEAST: f64 = 1e-3;
 const TOLD: f64 = 10.0;
 
 /// A line between two points.
-type Line = [Vector2<f64>; 2];
+type Segment = [Vector2<f64>; 2];
 
 impl Outline {
     /// The longest lead-in for which it is proved that the torch keeps off what stays: the one that is asked for, else to a
@@ -105,7 +105,7 @@ impl Outline {
         [low, high]: [f64; 2],
         inside: f64,
         shift: Vector2<f64>,
-        line: Line,
+        line: Segment,
         beside: f64,
         looks: &mut u32,
     ) -> bool {
@@ -128,7 +128,7 @@ impl Outline {
 }
 
 /// How far a point is from a line.
-fn off(point: Vector2<f64>, [from, to]: Line) -> f64 {
+fn off(point: Vector2<f64>, [from, to]: Segment) -> f64 {
     let (chord, by) = (to - from, point - from);
     let square = chord.norm_squared();
     let part = if square > 0.0 { (by.dot(&chord) / square).clamp(0.0, 1.0) } else { 0.0 };
@@ -136,9 +136,9 @@ fn off(point: Vector2<f64>, [from, to]: Line) -> f64 {
 }
 
 /// How far two lines are from each other; 0 where they cross.
-fn apart(one: Line, other: Line) -> f64 {
-    let side = |[from, to]: Line, point: Vector2<f64>| (to - from).perp(&(point - from));
-    let parted = |line: Line, [first, last]: Line| side(line, first) * side(line, last) < 0.0;
+fn apart(one: Segment, other: Segment) -> f64 {
+    let side = |[from, to]: Segment, point: Vector2<f64>| (to - from).perp(&(point - from));
+    let parted = |line: Segment, [first, last]: Segment| side(line, first) * side(line, last) < 0.0;
     if parted(one, other) && parted(other, one) {
         return 0.0;
     }

@@ -23,7 +23,7 @@ use crate::gcode::interpreter::Setting;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::{Program, Style};
 use crate::geometry::pipe_pair::Side;
-use crate::geometry::pipe_wall::{Line, Seat};
+use crate::geometry::pipe_wall::{Seat, WallLine};
 use crate::kinds::pipe::insert::arcs::triples;
 use crate::kinds::pipe::insert::bounds::beyond;
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
@@ -395,7 +395,7 @@ struct Look {
     /// Its angle round the branch, and how far along the axis it is.
     place: [f64; 2],
     /// The line of the cut face from there through the wall.
-    line: Line,
+    line: WallLine,
 }
 
 /// The path of a motion over the surface that is cut.

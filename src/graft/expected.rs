@@ -16,7 +16,7 @@ use super::rules::BookTooLarge;
 
 /// What the workbook must be.
 #[derive(Debug)]
-pub struct Seen<'s, 'h> {
+pub struct ExpectedBook<'s, 'h> {
     /// The workbook as it was.
     pub host: &'s mut Parts<'h>,
     /// The workbook that the sheets come from.
@@ -31,7 +31,7 @@ pub struct Seen<'s, 'h> {
     pub added: &'s [&'s str],
 }
 
-impl Seen<'_, '_> {
+impl ExpectedBook<'_, '_> {
     /// Judges a workbook.
     ///
     /// # Errors
