@@ -21,7 +21,7 @@ choices! {
 
 /// Where a measure comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Source {
+pub enum MeasureSource {
     /// The derived value of the same symbol.
     Quantity,
     /// The time of the programs with these keys, as many as there are; of one without a known time there is none.
@@ -55,25 +55,25 @@ pub struct Measure {
     /// From which level on it is known.
     pub level: Level,
     /// Where it comes from.
-    pub source: Source,
+    pub source: MeasureSource,
 }
 
 impl Measure {
     /// A derived value that is known before programs are read back.
     #[must_use]
     pub const fn derived(key: &'static str, unit: Unit) -> Self {
-        Self { key, meaning: crate::text::t("", ""), unit, level: Level::Limits, source: Source::Quantity }
+        Self { key, meaning: crate::text::t("", ""), unit, level: Level::Limits, source: MeasureSource::Quantity }
     }
 
     /// A derived value that the programs give.
     #[must_use]
     pub const fn read_back(key: &'static str, unit: Unit) -> Self {
-        Self { key, meaning: crate::text::t("", ""), unit, level: Level::Program, source: Source::Quantity }
+        Self { key, meaning: crate::text::t("", ""), unit, level: Level::Program, source: MeasureSource::Quantity }
     }
 
     /// A value of programs that are read back.
     #[must_use]
-    pub const fn of_programs(key: &'static str, unit: Unit, source: Source, meaning: Text) -> Self {
+    pub const fn of_programs(key: &'static str, unit: Unit, source: MeasureSource, meaning: Text) -> Self {
         Self { key, meaning, unit, level: Level::Program, source }
     }
 
@@ -96,11 +96,11 @@ impl Measure {
             of_keys.into_iter()
         };
         let value = match self.source {
-            Source::Quantity => known.quantities.iter().find(|one| one.symbol == self.key).map(|one| one.value),
-            Source::Time(keys) => time(known.programs.iter().filter(|one| keys.contains(&one.key))),
-            Source::Greatest(keys) => measured(keys).max_by(f64::total_cmp),
-            Source::Least(keys) => measured(keys).min_by(f64::total_cmp),
-            Source::Entered { code, under, keys } => {
+            MeasureSource::Quantity => known.quantities.iter().find(|one| one.symbol == self.key).map(|one| one.value),
+            MeasureSource::Time(keys) => time(known.programs.iter().filter(|one| keys.contains(&one.key))),
+            MeasureSource::Greatest(keys) => measured(keys).max_by(f64::total_cmp),
+            MeasureSource::Least(keys) => measured(keys).min_by(f64::total_cmp),
+            MeasureSource::Entered { code, under, keys } => {
                 let carried = |one: &Finding| match one.data.iter().find(|(name, _)| *name == under) {
                     Some((_, Datum::Number { value, .. })) if one.code() == code => *value,
                     _ => None,

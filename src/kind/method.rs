@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 use std::sync::LazyLock;
 
 use super::live_form::LiveForm;
-use super::measure::{Limits, Measure, Source, Suggested};
+use super::measure::{Limits, Measure, MeasureSource, Suggested};
 use super::rules::NotNumbered;
 use super::{
     Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants, faults, staging,
@@ -62,7 +62,7 @@ pub trait Method: Send + Sync + 'static {
     const MEASURES: &'static [Measure] = &[Measure::of_programs(
         "time_s",
         Unit::Second,
-        Source::Time(Self::FORM.programs),
+        MeasureSource::Time(Self::FORM.programs),
         t("Duración de los programas", "Time of the programs"),
     )];
     /// What a new workbook suggests to vary.

@@ -238,7 +238,7 @@ mod tests {
     use super::*;
     use crate::gcode::control::LINUXCNC;
     use crate::gcode::interpreter::Setting;
-    use crate::proof::step::{Planned, Run, Time};
+    use crate::proof::step::{Interpolation, Planned, Time};
 
     /// The extents of an arc in machine coordinates, from many points along it.
     fn sampled(motion: &Motion) -> Extents {
@@ -273,7 +273,15 @@ mod tests {
         while let Some(motion) = interpreter.next() {
             let motion = motion.unwrap();
             let (from, to) = (motion.from, motion.to);
-            let planned = Planned { from, to, run: Run::Straight, time: Time::Free, line: None, leg: 0, path: None };
+            let planned = Planned {
+                from,
+                to,
+                interpolation: Interpolation::Straight,
+                time: Time::Free,
+                line: None,
+                leg: 0,
+                path: None,
+            };
             let step = Step { motion, in_force: *interpreter.in_force(), stage: Stage::Planned(planned) };
             account.see(&step, &from);
         }

@@ -14,7 +14,7 @@ use crate::machine::rotary::TiltingTable;
 use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
 use crate::proof::rules::NotAsPlanned;
-use crate::proof::step::{Judge, Planned, Run, SAME, Stage, Step, Time};
+use crate::proof::step::{Interpolation, Judge, Planned, SAME, Stage, Step, Time};
 use crate::proof::three_axes::Route;
 use crate::text::{Text, t};
 
@@ -112,7 +112,7 @@ impl Agreement {
                 return Some(position(read, plan, axes));
             }
         }
-        if !runs(&motion.kind, planned.run) {
+        if !runs(&motion.kind, planned.interpolation) {
             return Some(t(
                 "no va como dice el plan: en rápido, recto o en arco",
                 "it does not run as planned: rapid, straight or along an arc",
@@ -128,11 +128,11 @@ impl Agreement {
 }
 
 /// True where a motion runs as planned.
-fn runs(kind: &MotionKind, run: Run) -> bool {
-    match (kind, run) {
-        (MotionKind::Rapid, Run::Rapid) | (MotionKind::Feed(_), Run::Straight) => true,
+fn runs(kind: &MotionKind, interpolation: Interpolation) -> bool {
+    match (kind, interpolation) {
+        (MotionKind::Rapid, Interpolation::Rapid) | (MotionKind::Feed(_), Interpolation::Straight) => true,
         // A radius given to three or six decimals moves the centre, and so the radius read back, by rounding only.
-        (MotionKind::Arc(arc, _), Run::Arc { clockwise, radius }) => {
+        (MotionKind::Arc(arc, _), Interpolation::Arc { clockwise, radius }) => {
             (arc.turns < 0) == clockwise && (arc.radius - radius).abs() <= 1e-6 * radius.max(1.0)
         }
         _ => false,

@@ -21,7 +21,7 @@ pub fn same(one: &Pose, other: &Pose) -> bool {
 
 /// How a planned move runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Run {
+pub enum Interpolation {
     /// At rapid: no metal is meant to be cut.
     Rapid,
     /// Straight, at feed.
@@ -54,7 +54,7 @@ pub struct Planned<'a> {
     /// Where it ends.
     pub to: Pose,
     /// How it runs from there.
-    pub run: Run,
+    pub interpolation: Interpolation,
     /// How long it takes.
     pub time: Time,
     /// Its line in the program's text, counted from 1, where the plan knows it.
@@ -108,7 +108,7 @@ impl<'a> Plan<'a> {
             Planned {
                 from: Pose::from(planned.from),
                 to: Pose::from(planned.to),
-                run: if rapid { Run::Rapid } else { Run::Straight },
+                interpolation: if rapid { Interpolation::Rapid } else { Interpolation::Straight },
                 time,
                 line: Some(planned.line),
                 leg,

@@ -19,7 +19,7 @@ use crate::number::grid::Milli;
 use crate::number::shown;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::NotAsPlanned;
-use crate::proof::step::{Judge, Plan, Planned, Run, SAME, Step, Time, same};
+use crate::proof::step::{Interpolation, Judge, Plan, Planned, SAME, Step, Time, same};
 use crate::text::{Text, t};
 
 /// The motions that a program should make, in order, rapid moves too.
@@ -37,7 +37,7 @@ impl Route {
     pub fn rapid(&mut self, to: impl IntoIterator<Item = (Axis, f64)>) {
         let from = self.go(to);
         if !same(&from, &self.at) {
-            self.push(from, Run::Rapid, Time::Free);
+            self.push(from, Interpolation::Rapid, Time::Free);
         }
     }
 
@@ -46,7 +46,7 @@ impl Route {
         let from = self.go(to);
         let way = self.at.differences(&from).iter().map(|by| by * by).sum::<f64>().sqrt();
         let word = FeedWord::lasting(FeedLaw::Resultant, 60.0 * way / F, way).map_or(f64::NAN, FeedWord::value);
-        self.push(from, Run::Straight, Time::Seconds(60.0 * way / word));
+        self.push(from, Interpolation::Straight, Time::Seconds(60.0 * way / word));
     }
 
     /// Goes on to a place; where the tool was.
@@ -58,9 +58,9 @@ impl Route {
         from
     }
 
-    fn push(&mut self, from: Pose, run: Run, time: Time) {
+    fn push(&mut self, from: Pose, interpolation: Interpolation, time: Time) {
         let (to, leg) = (self.at, self.moves.len());
-        self.moves.push(Planned { from, to, run, time, line: None, leg, path: None });
+        self.moves.push(Planned { from, to, interpolation, time, line: None, leg, path: None });
     }
 
     /// How many motions there are.

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use super::attachments::files;
 use super::document::{
-    Answer, Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet, Title, Verdict,
+    Answer, Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, OverallGrade, Row, SetUp, Sheet, Title,
 };
 use super::number;
 use super::rules::CharactersByCode;
@@ -97,7 +97,7 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Manuscript, ReportFai
             FeedLaw::InverseTime => "inverse",
         },
         title: title(outcome, logo, &mut words),
-        verdict: Verdict::default(),
+        verdict: OverallGrade::default(),
         parameters: parameters(outcome, &mut words),
         values: outcome
             .fields
@@ -125,7 +125,7 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Manuscript, ReportFai
     }
     let (what, grade) = checks::verdict(outcome.stopped(), outcome.findings.iter().chain(&findings));
     let passed = words.text(&checks::passed(&outcome.checks));
-    document.verdict = Verdict { grade: key(grade), what: words.text(&what), passed };
+    document.verdict = OverallGrade { grade: key(grade), what: words.text(&what), passed };
     document.checks = checks;
     document.checks.extend(findings.iter().map(|finding| check(finding, &mut words)));
     Ok(Manuscript { json: serde_json::to_vec(&document)?, findings })

@@ -24,7 +24,7 @@ pub(super) struct Document {
     /// How F counts: `resultant`, `seconds`, `inverse`.
     pub feed_law: &'static str,
     pub title: Title,
-    pub verdict: Verdict,
+    pub verdict: OverallGrade,
     pub parameters: Vec<Group>,
     pub values: BTreeMap<&'static str, String>,
     pub quantities: Vec<Row>,
@@ -41,7 +41,7 @@ pub(super) struct Document {
 
 /// What the outcome comes to, as the results say it too.
 #[derive(Default, Serialize)]
-pub(super) struct Verdict {
+pub(super) struct OverallGrade {
     /// `note`, `caution` or `stop`.
     pub grade: &'static str,
     /// The verdict in words.

@@ -1,7 +1,7 @@
 //! What an impeller's cut takes away and leaves, told by the plan and judged by the simulator of
 //! [`impeller_swept`](super::impeller_swept).
 
-use rodete::kinds::impeller::clear::cut::{Cut, Which};
+use rodete::kinds::impeller::clear::cut::{CutStrategy, Which};
 use rodete::kinds::impeller::clear::pass::Cutting;
 use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::clear::tool::Tool;
@@ -10,7 +10,7 @@ use super::impeller_swept::{DEEP, Design, LARGE, MOST, SHIPPED, add, distance, f
 
 #[test]
 fn the_usual_cut_of_the_shipped_design_keeps_its_rests() {
-    let (plan, found) = judge(&SHIPPED, &Cut::usual(6.0, 3.0), [30, 6], [24, 90]);
+    let (plan, found) = judge(&SHIPPED, &CutStrategy::usual(6.0, 3.0), [30, 6], [24, 90]);
     assert!(plan.told.root.height <= 0.40 && plan.told.root.width <= 0.35, "{found:?} {:?}", plan.told.root);
     assert!(found.floor_rest <= 0.03 && plan.told.floor.most <= 0.03, "{found:?} {:?}", plan.told.floor);
     assert!(plan.told.dropped.is_empty());
@@ -20,7 +20,7 @@ fn the_usual_cut_of_the_shipped_design_keeps_its_rests() {
 #[test]
 fn one_tool_cuts_the_check_designs_and_tells_what_it_leaves() {
     for (design, root) in [(SHIPPED, 1.46), (DEEP, 1.71), (LARGE, 0.71)] {
-        let (plan, _) = judge(&design, &Cut::usual(6.0, 6.0), [16, 4], [12, 30]);
+        let (plan, _) = judge(&design, &CutStrategy::usual(6.0, 6.0), [16, 4], [12, 30]);
         assert!(plan.told.root.height <= root, "{design:?} {:?}", plan.told.root);
     }
 }
@@ -28,7 +28,7 @@ fn one_tool_cuts_the_check_designs_and_tells_what_it_leaves() {
 #[test]
 fn splitters_are_cut_round_and_neither_they_nor_their_neighbours_are_touched() {
     for (design, rough, finish) in [(SHIPPED, 6.0, 3.0), (LARGE, 6.0, 6.0)] {
-        let cut = Cut { splitters: true, scallop: 0.05, ..Cut::usual(rough, finish) };
+        let cut = CutStrategy { splitters: true, scallop: 0.05, ..CutStrategy::usual(rough, finish) };
         let (plan, found) = judge(&design, &cut, [16, 4], [12, 30]);
         assert!(plan.told.splitter_from.is_some() && found.left < 0.01, "{found:?}");
         assert!(plan.passes.iter().any(|pass| pass.cutting == Cutting::Contour));
@@ -50,7 +50,7 @@ fn designs_by_chance_are_cut_as_told() {
         let R = drawn(20.0, 80.0);
         let r = R * drawn(0.4, 0.7);
         let design = Design { R, r, N: [3, 5][judged], e: drawn(0.8, 3.0), a_p: (R - r) * drawn(0.1, 0.25) };
-        let cut = Cut::usual(drawn(2.0, 8.0), drawn(2.0, 6.0));
+        let cut = CutStrategy::usual(drawn(2.0, 8.0), drawn(2.0, 6.0));
         if let Err(refused) = Plan::new(&design.job(), &cut) {
             assert!(refused.largest.is_none_or(|largest| largest < refused.d), "{refused:?}");
             continue;
@@ -62,7 +62,7 @@ fn designs_by_chance_are_cut_as_told() {
 
 #[test]
 fn a_ball_end_mill_cuts_no_deeper_than_a_flat_one() {
-    let cut = Cut { finish: Tool::ball(4.0), scallop: 0.1, ..Cut::usual(6.0, 4.0) };
+    let cut = CutStrategy { finish: Tool::ball(4.0), scallop: 0.1, ..CutStrategy::usual(6.0, 4.0) };
     let plan = plan(&SHIPPED, &cut);
     let all = poses(&plan, &cut);
     let undercut = faces(&SHIPPED, [24, 6]).into_iter().map(|(x, ..)| -distance(x, &all)).fold(0.0, f64::max);
@@ -79,7 +79,7 @@ fn a_ball_end_mill_cuts_no_deeper_than_a_flat_one() {
 fn rounded_ends_leave_what_is_told() {
     for (rough, finish) in [(Tool { d: 6.0, r_c: 1.0 }, Tool { d: 3.0, r_c: 0.5 }), (Tool::ball(6.0), Tool::ball(4.0))]
     {
-        let cut = Cut { rough, finish, scallop: 0.05, ..Cut::usual(6.0, 3.0) };
+        let cut = CutStrategy { rough, finish, scallop: 0.05, ..CutStrategy::usual(6.0, 3.0) };
         let (plan, _) = judge(&SHIPPED, &cut, [16, 4], [12, 60]);
         // Ridges as the law says; the corner as high as the round end leaves more than a ridge.
         assert!(plan.told.floor.most <= 0.07 && plan.told.root.height >= finish.r_c / 3.0, "{:?}", plan.told);
@@ -92,7 +92,7 @@ fn a_thin_tool_keeps_out_of_the_straight_end_of_a_thick_blade_at_a_narrow_hub() 
         (Design { R: 29.878_778, r: 23.314_398, N: 2, e: 2.931_121, a_p: 3.839_135 }, 3.720_912, 1.795_543),
         (Design { R: 23.83, r: 16.0, N: 2, e: 3.93, a_p: 4.49 }, 4.91, 1.94),
     ] {
-        let cut = Cut { scallop: 0.1, blank: 60.0, ..Cut::usual(rough, finish) };
+        let cut = CutStrategy { scallop: 0.1, blank: 60.0, ..CutStrategy::usual(rough, finish) };
         let found = simulate(&design, &plan(&design, &cut), &cut, [32, 6], [8, 20]);
         assert!(found.undercut <= MOST && found.too_deep <= MOST && found.tops < 1e-9, "{design:?} {found:?}");
     }
@@ -100,11 +100,11 @@ fn a_thin_tool_keeps_out_of_the_straight_end_of_a_thick_blade_at_a_narrow_hub() 
 
 #[test]
 fn a_tool_that_does_not_fit_at_the_hub_cuts_no_blade_and_leaves_the_share_told() {
-    let cut = Cut { partly: true, scallop: 0.1, ..Cut::usual(8.0, 3.0) };
+    let cut = CutStrategy { partly: true, scallop: 0.1, ..CutStrategy::usual(8.0, 3.0) };
     let (plan, _) = judge(&SHIPPED, &cut, [16, 4], [12, 30]);
     assert!(plan.told.rough_from > 0.1 && plan.told.finish_from == 0.0 && plan.told.uncut == 0.0);
     assert!(plan.passes.iter().any(|pass| matches!(pass.cutting, Cutting::Rest { .. })));
-    let cut = Cut { finish: Tool::flat(7.5), ..cut };
+    let cut = CutStrategy { finish: Tool::flat(7.5), ..cut };
     let plan = super::impeller_swept::plan(&SHIPPED, &cut);
     let found = simulate(&SHIPPED, &plan, &cut, [16, 4], [24, 40]);
     assert!(found.undercut <= MOST && found.too_deep <= MOST && found.tops < 1e-9, "{found:?}");

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use rayon::prelude::*;
-use rodete::kinds::impeller::clear::cut::{Cut, DoesNotFit, Spindle, Which};
+use rodete::kinds::impeller::clear::cut::{CutStrategy, DoesNotFit, Spindle, Which};
 use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::clear::programs::position;
 use rodete::kinds::impeller::clearance::{Until, WORK, Walls};
@@ -291,7 +291,7 @@ fn largest(design: &Design, d_t: f64, grid: u32) -> f64 {
 }
 
 /// A design by chance, and how it is to be cut: its tools by what the dense search finds room for.
-pub fn drawn(number: u32) -> (Design, Cut) {
+pub fn drawn(number: u32) -> (Design, CutStrategy) {
     let mut chance = Chance(u64::from(number) * 7_919 + 42);
     loop {
         let R = chance.between(18.0, 80.0);
@@ -312,7 +312,7 @@ pub fn drawn(number: u32) -> (Design, Cut) {
         }
         let finish = if chance.one_in(2) { rough } else { rough * chance.between(0.4, 1.0) };
         let tolerance = chance.between(0.02, 0.06);
-        let cut = Cut {
+        let cut = CutStrategy {
             s,
             tolerance,
             scallop: chance.between(0.1, 0.5),
@@ -320,14 +320,14 @@ pub fn drawn(number: u32) -> (Design, Cut) {
             spindle: if chance.one_in(2) { Spindle::Clockwise } else { Spindle::Counterclockwise },
             splitters: chance.one_in(4),
             d_s: chance.between(1.0, 5.0),
-            ..Cut::usual(rough, finish)
+            ..CutStrategy::usual(rough, finish)
         };
         return (design, cut);
     }
 }
 
 /// What is wrong with a refusal.
-fn refusal(design: &Design, cut: &Cut, refused: &DoesNotFit, grid: u32) -> Vec<String> {
+fn refusal(design: &Design, cut: &CutStrategy, refused: &DoesNotFit, grid: u32) -> Vec<String> {
     let mut wrong = Vec::new();
     let (s, tool) = (cut.allowance(refused.tool), cut.tool(refused.tool));
     // The depth of roughing stays s above the floor.
@@ -349,7 +349,7 @@ fn refusal(design: &Design, cut: &Cut, refused: &DoesNotFit, grid: u32) -> Vec<S
 }
 
 /// By what the judges of its programs would stop a plan: then no program is written.
-fn stopped(design: &Design, cut: &Cut, plan: &Plan) -> Option<&'static str> {
+fn stopped(design: &Design, cut: &CutStrategy, plan: &Plan) -> Option<&'static str> {
     let job = design.job();
     let turns: Vec<f64> = (0..design.N).map(|k| design.pitch() * f64::from(k)).collect();
     let limit = cut.tolerance + OVER;
@@ -371,7 +371,7 @@ fn stopped(design: &Design, cut: &Cut, plan: &Plan) -> Option<&'static str> {
 }
 
 /// What is wrong with a plan.
-fn plan(design: &Design, cut: &Cut, plan: &Plan, grid: u32) -> Vec<String> {
+fn plan(design: &Design, cut: &CutStrategy, plan: &Plan, grid: u32) -> Vec<String> {
     let mut wrong = Vec::new();
     for which in [Which::Rough, Which::Finish] {
         let (s, d) = (cut.allowance(which), cut.tool(which).d);

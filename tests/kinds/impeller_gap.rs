@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use rodete::kinds::impeller::clear::cut::Cut;
+use rodete::kinds::impeller::clear::cut::CutStrategy;
 use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::gap::{Limits, gap};
 use rodete::number::trig::{atan2, cos, sin};
@@ -98,7 +98,7 @@ fn the_largest_tool_number_and_thickness_are_those_of_a_dense_search() {
             assert!(spare[0] >= -0.005 && spare[1] <= 0.03, "{design:?} {limits:?} {spare:?}");
         }
         // A clear cut is stopped only by a tool wider than the gap down to the floor, with what it leaves on both walls.
-        let cut = |rough: f64| Cut { scallop: 0.5, tolerance: 0.05, ..Cut::usual(rough, 1.0) };
+        let cut = |rough: f64| CutStrategy { scallop: 0.5, tolerance: 0.05, ..CutStrategy::usual(rough, 1.0) };
         let least = gap(&design.job().part, N, d).width - 2.0 * cut(1.0).s;
         if least > 1.2 && least < 1.9 * r {
             let fits = Plan::new(&design.job(), &cut(least * 0.995 - 0.05)).map(|_| ());

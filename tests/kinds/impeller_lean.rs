@@ -1,6 +1,6 @@
 //! Before a splitter's nose no upright tool reaches the floor: the simulator of the cut judges the pass of a leaning one.
 
-use rodete::kinds::impeller::clear::cut::{Cut, Which};
+use rodete::kinds::impeller::clear::cut::{CutStrategy, Which};
 use rodete::kinds::impeller::clear::holder::{Blank, Stage};
 use rodete::kinds::impeller::clear::pass::Cutting;
 use rodete::kinds::impeller::clear::plan::Plan;
@@ -10,9 +10,18 @@ use rodete::kinds::impeller::solids::Stock;
 use crate::impeller_swept::{SHIPPED, judge, simulate};
 
 /// The cut of the new workbook.
-fn cut() -> Cut {
-    let usual = Cut::usual(6.0, 3.0);
-    Cut { s: 0.3, step: 0.7, scallop: 0.025, tolerance: 0.0087, splitters: true, feed: Some(0.1), d_s: 5.0, ..usual }
+fn cut() -> CutStrategy {
+    let usual = CutStrategy::usual(6.0, 3.0);
+    CutStrategy {
+        s: 0.3,
+        step: 0.7,
+        scallop: 0.025,
+        tolerance: 0.0087,
+        splitters: true,
+        feed: Some(0.1),
+        d_s: 5.0,
+        ..usual
+    }
 }
 
 fn leans(plan: &Plan) -> Vec<Face> {
@@ -38,7 +47,7 @@ fn the_new_workbooks_impeller_with_splitters_keeps_the_rests_of_the_one_without(
 #[test]
 fn a_tool_leans_nowhere_where_upright_lanes_leave_no_more_than_their_ridges() {
     for splitters in [false, true] {
-        let cut = Cut { splitters, scallop: 0.1, ..cut() };
+        let cut = CutStrategy { splitters, scallop: 0.1, ..cut() };
         let (plan, _) = judge(&SHIPPED, &cut, [6, 3], [6, 30]);
         assert_eq!(leans(&plan), [], "{splitters}");
     }
@@ -47,7 +56,7 @@ fn a_tool_leans_nowhere_where_upright_lanes_leave_no_more_than_their_ridges() {
 #[test]
 fn a_tool_leans_only_where_its_holder_stays_clear() {
     let job = SHIPPED.job();
-    let plan = |stage| Plan::new(&job, &Cut { stages: [None, stage], ..cut() }).unwrap();
+    let plan = |stage| Plan::new(&job, &CutStrategy { stages: [None, stage], ..cut() }).unwrap();
     let stock = Stock { torus: job.part.circle.torus, length: cut().blank };
     let blank = Blank { stock, L: job.machine.L };
     let leaning = |plan: &Plan| {

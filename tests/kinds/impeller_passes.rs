@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use rodete::kinds::impeller::clear::contact::Contacts;
-use rodete::kinds::impeller::clear::cut::{Cut, Spindle, Which};
+use rodete::kinds::impeller::clear::cut::{CutStrategy, Spindle, Which};
 use rodete::kinds::impeller::clear::flank::FlankWay;
 use rodete::kinds::impeller::clear::lane::OwnNormal;
 use rodete::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Move};
@@ -19,7 +19,7 @@ use super::impeller_swept::{L, SHIPPED, along, apart, plan, turned};
 
 #[test]
 fn links_keep_clear_of_the_blank() {
-    let cut = Cut { splitters: true, scallop: 0.2, ..Cut::usual(4.0, 4.0) };
+    let cut = CutStrategy { splitters: true, scallop: 0.2, ..CutStrategy::usual(4.0, 4.0) };
     let plan = plan(&SHIPPED, &cut);
     let mut blank = Vec::new();
     for i in 0..=12 {
@@ -100,7 +100,7 @@ fn passes_climb_with_either_spindle_and_the_first_of_a_level_goes_into_the_full(
     for (spindle, obverse) in
         [(Spindle::Clockwise, Direction::Inwards), (Spindle::Counterclockwise, Direction::Outwards)]
     {
-        let cut = Cut { spindle, level: Some(0.9), scallop: 0.1, ..Cut::usual(6.0, 6.0) };
+        let cut = CutStrategy { spindle, level: Some(0.9), scallop: 0.1, ..CutStrategy::usual(6.0, 6.0) };
         let plan = plan(&SHIPPED, &cut);
         assert_eq!((plan.told.rough.levels, plan.told.rough.lanes), (2, 5));
         let first = &plan.passes[0];
@@ -123,7 +123,7 @@ fn passes_climb_with_either_spindle_and_the_first_of_a_level_goes_into_the_full(
 
 #[test]
 fn a_tool_that_does_not_fit_is_refused_with_the_largest_that_does() {
-    let refused = Plan::new(&SHIPPED.job(), &Cut::usual(8.0, 3.0)).unwrap_err();
+    let refused = Plan::new(&SHIPPED.job(), &CutStrategy::usual(8.0, 3.0)).unwrap_err();
     let largest = refused.largest.unwrap();
     assert_eq!((refused.tool, refused.d), (Which::Rough, 8.0));
     // The gap is 6.90 mm at its own depth, 0.6 mm of it stays on the walls.
@@ -132,9 +132,9 @@ fn a_tool_that_does_not_fit_is_refused_with_the_largest_that_does() {
         (0.1..0.5).contains(&refused.from.unwrap()) && (0.05..0.3).contains(&refused.uncut.unwrap()),
         "{refused:?}"
     );
-    let coarse = |d: f64| Cut { scallop: 0.5, tolerance: 0.05, ..Cut::usual(d, 3.0) };
+    let coarse = |d: f64| CutStrategy { scallop: 0.5, tolerance: 0.05, ..CutStrategy::usual(d, 3.0) };
     assert!(Plan::new(&SHIPPED.job(), &coarse(largest)).is_ok());
     assert!(Plan::new(&SHIPPED.job(), &coarse(largest + 0.05)).is_err());
-    let wide = Plan::new(&SHIPPED.job(), &Cut::usual(40.0, 3.0)).unwrap_err();
+    let wide = Plan::new(&SHIPPED.job(), &CutStrategy::usual(40.0, 3.0)).unwrap_err();
     assert_eq!((wide.from, wide.uncut), (None, Some(1.0)));
 }

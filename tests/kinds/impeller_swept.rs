@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use rodete::geometry::torus::Torus;
-use rodete::kinds::impeller::clear::cut::{Cut, Job};
+use rodete::kinds::impeller::clear::cut::{CutStrategy, Job};
 use rodete::kinds::impeller::clear::pass::Pass;
 use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::clear::tool::Tool;
@@ -148,7 +148,7 @@ pub struct Run {
 }
 
 /// All poses that cut, in runs.
-pub fn poses(plan: &Plan, cut: &Cut) -> Vec<Run> {
+pub fn poses(plan: &Plan, cut: &CutStrategy) -> Vec<Run> {
     let all: Vec<Pose> = plan.passes.iter().flat_map(|pass| cutting(pass, cut.tool(pass.tool))).collect();
     let run = |poses: &[Pose]| {
         let centre = poses[poses.len() / 2].tip;
@@ -277,7 +277,7 @@ fn from_walls(walls: &[Point], x: Point) -> f64 {
     walls.iter().map(|wall| norm(add(x, *wall, -1.0))).fold(f64::INFINITY, f64::min)
 }
 
-pub fn simulate(design: &Design, plan: &Plan, cut: &Cut, grid: [u32; 2], floor: [u32; 2]) -> Found {
+pub fn simulate(design: &Design, plan: &Plan, cut: &CutStrategy, grid: [u32; 2], floor: [u32; 2]) -> Found {
     let all = poses(plan, cut);
     let mut found = Found::default();
     let v_s = plan.told.splitter_from;
@@ -430,7 +430,7 @@ pub const SHIPPED: Design = Design { R: 25.0, r: 15.0, N: 4, e: 2.0, a_p: 2.0 };
 pub const DEEP: Design = Design { R: 25.0, r: 17.0, N: 2, e: 1.0, a_p: 4.0 };
 pub const LARGE: Design = Design { R: 50.0, r: 30.0, N: 5, e: 2.0, a_p: 3.0 };
 
-pub fn plan(design: &Design, cut: &Cut) -> Plan {
+pub fn plan(design: &Design, cut: &CutStrategy) -> Plan {
     Plan::new(&design.job(), cut).unwrap_or_else(|refused| panic!("{refused:?}"))
 }
 
@@ -439,7 +439,7 @@ pub const MOST: f64 = 0.011;
 const LOST: f64 = 0.001;
 
 /// Nothing is cut that should stay, and nothing is left but what is told.
-pub fn judge(design: &Design, cut: &Cut, grid: [u32; 2], floor: [u32; 2]) -> (Plan, Found) {
+pub fn judge(design: &Design, cut: &CutStrategy, grid: [u32; 2], floor: [u32; 2]) -> (Plan, Found) {
     let plan = plan(design, cut);
     let (found, told) = (simulate(design, &plan, cut, grid, floor), &plan.told);
     assert!(found.undercut <= MOST && found.too_deep <= MOST && found.tops < 1e-9, "{design:?} {found:?}");

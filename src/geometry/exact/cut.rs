@@ -7,7 +7,7 @@ use super::region::{Labelled, Region, encloses, twice_area};
 
 /// What became of the pieces of a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cut {
+pub enum CutEffect {
     /// Nothing was taken away.
     Missed,
     /// As many contours as before.
@@ -22,9 +22,9 @@ impl Region {
     ///
     /// The new edges get the labels of the stretches inserted, in their order, and 0 where there are fewer; one that carries on
     /// an edge that was there keeps that edge's.
-    pub fn cut(&mut self, polygon: &Convex, meeting: &Meeting, labels: &[u32]) -> Cut {
+    pub fn cut(&mut self, polygon: &Convex, meeting: &Meeting, labels: &[u32]) -> CutEffect {
         if meeting.is_empty() {
-            return Cut::Missed;
+            return CutEffect::Missed;
         }
         // What stays of the edges that were hit: a head up to the polygon, a tail after it.
         let mut tails = vec![NONE; meeting.hits.len()];
@@ -79,8 +79,8 @@ impl Region {
             self.add_hole(polygon);
         }
         match joints[..] {
-            [] => Cut::Apart,
-            [_] => Cut::Whole,
+            [] => CutEffect::Apart,
+            [_] => CutEffect::Whole,
             [(first, _), ..] => {
                 let mut met = 0;
                 let mut ring = Vec::new();
@@ -89,7 +89,7 @@ impl Region {
                 for (before, _) in &joints {
                     met += usize::from(ring.binary_search(before).is_ok());
                 }
-                if met == joints.len() { Cut::Whole } else { Cut::Apart }
+                if met == joints.len() { CutEffect::Whole } else { CutEffect::Apart }
             }
         }
     }

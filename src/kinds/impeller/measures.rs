@@ -1,6 +1,6 @@
 //! What impellers are compared by, and what a new workbook suggests to vary.
 
-use crate::kind::measure::{Measure, Source, Suggested, Varied};
+use crate::kind::measure::{Measure, MeasureSource, Suggested, Varied};
 use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::rules::IntoOwnFaces;
 use crate::table::Unit;
@@ -14,19 +14,19 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::of_programs(
         "time_s",
         Unit::Second,
-        Source::Time(&[Operation::Whole.key(), Operation::Rough.key(), Operation::Finish.key()]),
+        MeasureSource::Time(&[Operation::Whole.key(), Operation::Rough.key(), Operation::Finish.key()]),
         t("Duración del fresado, de toda la pieza", "Time of milling, for the whole part"),
     ),
     Measure::of_programs(
         "deviation_mm",
         MM,
-        Source::Greatest(&["tip-path"]),
+        MeasureSource::Greatest(&["tip-path"]),
         t("Desviación de la punta, entre bloques y como mucho", "Deviation of the tip, between blocks and at most"),
     ),
     Measure::of_programs(
         "clearance_mm",
         MM,
-        Source::Least(&["blades", "splitters", "faces"]),
+        MeasureSource::Least(&["blades", "splitters", "faces"]),
         t(
             "Holgura a los álabes, también a intermedios y caras del propio, como mínimo; negativa: la herramienta entra",
             "Clearance to the blades, splitters and own faces included, at least; negative: the tool enters them",
@@ -35,7 +35,7 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::of_programs(
         "undercut_mm",
         MM,
-        Source::Entered { code: IntoOwnFaces::RULE.code, under: "most", keys: &["faces"] },
+        MeasureSource::Entered { code: IntoOwnFaces::RULE.code, under: "most", keys: &["faces"] },
         t(
             "Entrada en las propias caras, de las fresas en el álabe y como mucho: el álabe queda más delgado",
             "Entry into the own faces, of the tools into the blade and at most: the blade gets thinner",
@@ -44,7 +44,7 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::of_programs(
         "under_floor_mm",
         MM,
-        Source::Greatest(&["floor"]),
+        MeasureSource::Greatest(&["floor"]),
         t("Profundidad bajo el fondo, como mucho", "Depth below the floor, at most"),
     ),
     Measure::derived("L", MM),

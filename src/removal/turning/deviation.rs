@@ -46,7 +46,7 @@ const NEAR: f64 = 0.5;
 const PASSED: usize = 16;
 
 /// Segments that follow one another, with the rectangle about them: a place far from it is compared with none of them.
-struct Run {
+struct Polyline {
     segments: Vec<[[f64; 2]; 2]>,
     low: [f64; 2],
     high: [f64; 2],
@@ -192,7 +192,7 @@ pub fn deviation(
     let mut close = 0;
     let mut look = |at: [f64; 2]| {
         let nearest =
-            |off: f64, run: &Run| {
+            |off: f64, run: &Polyline| {
                 (run.segments.iter()).fold(off, |off, &[from, to]| {
                     if apart(at, from, to) < off { off.min(beside(at, from, to)) } else { off }
                 })
@@ -267,7 +267,7 @@ type OnLine = ([f64; 2], [[f64; 2]; 2]);
 
 /// The place of a profile's lines that is nearest to a corner, the first of several. `close` is the run of lines where that
 /// of another corner was, and then where this one is.
-fn nearest(lines: &[Run], corner: [f64; 2], close: &mut usize) -> Option<OnLine> {
+fn nearest(lines: &[Polyline], corner: [f64; 2], close: &mut usize) -> Option<OnLine> {
     let mut best: Option<(OnLine, f64, usize)> = None;
     // The run of the corner before comes first: it is mostly near.
     for number in std::iter::once(*close).chain(0..lines.len()) {
@@ -293,8 +293,8 @@ fn nearest(lines: &[Run], corner: [f64; 2], close: &mut usize) -> Option<OnLine>
 }
 
 /// Segments in runs of [`PASSED`] at most, in their order.
-fn runs(segments: impl Iterator<Item = [[f64; 2]; 2]>) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
+fn runs(segments: impl Iterator<Item = [[f64; 2]; 2]>) -> Vec<Polyline> {
+    let mut runs: Vec<Polyline> = Vec::new();
     for [from, to] in segments {
         let (low, high) = ([from[0].min(to[0]), from[1].min(to[1])], [from[0].max(to[0]), from[1].max(to[1])]);
         match runs.last_mut().filter(|run| run.segments.len() < PASSED) {
@@ -305,7 +305,7 @@ fn runs(segments: impl Iterator<Item = [[f64; 2]; 2]>) -> Vec<Run> {
                 }
                 run.segments.push([from, to]);
             }
-            None => runs.push(Run { segments: vec![[from, to]], low, high }),
+            None => runs.push(Polyline { segments: vec![[from, to]], low, high }),
         }
     }
     runs
@@ -332,7 +332,7 @@ fn share(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     if square > 0.0 { (((point[0] - from[0]) * dz + (point[1] - from[1]) * dr) / square).clamp(0.0, 1.0) } else { 0.0 }
 }
 
-fn inside(surface: &[Run], [z, r]: [f64; 2]) -> bool {
+fn inside(surface: &[Polyline], [z, r]: [f64; 2]) -> bool {
     let beside = surface.iter().filter(|run| run.low[0] <= z && z <= run.high[0]);
     let above = beside.flat_map(|run| &run.segments).filter(|[from, to]| {
         (from[0] > z) != (to[0] > z) && r < from[1] + (to[1] - from[1]) * (z - from[0]) / (to[0] - from[0])

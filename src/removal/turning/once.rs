@@ -5,7 +5,7 @@ use super::motion_totals::Tally;
 use super::path::Piece;
 use super::spindle::{extent, revolutions};
 use super::thread_groove::ThreadGroove;
-use super::threads::{DEEPEST_PASS, Pass, Threads};
+use super::threads::{DEEPEST_PASS, ThreadPass, Threads};
 use super::tool::{Cutter, TurningTool};
 use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::motion::{FeedMode, MotionKind, Thread};
@@ -180,7 +180,7 @@ impl Watch {
         }
         if let Some((deep, metal)) = met {
             self.grooves.extend(ThreadGroove::new([start, end], lead, tool));
-            let pass = Pass { thread, way: [start, end], turned, place, tool, begins, deep, metal };
+            let pass = ThreadPass { thread, way: [start, end], turned, place, tool, begins, deep, metal };
             let most = DEEPEST_PASS;
             if let Some(depth) =
                 self.threads.judge(&pass, tally).filter(|_| matches!(tool.cutter, Cutter::Threader { .. }))

@@ -30,7 +30,7 @@ const OFF_GROOVE: f64 = 0.01;
 pub(super) const DEEPEST_PASS: f64 = 0.5;
 
 /// A pass of a thread, or a block of one.
-pub(super) struct Pass<'a> {
+pub(super) struct ThreadPass<'a> {
     pub thread: Thread,
     /// Where it starts and ends, `[z, r]`.
     pub way: Piece,
@@ -68,7 +68,7 @@ struct Start {
 
 /// What a tool has cut of a thread, in one direction.
 #[derive(Clone, Debug)]
-struct Cut {
+struct CutThread {
     place: u32,
     forward: bool,
     thread: Thread,
@@ -83,7 +83,7 @@ struct Cut {
     starts: Vec<Start>,
 }
 
-impl Cut {
+impl CutThread {
     /// How far along the thread two passes are apart beyond what lies within the shallower one's groove, and both lengths; mm.
     ///
     /// Grooves whole leads apart are one, unless the lead changes.
@@ -172,7 +172,7 @@ struct Known {
     z: [f64; 2],
     r: [f64; 2],
     lead: f64,
-    cuts: Vec<Cut>,
+    cuts: Vec<CutThread>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -198,7 +198,7 @@ impl Threads {
 
     /// Notes a pass in metal, and raises the alarms of another lead or spindle speed than in the passes before. Returns how deep it goes
     /// at once, mm on the radius; `None` for what does not say it.
-    pub fn judge(&mut self, pass: &Pass<'_>, tally: &mut Tally) -> Option<f64> {
+    pub fn judge(&mut self, pass: &ThreadPass<'_>, tally: &mut Tally) -> Option<f64> {
         let ([from, to], lead) = (pass.way, pass.thread.lead);
         let [z, r] = [0, 1].map(|axis| [from[axis].min(to[axis]), from[axis].max(to[axis])]);
         let meets = |one: [f64; 2], two: [f64; 2], apart: f64| one[0] < two[1] + apart && two[0] < one[1] + apart;
@@ -225,25 +225,25 @@ impl Threads {
     /// The alarms of deeper passes off the groove of the passes before, which can be reported only when the program has ended:
     /// with an infeed along either flank in turn, a pass is off the one before and the last one takes in both.
     pub fn off_groove(&self) -> Vec<Alarm> {
-        self.known.iter().flat_map(|known| &known.cuts).flat_map(Cut::off_groove).collect()
+        self.known.iter().flat_map(|known| &known.cuts).flat_map(CutThread::off_groove).collect()
     }
 }
 
 impl Known {
-    fn take(&mut self, pass: &Pass<'_>, tally: &mut Tally) -> Option<f64> {
-        let &Pass { thread, way: [from, to], turned, place, tool, begins, deep, metal } = pass;
+    fn take(&mut self, pass: &ThreadPass<'_>, tally: &mut Tally) -> Option<f64> {
+        let &ThreadPass { thread, way: [from, to], turned, place, tool, begins, deep, metal } = pass;
         let along = usize::from((to[1] - from[1]).abs() > (to[0] - from[0]).abs());
         let across = 1 - along;
         let forward = to[along] > from[along];
         let speeds = [from, to].map(|at| tally.turning.at(at[1] + tally.shift[1]));
-        let same = |cut: &Cut| cut.place == place && cut.forward == forward;
+        let same = |cut: &CutThread| cut.place == place && cut.forward == forward;
         let at = self.cuts.iter().position(same).unwrap_or_else(|| {
             let flank = match tool.cutter {
                 Cutter::Threader { angle, .. } => tan(angle.to_radians() / 2.0),
                 _ => 0.0,
             };
             let (speed, along, starts) = (speeds[0], to[along], Vec::new());
-            self.cuts.push(Cut { place, forward, thread, speed, told: false, along, flank, starts });
+            self.cuts.push(CutThread { place, forward, thread, speed, told: false, along, flank, starts });
             self.cuts.len() - 1
         });
         let cut = &mut self.cuts[at];

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::detached::Loose;
 use super::second_removal::Repeat;
 use crate::geometry::exact::convex::Convex;
-use crate::geometry::exact::cut::Cut;
+use crate::geometry::exact::cut::CutEffect;
 use crate::geometry::exact::grid::Point;
 use crate::geometry::exact::meeting::{Meeting, Stretch};
 use crate::geometry::exact::region::{Labelled, Region, Ring};
@@ -203,7 +203,7 @@ impl Workpiece {
             part.labels.resize(part.meeting.inserted.len(), 0);
             seen(&part.meeting, mirrored, &mut part.labels);
             removed.volume += taken(&part.meeting);
-            part.apart |= part.region.cut(polygon, &part.meeting, &part.labels) == Cut::Apart;
+            part.apart |= part.region.cut(polygon, &part.meeting, &part.labels) == CutEffect::Apart;
         });
         removed
     }

@@ -40,14 +40,14 @@ const LIMIT: f64 = 0.011;
 const TOUCHING: f64 = 0.012;
 
 /// A clear cut with its plan and its programs.
-struct Cut {
+struct PlannedCut {
     design: Design,
     model: impeller::Model,
     plan: Plan,
     programs: Vec<Program>,
 }
 
-impl Cut {
+impl PlannedCut {
     /// The case `clear` with few lanes, written with positions.
     fn new(changes: &[(&'static str, Value)]) -> Self {
         let mut all = common::absolute(&[("c_s", Value::Real(0.4)), ("kappa", Value::Real(0.95))]);
@@ -185,7 +185,7 @@ struct Shifted {
     check: &'static str,
 }
 
-fn all_shifted(cut: &Cut) -> Vec<Shifted> {
+fn all_shifted(cut: &PlannedCut) -> Vec<Shifted> {
     let (design, v_s) = (&cut.design, cut.plan.told.splitter_from.unwrap());
     let a = design.mill(Which::Finish).d / 2.0;
     let [blades, splitters] = points(design, v_s);
@@ -232,7 +232,7 @@ fn moved(lines: &[String], line: usize, words: &[(char, f64)]) -> Vec<String> {
 
 #[test]
 fn any_finishing_block_shifted_by_a_twentieth_into_the_metal_is_caught() {
-    let cut = Cut::new(&[]);
+    let cut = PlannedCut::new(&[]);
     let (design, v_s) = (&cut.design, cut.plan.told.splitter_from.unwrap());
     let text = cut.text("finish");
     let clean = cut.verdicts("finish", &text);
@@ -305,7 +305,7 @@ fn any_finishing_block_shifted_by_a_twentieth_into_the_metal_is_caught() {
 }
 
 /// A line in the middle of a pass of the first channel.
-fn middle(cut: &Cut, key: &str) -> usize {
+fn middle(cut: &PlannedCut, key: &str) -> usize {
     let lines: Vec<usize> =
         blocks(cut.program("finish")).into_iter().filter(|one| one.0 == key).map(|one| one.1).collect();
     lines[lines.len() / 2]
@@ -313,7 +313,7 @@ fn middle(cut: &Cut, key: &str) -> usize {
 
 #[test]
 fn one_fault_at_a_time_in_the_text_of_a_clear_cut_is_caught() {
-    let cut = Cut::new(&[("splitters", Value::Choice("no"))]);
+    let cut = PlannedCut::new(&[("splitters", Value::Choice("no"))]);
     let text = cut.text("finish");
     let line = middle(&cut, "obverse");
     let replaced = |from: &str, to: &str| {
@@ -375,7 +375,7 @@ fn one_fault_at_a_time_in_the_text_of_a_clear_cut_is_caught() {
 
 #[test]
 fn a_rapid_move_through_metal_of_a_clear_cut_is_caught() {
-    let cut = Cut::new(&[("splitters", Value::Choice("no"))]);
+    let cut = PlannedCut::new(&[("splitters", Value::Choice("no"))]);
     for key in ["rough", "finish"] {
         let (program, text) = (cut.program(key), cut.text(key));
         let clean = cut.verdicts(key, &text);

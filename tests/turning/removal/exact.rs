@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use rodete::geometry::exact::convex::Convex;
-use rodete::geometry::exact::cut::Cut;
+use rodete::geometry::exact::cut::CutEffect;
 use rodete::geometry::exact::grid::Point;
 use rodete::geometry::exact::meeting::Meeting;
 use rodete::geometry::exact::region::{Region, Ring, twice_area};
@@ -72,7 +72,7 @@ proptest! {
             let taken = meeting.removed.iter().map(|one| swept(one.from, one.to)).sum::<f64>()
                 - meeting.inserted.iter().map(|(one, _)| swept(one.from, one.to)).sum::<f64>();
             prop_assert!((before - after - taken).abs() < 1e-15, "{} {}", before - after, taken);
-            prop_assert!((cut == Cut::Missed) == (taken.abs() < 1e-18), "{cut:?} {taken}");
+            prop_assert!((cut == CutEffect::Missed) == (taken.abs() < 1e-18), "{cut:?} {taken}");
             prop_assert!(taken > -1e-16);
             gone.push(polygon.clone());
             judge(&region, &gone);

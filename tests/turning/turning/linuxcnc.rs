@@ -41,7 +41,7 @@ pub const NEAR_INCH: f64 = 1.4e-3;
 
 /// A motion of either: points are `[X, Z]`, X a radius, mm.
 #[derive(Clone, Copy, Debug)]
-pub struct Cut {
+pub struct TracedMotion {
     pub rapid: bool,
     pub from: [f64; 2],
     pub to: [f64; 2],
@@ -49,7 +49,7 @@ pub struct Cut {
     pub arc: Option<([f64; 2], bool)>,
 }
 
-impl Cut {
+impl TracedMotion {
     pub fn length(&self) -> f64 {
         hypot(self.to[0] - self.from[0], self.to[1] - self.from[1])
     }
@@ -74,8 +74,10 @@ pub fn near(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
 }
 
 /// Asserts that two ways are one: kinds, ends and centres, moves to where the tool is left out.
-pub fn assert_same(ours: &[Cut], theirs: &[Cut], tolerance: f64, of: &str) {
-    let real = |cuts: &[Cut]| -> Vec<Cut> { cuts.iter().filter(|cut| cut.length() > tolerance).copied().collect() };
+pub fn assert_same(ours: &[TracedMotion], theirs: &[TracedMotion], tolerance: f64, of: &str) {
+    let real = |cuts: &[TracedMotion]| -> Vec<TracedMotion> {
+        cuts.iter().filter(|cut| cut.length() > tolerance).copied().collect()
+    };
     let (ours, theirs) = (real(ours), real(theirs));
     assert_eq!(ours.len(), theirs.len(), "{of}\n{ours:?}\n{theirs:?}");
     for (our, their) in ours.iter().zip(&theirs) {
@@ -90,25 +92,30 @@ pub fn assert_same(ours: &[Cut], theirs: &[Cut], tolerance: f64, of: &str) {
 }
 
 /// The motions of a Fanuc program.
-pub fn ours(program: &str) -> Vec<Cut> {
+pub fn ours(program: &str) -> Vec<TracedMotion> {
     of_motions(&read(program).motions)
 }
 
-pub fn of_motions(motions: &[motion::Motion]) -> Vec<Cut> {
+pub fn of_motions(motions: &[motion::Motion]) -> Vec<TracedMotion> {
     motions.iter().filter(|motion| !matches!(motion.kind, motion::MotionKind::Dwell(_))).map(of_motion).collect()
 }
 
-pub fn of_motion(motion: &motion::Motion) -> Cut {
+pub fn of_motion(motion: &motion::Motion) -> TracedMotion {
     let point = |pose: rodete::machine::axis::Pose| [pose.get(Axis::X), pose.get(Axis::Z)];
     let arc = match motion.kind {
         motion::MotionKind::Arc(arc, _) => Some(([arc.centre[1], arc.centre[0]], arc.sweep > 0.0)),
         _ => None,
     };
-    Cut { rapid: matches!(motion.kind, motion::MotionKind::Rapid), from: point(motion.from), to: point(motion.to), arc }
+    TracedMotion {
+        rapid: matches!(motion.kind, motion::MotionKind::Rapid),
+        from: point(motion.from),
+        to: point(motion.to),
+        arc,
+    }
 }
 
 /// The motions of a LinuxCNC program.
-pub fn theirs(program: &str) -> Vec<Cut> {
+pub fn theirs(program: &str) -> Vec<TracedMotion> {
     of_canon(&canon(program, None))
 }
 
@@ -116,7 +123,7 @@ pub fn canon(program: &str, tools: Option<&str>) -> rs274::Canon {
     rs274::run(program.as_bytes(), None, tools).unwrap_or_else(|why| panic!("{program}\n{why:?}"))
 }
 
-pub fn of_canon(canon: &rs274::Canon) -> Vec<Cut> {
+pub fn of_canon(canon: &rs274::Canon) -> Vec<TracedMotion> {
     let cut = |motion: &rs274::Motion| {
         let arc = match motion.kind {
             rs274::Kind::Arc { centre, turns, .. } => Some(([centre[1], centre[0]], turns > 0)),
@@ -124,7 +131,7 @@ pub fn of_canon(canon: &rs274::Canon) -> Vec<Cut> {
         };
         let point = |six: rs274::Six| [six[0], six[2]];
         let rapid = matches!(motion.kind, rs274::Kind::Rapid);
-        Cut { rapid, from: point(motion.from), to: point(motion.program), arc }
+        TracedMotion { rapid, from: point(motion.from), to: point(motion.program), arc }
     };
     canon.motions.iter().filter(|motion| !matches!(motion.kind, rs274::Kind::Dwell(_))).map(cut).collect()
 }

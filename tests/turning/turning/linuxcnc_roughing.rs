@@ -13,7 +13,9 @@ use std::collections::BTreeMap;
 
 use super::common::rs274;
 use super::lines::refusal;
-use super::linuxcnc::{Arc, Block, Cut, Figure, Line, NEAR, Rounded, assert_same, fanuc, linuxcnc, near, ours, theirs};
+use super::linuxcnc::{
+    Arc, Block, Figure, Line, NEAR, Rounded, TracedMotion, assert_same, fanuc, linuxcnc, near, ours, theirs,
+};
 
 /// The pawn: pockets, a rounded corner, arcs of both hands.
 const PAWN: Figure = (
@@ -59,7 +61,7 @@ fn their_cycle(code: &str, [x, z]: [f64; 2], words: &str, figure: Figure) -> Str
 }
 
 /// The ways at feed parallel to an axis (0: X, 1: Z), by their level in micrometres, joined where they meet.
-fn passes(cuts: &[Cut], along: usize) -> BTreeMap<i64, Vec<[f64; 2]>> {
+fn passes(cuts: &[TracedMotion], along: usize) -> BTreeMap<i64, Vec<[f64; 2]>> {
     let mut levels: BTreeMap<i64, Vec<[f64; 2]>> = BTreeMap::new();
     for cut in cuts.iter().filter(|cut| !cut.rapid && cut.arc.is_none()) {
         let (level, other) = (cut.from[1 - along], cut.to[1 - along]);
@@ -84,8 +86,8 @@ fn passes(cuts: &[Cut], along: usize) -> BTreeMap<i64, Vec<[f64; 2]>> {
 }
 
 /// The straight pieces of all that is cut at feed.
-fn pieces(cuts: &[Cut]) -> Vec<[[f64; 2]; 2]> {
-    let points = cuts.iter().filter(|cut| !cut.rapid).map(Cut::points);
+fn pieces(cuts: &[TracedMotion]) -> Vec<[[f64; 2]; 2]> {
+    let points = cuts.iter().filter(|cut| !cut.rapid).map(TracedMotion::points);
     points.flat_map(|points| points.windows(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>()).collect()
 }
 
@@ -101,7 +103,7 @@ fn levels(from: i64, to: i64, by: i64) -> Vec<i64> {
 }
 
 /// What is cut at feed: of G70 the contour from its first point on.
-fn fed(cuts: &[Cut]) -> Vec<Cut> {
+fn fed(cuts: &[TracedMotion]) -> Vec<TracedMotion> {
     cuts.iter().filter(|cut| !cut.rapid).copied().collect()
 }
 

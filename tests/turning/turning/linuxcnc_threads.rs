@@ -22,7 +22,7 @@ use rodete::number::trig::{hypot, tan};
 
 use super::common::rs274;
 use super::lines::read;
-use super::linuxcnc::{Cut, NEAR, canon, near, of_canon, of_motion};
+use super::linuxcnc::{NEAR, TracedMotion, canon, near, of_canon, of_motion};
 
 const INCH: f64 = 25.4;
 /// rs274 prints four decimals: of a length, two of them.
@@ -117,7 +117,7 @@ impl Thread {
 }
 
 /// The passes of a thread: each the way along the thread and the pull-out.
-fn pairs(cuts: &[Cut]) -> Vec<[Cut; 2]> {
+fn pairs(cuts: &[TracedMotion]) -> Vec<[TracedMotion; 2]> {
     assert!(cuts.len().is_multiple_of(2), "{cuts:?}");
     cuts.chunks(2).map(|pair| [pair[0], pair[1]]).collect()
 }
@@ -158,7 +158,7 @@ fn hold(thread: &Thread, diameters: bool) -> usize {
         let early = (thread.height * INCH - depth) * flank;
         assert!((their_cut.to[1] - cut.to[1] - early).abs() < PRINTED, "{depth}: {cut:?} {their_cut:?}");
         // The pull-out: 45 degrees, no farther than the drive line; theirs as long along Z, by its height along X.
-        let by = |cut: &Cut| [cut.to[0] - cut.from[0], cut.to[1] - cut.from[1]];
+        let by = |cut: &TracedMotion| [cut.to[0] - cut.from[0], cut.to[1] - cut.from[1]];
         let taper = f64::from(thread.taper) / 10.0 * thread.lead * INCH;
         let length = taper.min((thread.drive[0] * INCH - cut.to[0]).abs());
         assert!((by(out)[1] + length).abs() < 1e-9 && (by(out)[0] - outwards * length).abs() < 1e-9, "{out:?}");

@@ -4,7 +4,7 @@
 //! Millimetres.
 
 use crate::gcode::word::Word;
-use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle};
+use crate::kinds::impeller::clear::cut::{CutStrategy, Job, Spindle};
 use crate::kinds::impeller::clear::fields::{self, Method};
 use crate::kinds::impeller::clear::holder::Stage;
 use crate::kinds::impeller::clear::tool::Tool;
@@ -34,7 +34,7 @@ pub struct Mill {
 #[derive(Clone, Debug)]
 pub struct Asked {
     /// The cut. Its tolerance is what is left of ε beside what rounding to the output grid takes.
-    pub cut: Cut,
+    pub cut: CutStrategy,
     /// ε as the form has it, mm: [`TOLERANCE`] where its cell is empty.
     pub tolerance: f64,
     /// The finishing tool: with diameter, T and D of the roughing one where d_f is not given.
@@ -73,7 +73,7 @@ impl Asked {
         let radius = fields.get(&fields::HOLDER).map_or(f64::INFINITY, |d_h| d_h / 2.0);
         let stages = [stick_out, fields.get(&fields::STICK_OUT_F).or(alike)];
         let stages = stages.map(|from| from.map(|from| Stage { radius, from }));
-        let cut = Cut {
+        let cut = CutStrategy {
             rough: Tool { d: plain.d_t, r_c },
             finish: Tool { d: finish.d, r_c: if given.0.is_some() { r_cf.unwrap_or(0.0) } else { r_c } },
             s: fields.get(&fields::ALLOWANCE),

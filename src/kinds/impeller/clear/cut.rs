@@ -37,9 +37,9 @@ pub enum Spindle {
     Counterclockwise,
 }
 
-/// How the part is cut.
+/// The machining strategy: how the part is cut.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cut {
+pub struct CutStrategy {
     /// The roughing tool. Its diameter is d_t.
     pub rough: Tool,
     /// The finishing tool; the same as the roughing one where the workbook gives no other.
@@ -73,7 +73,7 @@ pub struct Cut {
     pub stages: [Option<Stage>; 2],
 }
 
-impl Cut {
+impl CutStrategy {
     /// The usual cut with two flat end mills.
     #[must_use]
     pub const fn usual(rough: f64, finish: f64) -> Self {

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use crate::kinds::impeller::clear::body::{Body, Obstacles, turned};
 use crate::kinds::impeller::clear::contact::{Contacts, slope};
 use crate::kinds::impeller::clear::contour::{self, Contour};
-use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
+use crate::kinds::impeller::clear::cut::{CutStrategy, Job, Spindle, Which};
 use crate::kinds::impeller::clear::fit::FADES;
 use crate::kinds::impeller::clear::flank::FlankWay;
 use crate::kinds::impeller::clear::holder::Blank;
@@ -82,7 +82,7 @@ pub(super) fn station(tip: &Vector3<f64>, R: f64) -> f64 {
 /// A plan in the making.
 pub(super) struct Draft<'a> {
     pub(super) job: &'a Job,
-    pub(super) cut: &'a Cut,
+    pub(super) cut: &'a CutStrategy,
     pub(super) pitch: f64,
     pub(super) v_s: Option<f64>,
     /// The station from which on the finishing tool cuts; 0 where it does all the way.

@@ -12,7 +12,7 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use crate::kinds::impeller::clear::cut::{Cut, Job, Spindle, Which};
+use crate::kinds::impeller::clear::cut::{CutStrategy, Job, Spindle, Which};
 use crate::kinds::impeller::clear::pass::{Cutting, Mode, Pass, SLOT_FEED};
 use crate::kinds::impeller::clear::poses::{Pose, Poses, along};
 use crate::kinds::impeller::clear::tool::Tool;
@@ -46,7 +46,7 @@ struct Sides {
 }
 
 impl Taken {
-    fn new(job: &Job, cut: &Cut, which: Which, passes: &[Pass]) -> Self {
+    fn new(job: &Job, cut: &CutStrategy, which: Which, passes: &[Pass]) -> Self {
         let tool = cut.tool(which);
         let (mut all, mut before) = (Vec::new(), Vec::with_capacity(passes.len()));
         for pass in passes {
@@ -66,7 +66,7 @@ fn width(tool: Tool, height: f64) -> f64 {
 }
 
 /// Where a pass meets metal.
-fn sides(job: &Job, cut: &Cut, taken: &[Taken; 2], passes: &[Pass], at: usize) -> Sides {
+fn sides(job: &Job, cut: &CutStrategy, taken: &[Taken; 2], passes: &[Pass], at: usize) -> Sides {
     let (pass, part) = (&passes[at], &job.part);
     let tool = cut.tool(pass.tool);
     let way = along(job.machine, &pass.points, tool.a() * APART);
@@ -114,7 +114,7 @@ fn sides(job: &Job, cut: &Cut, taken: &[Taken; 2], passes: &[Pass], at: usize) -
 }
 
 /// Gives the passes the mode that they are cut in, and those into the full the feed for it.
-pub(super) fn engage(job: &Job, cut: &Cut, passes: &mut [Pass]) {
+pub(super) fn engage(job: &Job, cut: &CutStrategy, passes: &mut [Pass]) {
     let taken = [Which::Rough, Which::Finish].map(|which| Taken::new(job, cut, which, passes));
     let found: Vec<Option<Sides>> = {
         let passes = &*passes;
@@ -153,10 +153,10 @@ mod tests {
     use crate::kinds::impeller::part::Part;
     use crate::machine::rotary::TiltingTable;
 
-    fn planned(splitters: bool, spindle: Spindle) -> (Job, Cut, Vec<Pass>) {
+    fn planned(splitters: bool, spindle: Spindle) -> (Job, CutStrategy, Vec<Pass>) {
         let part = Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, 2.0);
         let job = Job { part, N: 4, machine: TiltingTable { L: 242.9 } };
-        let cut = Cut { splitters, spindle, ..Cut::usual(6.0, 3.0) };
+        let cut = CutStrategy { splitters, spindle, ..CutStrategy::usual(6.0, 3.0) };
         let passes = Plan::new(&job, &cut).expect("a plan").passes;
         (job, cut, passes)
     }
@@ -174,7 +174,7 @@ mod tests {
     #[test]
     fn a_lane_climbs_with_one_spindle_where_it_does_not_with_the_other() {
         let (job, cut, passes) = planned(false, Spindle::Clockwise);
-        let other = Cut { spindle: Spindle::Counterclockwise, ..cut };
+        let other = CutStrategy { spindle: Spindle::Counterclockwise, ..cut };
         let turned = {
             let mut passes = passes.clone();
             engage(&job, &other, &mut passes);

@@ -10,7 +10,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::kinds::impeller::clear::cut::{Cut, Job, Which};
+use crate::kinds::impeller::clear::cut::{CutStrategy, Job, Which};
 use crate::kinds::impeller::clear::draft::station;
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Pass};
 use crate::kinds::impeller::clear::plan::Plan;
@@ -68,7 +68,7 @@ struct Blades<'a> {
 impl Begins {
     /// Those of a plan that was made with these: the same, or later ones where passes enter a blade; `None` where none does, or
     /// none would if it began later.
-    pub(super) fn later(self, plan: &Plan, job: &Job, cut: &Cut) -> Option<Self> {
+    pub(super) fn later(self, plan: &Plan, job: &Job, cut: &CutStrategy) -> Option<Self> {
         if [Which::Rough, Which::Finish].into_iter().any(|tool| plan.all_blocks(tool) as u64 > CLEAR_BLOCKS) {
             return None;
         }
@@ -92,7 +92,7 @@ impl Begins {
 }
 
 impl<'a> Blades<'a> {
-    fn new(job: &'a Job, cut: &Cut, tool: Which) -> Self {
+    fn new(job: &'a Job, cut: &CutStrategy, tool: Which) -> Self {
         let turns = || (0..job.N).map(|blade| TAU * f64::from(blade) / f64::from(job.N)).collect();
         let Part { circle, a_p, .. } = job.part;
         let (middle, R) = (Part::with(circle.torus, 0.0, a_p), circle.torus.R);

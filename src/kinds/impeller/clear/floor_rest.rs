@@ -415,7 +415,7 @@ mod tests {
 
     use super::*;
     use crate::geometry::torus::Torus;
-    use crate::kinds::impeller::clear::cut::{Cut, Job, Which};
+    use crate::kinds::impeller::clear::cut::{CutStrategy, Job, Which};
     use crate::kinds::impeller::clear::lane::v_at;
     use crate::kinds::impeller::clear::plan::Plan;
     use crate::kinds::impeller::part::HUB;
@@ -473,7 +473,7 @@ mod tests {
         ];
         for ([R, r], N, [e, a_p], [rough, finish], splitters) in designs {
             let job = Job { part: Part::with(Torus { R, r }, e, a_p), N, machine: TiltingTable { L: 242.9 } };
-            let cut = Cut { splitters, blank: 1.6 * R, partly: true, ..Cut::usual(rough, finish) };
+            let cut = CutStrategy { splitters, blank: 1.6 * R, partly: true, ..CutStrategy::usual(rough, finish) };
             let plan = Plan::new(&job, &cut).expect("a plan");
             let finishing = plan.passes.iter().filter(|pass| pass.tool == Which::Finish);
             let poses = Poses::along(job.machine, finishing.map(|pass| pass.points.as_slice()));

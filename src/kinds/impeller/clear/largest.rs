@@ -10,7 +10,7 @@
 //! # Units
 //! Millimetres.
 
-use crate::kinds::impeller::clear::cut::{Cut, Job, Which};
+use crate::kinds::impeller::clear::cut::{CutStrategy, Job, Which};
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::root::largest_that_leaves;
 use crate::kinds::impeller::clear::tool::Tool;
@@ -44,7 +44,7 @@ enum Tried {
     NoRoom,
 }
 
-fn tried(job: &Job, cut: &Cut, allowed: f64) -> Tried {
+fn tried(job: &Job, cut: &CutStrategy, allowed: f64) -> Tried {
     let Ok(plan) = Plan::new(job, cut) else { return Tried::NoRoom };
     if plan.told.no_splitter.is_some() {
         return Tried::NoRoom;
@@ -61,8 +61,8 @@ fn tried(job: &Job, cut: &Cut, allowed: f64) -> Tried {
 /// The largest flat finishing tool, no wider than the roughing tool, that can be used and leaves no more than `allowed` up a
 /// face; of the cut's own finishing tool nothing counts but its holder.
 #[must_use]
-pub fn largest(job: &Job, cut: &Cut, allowed: f64) -> Largest {
-    let at = |step: f64| tried(job, &Cut { finish: Tool::flat(step / STEPS_A_MM), ..cut.clone() }, allowed);
+pub fn largest(job: &Job, cut: &CutStrategy, allowed: f64) -> Largest {
+    let at = |step: f64| tried(job, &CutStrategy { finish: Tool::flat(step / STEPS_A_MM), ..cut.clone() }, allowed);
     let keeps = |step: f64| matches!(at(step), Tried::Keeps);
     let most = (cut.rough.d * STEPS_A_MM).floor().max(1.0);
     let first = largest_that_leaves(job, allowed, cut.rough.d, cut.scallop);

@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 
 use crate::kinds::impeller::clear::contact::{Beside, Contacts};
 use crate::kinds::impeller::clear::contour;
-use crate::kinds::impeller::clear::cut::{Cut, DoesNotFit, Job, Which};
+use crate::kinds::impeller::clear::cut::{CutStrategy, DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::draft::{Draft, SAMPLES, begin, ridge, steps};
 use crate::kinds::impeller::clear::engagement::engage;
 use crate::kinds::impeller::clear::entered::Begins;
@@ -72,7 +72,7 @@ impl Plan {
     ///
     /// # Errors
     /// Where one of the tools does not pass between the blades all the way.
-    pub fn new(job: &Job, cut: &Cut) -> Result<Self, DoesNotFit> {
+    pub fn new(job: &Job, cut: &CutStrategy) -> Result<Self, DoesNotFit> {
         let mut begins = Begins::default();
         let mut plan = Self::beginning(job, cut, begins)?;
         for _ in 0..if cut.partly { ROUNDS } else { 0 } {
@@ -88,7 +88,7 @@ impl Plan {
     }
 
     /// The plan whose passes begin at some stations or farther out.
-    fn beginning(job: &Job, cut: &Cut, begins: Begins) -> Result<Self, DoesNotFit> {
+    fn beginning(job: &Job, cut: &CutStrategy, begins: Begins) -> Result<Self, DoesNotFit> {
         let part = &job.part;
         let pitch = TAU / f64::from(job.N);
         let found = rayon::join(|| contacts(job, cut, Which::Rough), || contacts(job, cut, Which::Finish));
@@ -173,7 +173,7 @@ impl Plan {
     }
 
     /// The share of the turned surface that no pass reaches. What is thinner than the tolerance is not counted.
-    fn uncut(&self, job: &Job, cut: &Cut) -> f64 {
+    fn uncut(&self, job: &Job, cut: &CutStrategy) -> f64 {
         let cuts = [Which::Rough, Which::Finish].map(|which| {
             let poses = Poses::along(job.machine, self.of(which).map(|pass| pass.points.as_slice()));
             (cut.tool(which), poses)
@@ -207,7 +207,7 @@ impl Plan {
     /// How far the holder behind a tool stays clear of the blank at least; `None` where it is not known, −∞ for one of any
     /// radius that begins too low.
     #[must_use]
-    pub fn holder_clearance(&self, job: &Job, cut: &Cut, tool: Which) -> Option<f64> {
+    pub fn holder_clearance(&self, job: &Job, cut: &CutStrategy, tool: Which) -> Option<f64> {
         let stock = Stock { torus: job.part.circle.torus, length: cut.blank };
         let blank = Blank { stock, L: job.machine.L };
         let passes = self.of(tool).map(|pass| pass.points.as_slice());
@@ -231,7 +231,7 @@ fn lost(dropped: Vec<Dropped>, passes: &[Pass], is_cut: impl Fn([f64; 2]) -> boo
 }
 
 /// How deep a tool of the cut goes below the tops.
-fn depth(job: &Job, cut: &Cut, which: Which) -> f64 {
+fn depth(job: &Job, cut: &CutStrategy, which: Which) -> f64 {
     job.part.a_p - cut.allowance(which)
 }
 
@@ -256,7 +256,7 @@ fn uncut_by(job: &Job, tool: Tool) -> Option<f64> {
 }
 
 /// The contacts of a tool of the cut, where it fits: all the way, or, if the cut admits it, from a station on.
-fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<(Contacts, f64), DoesNotFit> {
+fn contacts(job: &Job, cut: &CutStrategy, which: Which) -> Result<(Contacts, f64), DoesNotFit> {
     let (tool, s, depth) = (cut.tool(which), cut.allowance(which), depth(job, cut, which));
     let contacts = contacts_of(job, tool, depth, s);
     let from = contacts.as_ref().and_then(Contacts::fits_from);
@@ -274,7 +274,7 @@ fn contacts(job: &Job, cut: &Cut, which: Which) -> Result<(Contacts, f64), DoesN
 
 /// The largest tool of a kind that passes as a tool of the cut, in whole hundredths: as both where it is both. What is told has passed
 /// as one of the form would.
-fn largest_that_passes(job: &Job, cut: &Cut, which: Which) -> Option<f64> {
+fn largest_that_passes(job: &Job, cut: &CutStrategy, which: Which) -> Option<f64> {
     let tool = cut.tool(which);
     let jobs: &[Which] = if cut.rough == cut.finish { &[Which::Rough, Which::Finish] } else { &[which] };
     let passes = |hundredths: f64| {
@@ -329,7 +329,7 @@ fn estimate(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<f64> {
 }
 
 /// The ways along both faces: one each, or as many as it takes to keep their errors within the tolerance.
-fn ways(job: &Job, cut: &Cut) -> [Vec<FlankWay>; 2] {
+fn ways(job: &Job, cut: &CutStrategy) -> [Vec<FlankWay>; 2] {
     let (part, tool) = (&job.part, cut.finish);
     let error = |face: Face| {
         let whole = Flank::new(part, face, tool.a(), [0.0, part.a_p]);
@@ -346,7 +346,7 @@ fn ways(job: &Job, cut: &Cut) -> [Vec<FlankWay>; 2] {
 }
 
 /// v_s from which on the finishing tool has room round a splitter, on its contour and along its flanks.
-fn splitter_start(job: &Job, cut: &Cut, rest: &Contacts, ways: &[Vec<FlankWay>; 2]) -> Option<f64> {
+fn splitter_start(job: &Job, cut: &CutStrategy, rest: &Contacts, ways: &[Vec<FlankWay>; 2]) -> Option<f64> {
     let first = contour::start(&job.part, rest, cut.s)?;
     let (obverse, reverse) = (ways[0].last()?, ways[1].last()?);
     let pitch = TAU / f64::from(job.N);
@@ -357,11 +357,11 @@ fn splitter_start(job: &Job, cut: &Cut, rest: &Contacts, ways: &[Vec<FlankWay>; 
 }
 
 /// The largest finishing tool of the same kind that has room round splitters somewhere, in whole hundredths.
-fn largest_round_splitters(job: &Job, cut: &Cut) -> Option<f64> {
+fn largest_round_splitters(job: &Job, cut: &CutStrategy) -> Option<f64> {
     let fits = |hundredths: f64| {
         let d = hundredths / 100.0;
         let finish = Tool { d, r_c: corner(cut.finish, d) };
-        let cut = Cut { finish, ..*cut };
+        let cut = CutStrategy { finish, ..*cut };
         let rest = contacts_of(job, finish, job.part.a_p - cut.s, cut.s);
         let rest = rest.filter(|rest| rest.fits_from().is_some_and(|from| from == 0.0 || cut.partly));
         rest.is_some_and(|rest| splitter_start(job, &cut, &rest, &ways(job, &cut)).is_some())
@@ -415,7 +415,7 @@ mod tests {
 
     #[test]
     fn the_largest_tool_round_splitters_has_room_and_the_next_one_has_none() {
-        let cut = |d: f64| Cut { splitters: true, scallop: 0.2, ..Cut::usual(6.0, d) };
+        let cut = |d: f64| CutStrategy { splitters: true, scallop: 0.2, ..CutStrategy::usual(6.0, d) };
         let told = |d: f64| Plan::new(&job(15.0, 2.0), &cut(d)).expect("a plan").told;
         let NoSplitter { largest } = told(6.0).no_splitter.expect("no room");
         let largest = largest.expect("a tool");
@@ -428,14 +428,20 @@ mod tests {
         let part = Part::with(Torus { R: 102.46, r: 21.97 }, 5.061, 4.74);
         let wide = Job { part, N: 2, machine: TiltingTable { L: 346.86 } };
         let tolerance = 0.01 - wide.machine.rounding(102.46);
-        let cut = |partly: bool| Cut { partly, tolerance, s: 0.849, scallop: 0.1, ..Cut::usual(26.364, 23.728) };
+        let cut = |partly: bool| CutStrategy {
+            partly,
+            tolerance,
+            s: 0.849,
+            scallop: 0.1,
+            ..CutStrategy::usual(26.364, 23.728)
+        };
         let [partly, whole] = [true, false].map(|partly| Plan::new(&wide, &cut(partly)).expect("a plan"));
         assert_eq!(partly, whole);
     }
 
     #[test]
     fn what_lies_before_a_splitter_and_is_not_reached_is_told() {
-        let cut = Cut { splitters: true, partly: true, scallop: 0.1, ..Cut::usual(6.0, 6.0) };
+        let cut = CutStrategy { splitters: true, partly: true, scallop: 0.1, ..CutStrategy::usual(6.0, 6.0) };
         let told = Plan::new(&job(18.0, 1.0), &cut).expect("a plan").told;
         let v_s = told.splitter_from.expect("splitters");
         let lost: Vec<_> = told.dropped.iter().filter(|one| one.by == By::Ends).collect();
@@ -464,7 +470,9 @@ mod tests {
         assert!(c_r(15.8, 3.0) > 0.8 && c_r(17.0, 3.0) < 2.0);
         let told = |a_p: f64| {
             let job = Job { part: Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, a_p), ..job(15.0, 2.0) };
-            Plan::new(&job, &Cut { s: 0.1, scallop: 0.02, ..Cut::usual(6.0, 6.0) }).expect("a plan").told
+            Plan::new(&job, &CutStrategy { s: 0.1, scallop: 0.02, ..CutStrategy::usual(6.0, 6.0) })
+                .expect("a plan")
+                .told
         };
         let shallow = told(0.8);
         let Unfinished { left, .. } = shallow.unfinished.expect("unfinished");
@@ -479,9 +487,9 @@ mod tests {
     fn a_rounded_end_is_named_only_where_the_face_is_cut() {
         let cut = |d: f64, r_c: f64, partly: bool| {
             let tool = Tool { d, r_c };
-            Cut { rough: tool, finish: tool, partly, scallop: 0.1, ..Cut::usual(d, d) }
+            CutStrategy { rough: tool, finish: tool, partly, scallop: 0.1, ..CutStrategy::usual(d, d) }
         };
-        let told = |cut: Cut| Plan::new(&job(15.0, 2.0), &cut).expect("a plan").told;
+        let told = |cut: CutStrategy| Plan::new(&job(15.0, 2.0), &cut).expect("a plan").told;
         let partly = told(cut(8.0, 1.0, true));
         assert!(partly.finish_from > 0.0 && partly.root.height >= 2.0 && partly.unfinished.is_none());
         assert!(told(cut(6.0, 3.0, false)).unfinished.is_some());

@@ -24,7 +24,7 @@ use nalgebra::Vector3;
 
 use crate::kinds::impeller::clear::body::{Body, Obstacles, turned};
 use crate::kinds::impeller::clear::contact::closing;
-use crate::kinds::impeller::clear::cut::Cut;
+use crate::kinds::impeller::clear::cut::CutStrategy;
 use crate::kinds::impeller::clear::fit::FADES;
 use crate::kinds::impeller::clear::flank::{FlankWay, as_metal, passing, stand};
 use crate::kinds::impeller::clear::table::Table;
@@ -70,7 +70,7 @@ pub struct Round<'a> {
 impl<'a> Round<'a> {
     /// The way of the finishing tool along two flanks, cut equally deep, of the splitter that begins at v_s.
     #[must_use]
-    pub fn new(part: &'a Part, cut: &Cut, ways: [&'a FlankWay; 2], v_s: f64) -> Self {
+    pub fn new(part: &'a Part, cut: &CutStrategy, ways: [&'a FlankWay; 2], v_s: f64) -> Self {
         let none = || Table::new(&[0.0, 0.0], [1.0], |_| [0.0]);
         let tool = cut.finish;
         let lean = FOOT * cut.scallop / part.a_p * tool.flat_radius() / tool.a();

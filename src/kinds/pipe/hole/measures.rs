@@ -1,6 +1,6 @@
 //! What bevelled holes are compared by, and what a new workbook suggests to vary.
 
-use crate::kind::measure::{Measure, Source, Suggested, Varied};
+use crate::kind::measure::{Measure, MeasureSource, Suggested, Varied};
 use crate::table::Unit;
 use crate::text::t;
 
@@ -11,19 +11,19 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::of_programs(
         "time_s",
         Unit::Second,
-        Source::Time(&["hole"]),
+        MeasureSource::Time(&["hole"]),
         t("Duración del programa", "Time of the program"),
     ),
     Measure::of_programs(
         "deviation_mm",
         MM,
-        Source::Greatest(&["beam"]),
+        MeasureSource::Greatest(&["beam"]),
         t("Desviación del chorro, como mucho", "Deviation of the beam, at most"),
     ),
     Measure::of_programs(
         "clearance_mm",
         MM,
-        Source::Least(&["clearance"]),
+        MeasureSource::Least(&["clearance"]),
         t("Distancia de antorcha a tubo, como mínimo", "Distance of torch from pipe, at least"),
     ),
     Measure::derived("R_o", MM),

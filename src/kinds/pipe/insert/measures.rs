@@ -1,6 +1,6 @@
 //! What branch pipes are compared by, and what a new workbook suggests to vary.
 
-use crate::kind::measure::{Measure, Source, Suggested, Varied};
+use crate::kind::measure::{Measure, MeasureSource, Suggested, Varied};
 use crate::table::Unit;
 use crate::text::t;
 
@@ -11,13 +11,13 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::of_programs(
         "time_s",
         Unit::Second,
-        Source::Time(&["insert"]),
+        MeasureSource::Time(&["insert"]),
         t("Duración del programa", "Time of the program"),
     ),
     Measure::of_programs(
         "deviation_mm",
         MM,
-        Source::Greatest(&["path"]),
+        MeasureSource::Greatest(&["path"]),
         t("Desviación de la trayectoria, como mucho", "Deviation of the path, at most"),
     ),
     Measure::derived("r", MM),

@@ -46,7 +46,7 @@ use crate::proof::due::Due;
 use crate::proof::enclosed::{Enclosed, Remedy, Tolerance, bound};
 use crate::proof::feed::{feed_word, timely};
 use crate::proof::rollover::{self, Rollover};
-use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
+use crate::proof::step::{Interpolation, Judge, Plan, Planned, Stage, Step, Time};
 use crate::proof::torch::Torch;
 use crate::text::{Text, t};
 
@@ -100,15 +100,15 @@ fn retract(design: &Design, cut: &Cut) -> Vec<Place> {
 /// What the program is meant to do, from the pierce on.
 #[must_use]
 pub fn plan<'a>(design: &Design, cut: &Cut) -> Plan<'a> {
-    let cuts = cut.legs.iter().map(|leg| (leg.to, Run::Straight));
-    let back = retract(design, cut).into_iter().map(|to| (to, Run::Rapid));
+    let cuts = cut.legs.iter().map(|leg| (leg.to, Interpolation::Straight));
+    let back = retract(design, cut).into_iter().map(|to| (to, Interpolation::Rapid));
     let mut from = pose(cut.pierce);
     let moves: Vec<_> = cuts
         .chain(back)
         .enumerate()
-        .map(|(leg, (to, run))| {
+        .map(|(leg, (to, interpolation))| {
             let to = pose(to);
-            let planned = Planned { from, to, run, time: Time::Free, line: None, leg, path: None };
+            let planned = Planned { from, to, interpolation, time: Time::Free, line: None, leg, path: None };
             from = to;
             planned
         })

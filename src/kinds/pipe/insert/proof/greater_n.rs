@@ -12,7 +12,7 @@ use crate::kinds::pipe::insert::proof::{Curve, Moves, PathOnCurve, SurfacePath, 
 use crate::number::root::golden;
 use crate::number::trig::{asin, atan2};
 use crate::proof::check::At;
-use crate::proof::step::Run;
+use crate::proof::step::Interpolation;
 
 /// The places of an arc that are looked at first: one through three points of a curve is farthest from it between them.
 const SAMPLES: [f64; 6] = [0.12, 0.21, 0.32, 0.68, 0.79, 0.88];
@@ -41,7 +41,7 @@ fn keeps(design: &Design) -> bool {
         .iter()
         .map(|one| {
             let to = Vector2::from(one.to);
-            let way = way(from, to, one.run);
+            let way = way(from, to, one.interpolation);
             from = to;
             (way, one.follows)
         })
@@ -69,8 +69,8 @@ fn looked_at(outline: &Outline, way: &SurfacePath, [from, to]: [f64; 2], part: f
 }
 
 /// The way of a move: straight, or an arc of less than half a circle.
-fn way(from: Vector2<f64>, to: Vector2<f64>, run: Run) -> SurfacePath {
-    let Run::Arc { clockwise, radius } = run else { return SurfacePath::Straight([from, to]) };
+fn way(from: Vector2<f64>, to: Vector2<f64>, interpolation: Interpolation) -> SurfacePath {
+    let Interpolation::Arc { clockwise, radius } = interpolation else { return SurfacePath::Straight([from, to]) };
     let (chord, sign) = (to - from, if clockwise { -1.0 } else { 1.0 });
     let half = chord.norm() / 2.0;
     let aside = Vector2::new(-chord.y, chord.x) / (2.0 * half) * sign;

@@ -45,7 +45,7 @@ use crate::proof::check::{At, Check, Extreme, Question, mm, up};
 use crate::proof::due::Due;
 use crate::proof::enclosed::{Enclosed, Remedy, Tolerance, bound};
 use crate::proof::rollover::{self, Rollover};
-use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
+use crate::proof::step::{Interpolation, Judge, Plan, Planned, Stage, Step, Time};
 use crate::proof::torch::Torch;
 use crate::text::{Text, t};
 
@@ -56,7 +56,7 @@ const SAME: f64 = 1e-6;
 #[derive(Clone, Copy, Debug)]
 pub struct Move {
     to: [f64; 2],
-    run: Run,
+    interpolation: Interpolation,
     follows: Follows,
 }
 
@@ -74,13 +74,13 @@ impl Moves {
     #[must_use]
     pub fn new(design: &Design, cut: Option<&Cut>) -> Self {
         let value = |to: [Milli; 2]| to.map(Milli::value);
-        let run = |bend: Option<(bool, f64)>| {
-            bend.map_or(Run::Straight, |(clockwise, radius)| Run::Arc { clockwise, radius })
+        let interpolation = |bend: Option<(bool, f64)>| {
+            bend.map_or(Interpolation::Straight, |(clockwise, radius)| Interpolation::Arc { clockwise, radius })
         };
         if let Some(cut) = cut {
             let moves = cut.legs.iter().map(|leg| Move {
                 to: value(leg.to),
-                run: run(leg.bend.map(|bend| (bend.clockwise, bend.radius.value()))),
+                interpolation: interpolation(leg.bend.map(|bend| (bend.clockwise, bend.radius.value()))),
                 follows: leg.follows,
             });
             return Self { pierce: value(cut.pierce), moves: moves.collect(), approach: approach(design, cut.pierce) };
@@ -95,8 +95,8 @@ impl Moves {
         let moves = triples(&points, design.arc_tolerance).into_iter().map(|triple| {
             let follows = Follows::Curve([turn(from), turn(triple.j)]);
             from = triple.j;
-            let run = run(triple.circle.map(|circle| (!circle.left, circle.radius)));
-            Move { to: triple.to.into(), run, follows }
+            let interpolation = interpolation(triple.circle.map(|circle| (!circle.left, circle.radius)));
+            Move { to: triple.to.into(), interpolation, follows }
         });
         let moves = moves.collect();
         Self { pierce: points.first().map_or([0.0; 2], |first| (*first).into()), moves, approach: 1 }
@@ -114,7 +114,7 @@ impl Moves {
         let moves = before.zip(&self.moves).enumerate().map(move |(leg, (from, one))| Planned {
             from: pose(from),
             to: pose(one.to),
-            run: one.run,
+            interpolation: one.interpolation,
             time: Time::Free,
             line: None,
             leg,
