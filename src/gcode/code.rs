@@ -286,13 +286,10 @@ pub enum G {
     /// This position gets these coordinates or, with S alone, S is the greatest speed under constant surface speed.
     SetPositionOrSpeed,
     /// Known to the control and refused by name.
-    Refused(Group, &'static Name),
+    Refused(Group, &'static Text),
     /// A cycle: known to the control and refused by name.
-    RefusedCycle(&'static Name),
+    RefusedCycle(&'static Text),
 }
-
-/// The name of something that is refused, Spanish and English.
-pub type Name = (&'static str, &'static str);
 
 impl G {
     /// The modal group; a block may name one code of it.
@@ -397,9 +394,9 @@ pub enum M {
     /// A code of the machine's builder or user: not run, and said so.
     User,
     /// Of no motion, known to the control: not run, and said by its name.
-    NotFollowed(&'static Name),
+    NotFollowed(&'static Text),
     /// Known to the control and refused by name.
-    Refused(&'static Name),
+    Refused(&'static Text),
 }
 
 impl M {

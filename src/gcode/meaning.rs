@@ -6,7 +6,7 @@ use crate::gcode::motion::{FeedMode, Plane};
 use crate::text::{Text, t};
 
 /// What is refused, by its name.
-fn refused((es, en): (&str, &str)) -> Text {
+fn refused(Text { es, en }: &Text) -> Text {
     Text::new(format!("se rechaza: {es}"), format!("rejected: {en}"))
 }
 
@@ -102,7 +102,7 @@ impl G {
                 "esta posición recibe estas cotas; con S sola, el límite de giro",
                 "this position gets these coordinates; with S alone the speed limit",
             ),
-            Self::Refused(_, name) | Self::RefusedCycle(name) => refused(*name),
+            Self::Refused(_, name) | Self::RefusedCycle(name) => refused(name),
         }
     }
 }
@@ -204,8 +204,8 @@ impl M {
             Self::Return => t("regreso de un subprograma", "return from a subprogram"),
             Self::Door => t("puertas de la máquina", "the machine's doors"),
             Self::User => t("del fabricante o del usuario: no se ejecuta", "the builder's or the user's: not run"),
-            Self::NotFollowed((es, en)) => Text::new(format!("{es}: no se ejecuta"), format!("{en}: not run")),
-            Self::Refused(name) => refused(*name),
+            Self::NotFollowed(Text { es, en }) => Text::new(format!("{es}: no se ejecuta"), format!("{en}: not run")),
+            Self::Refused(name) => refused(name),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Fagor CNC 8055 M, 8055 T and 8070: the codes whose motion rodete follows, and the others by name.
 
-use crate::gcode::code::{G, Group, M, Name, TurningCycle};
+use crate::gcode::code::{G, Group, M, TurningCycle};
 use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
@@ -15,7 +15,7 @@ use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// Fagor CNC 8055, milling.
 pub static FAGOR_8055: Control = Control {
@@ -247,37 +247,37 @@ const LEXIS: Lexis = Lexis {
     names: NamesWithDigit::None,
 };
 
-const GEOMETRY: Name = (
+static GEOMETRY: Text = t(
     "ayudas geométricas (redondeos, chaflanes, arcos tangentes)",
     "geometric aids (corner rounding, chamfers, tangent arcs)",
 );
-const MIRROR: Name = ("imagen espejo, escala y giro de coordenadas", "mirror image, scaling and pattern rotation");
-const ZONE: Name = ("zonas de trabajo", "work zones");
-const THREAD: Name = ("roscado electrónico", "electronic threading");
-const COMPENSATION: Name = ("compensación de radio de herramienta", "tool radius compensation");
-const TRANSFORMATION: Name = ("transformación de coordenadas y TCP", "coordinate transformation and TCP");
-const ADDITIVE: Name = ("traslado de origen aditivo", "additive zero offset");
-const CYCLE: Name = ("ciclos fijos", "canned cycles");
-const TURNING_CYCLE: Name = ("ciclos fijos de torneado", "turning cycles");
-const PROBE: Name = ("búsqueda de referencia y palpado", "home search and probing");
-const POLAR: Name = ("origen polar", "polar origin");
+static MIRROR: Text = t("imagen espejo, escala y giro de coordenadas", "mirror image, scaling and pattern rotation");
+static ZONE: Text = t("zonas de trabajo", "work zones");
+static THREAD: Text = t("roscado electrónico", "electronic threading");
+static COMPENSATION: Text = t("compensación de radio de herramienta", "tool radius compensation");
+static TRANSFORMATION: Text = t("transformación de coordenadas y TCP", "coordinate transformation and TCP");
+static ADDITIVE: Text = t("traslado de origen aditivo", "additive zero offset");
+static CYCLE: Text = t("ciclos fijos", "canned cycles");
+static TURNING_CYCLE: Text = t("ciclos fijos de torneado", "turning cycles");
+static PROBE: Text = t("búsqueda de referencia y palpado", "home search and probing");
+static POLAR: Text = t("origen polar", "polar origin");
 /// Its A is a share of the acceleration and not an axis (error manual, 0118 and 0208).
-const LOOK_AHEAD: Name = ("anticipación de bloques, con A y E", "look-ahead, with A and E");
-const CUTTING_POINT: Name = ("avance constante del punto de corte", "constant feed of the cutting point");
-const INVERSE: Name = ("avance como inversa del tiempo", "feed as inverse of the time");
-const LONGITUDINAL: Name = ("elección del eje longitudinal", "choice of the longitudinal axis");
-const PLANE_OF_AXES: Name = ("plano de dos ejes", "plane of two axes");
-const SECOND_SPINDLE: Name = ("segundo husillo, o intercambio de ejes", "second spindle, or exchange of axes");
-const SPINDLE_ANGLE: Name = ("desfase de husillos sincronizados", "angle between synchronised spindles");
-const TOOL_AXIS: Name = ("movimiento según el eje de la herramienta", "motion along the tool's axis");
-const HARD_STOP: Name = ("movimiento contra tope", "motion against a hard stop");
-const MULTIPLE: Name = ("mecanizado múltiple", "multiple machining");
-const ISLANDS: Name = ("cajeras con islas", "pockets with islands");
-const COUPLING: Name = ("ejes o husillos acoplados", "coupled axes or spindles");
-const TABLE_OFFSETS: Name = ("traslados de origen de la tabla, con N", "work offsets of the table, by N");
-const GEAR: Name = ("gama de velocidad del husillo", "speed range of the spindle");
-const LIVE_TOOL: Name = ("herramienta motorizada, con S propia", "live tool, with an S of its own");
-const CANCEL_ZERO: Name = ("anulación del traslado de origen", "zero offset cancellation");
+static LOOK_AHEAD: Text = t("anticipación de bloques, con A y E", "look-ahead, with A and E");
+static CUTTING_POINT: Text = t("avance constante del punto de corte", "constant feed of the cutting point");
+static INVERSE: Text = t("avance como inversa del tiempo", "feed as inverse of the time");
+static LONGITUDINAL: Text = t("elección del eje longitudinal", "choice of the longitudinal axis");
+static PLANE_OF_AXES: Text = t("plano de dos ejes", "plane of two axes");
+static SECOND_SPINDLE: Text = t("segundo husillo, o intercambio de ejes", "second spindle, or exchange of axes");
+static SPINDLE_ANGLE: Text = t("desfase de husillos sincronizados", "angle between synchronised spindles");
+static TOOL_AXIS: Text = t("movimiento según el eje de la herramienta", "motion along the tool's axis");
+static HARD_STOP: Text = t("movimiento contra tope", "motion against a hard stop");
+static MULTIPLE: Text = t("mecanizado múltiple", "multiple machining");
+static ISLANDS: Text = t("cajeras con islas", "pockets with islands");
+static COUPLING: Text = t("ejes o husillos acoplados", "coupled axes or spindles");
+static TABLE_OFFSETS: Text = t("traslados de origen de la tabla, con N", "work offsets of the table, by N");
+static GEAR: Text = t("gama de velocidad del husillo", "speed range of the spindle");
+static LIVE_TOOL: Text = t("herramienta motorizada, con S propia", "live tool, with an S of its own");
+static CANCEL_ZERO: Text = t("anulación del traslado de origen", "zero offset cancellation");
 
 /// What 8055 M, 8055 T and 8070 have in common.
 const FAGOR: &[Row] = &[

@@ -7,7 +7,7 @@
 //! block is block delete, and so it is here; elsewhere it is refused.
 
 use crate::finding::AlarmFamily;
-use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle};
+use crate::gcode::code::{Cycle, G, Group, M, SinglePassCycle, TurningCycle};
 use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
@@ -22,7 +22,7 @@ use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// Fanuc, turning, G-code system A. Read only: rodete writes no program in it.
 pub static FANUC_LATHE_A: Control = Control {
@@ -133,21 +133,21 @@ pub static FANUC_LATHE_A: Control = Control {
     alarms: Some(AlarmFamily::Fanuc),
 };
 
-const MACRO: Name =
-    ("macros, interrupciones y llamadas a otros dispositivos", "macros, interrupts and calls of other devices");
+static MACRO: Text =
+    t("macros, interrupciones y llamadas a otros dispositivos", "macros, interrupts and calls of other devices");
 
-const SETTING: Name = ("ajuste de datos por programa", "data setting by program");
-const POLAR: Name = ("interpolación polar y cilíndrica", "polar and cylindrical interpolation");
-const PLANE: Name = ("planos XY e YZ", "planes XY and YZ");
-const WATCH: Name = ("vigilancia de carrera y de giro", "stroke check and spindle watch");
-const REFERENCE: Name =
-    ("comprobación del punto de referencia y retorno desde él", "check of the reference point and return from it");
-const PROBE: Name = ("salto por señal y corrector automático", "skip and automatic tool offset");
-const LOCAL: Name = ("origen local", "local offset");
-const PATH: Name = ("parada exacta y control de la trayectoria", "exact stop and path control");
-const TURRETS: Name = ("torretas opuestas y corte equilibrado", "double turrets and balanced cutting");
-const TAPPING: Name =
-    ("roscado con macho, mandrinado y taladrado lateral", "tapping, boring and drilling from the side");
+static SETTING: Text = t("ajuste de datos por programa", "data setting by program");
+static POLAR: Text = t("interpolación polar y cilíndrica", "polar and cylindrical interpolation");
+static PLANE: Text = t("planos XY e YZ", "planes XY and YZ");
+static WATCH: Text = t("vigilancia de carrera y de giro", "stroke check and spindle watch");
+static REFERENCE: Text =
+    t("comprobación del punto de referencia y retorno desde él", "check of the reference point and return from it");
+static PROBE: Text = t("salto por señal y corrector automático", "skip and automatic tool offset");
+static LOCAL: Text = t("origen local", "local offset");
+static PATH: Text = t("parada exacta y control de la trayectoria", "exact stop and path control");
+static TURRETS: Text = t("torretas opuestas y corte equilibrado", "double turrets and balanced cutting");
+static TAPPING: Text =
+    t("roscado con macho, mandrinado y taladrado lateral", "tapping, boring and drilling from the side");
 
 static CODES: Codes = Codes::new(&[
     COMMON,

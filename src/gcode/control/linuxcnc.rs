@@ -1,6 +1,6 @@
 //! LinuxCNC: its G and M codes as its G-code reference has them.
 
-use crate::gcode::code::{Cycle, G, Group, M, Name};
+use crate::gcode::code::{Cycle, G, Group, M};
 use crate::gcode::control::codes::{BY_MODE, COMMON, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
@@ -15,7 +15,7 @@ use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// LinuxCNC for mills, with rotary axes.
 pub static LINUXCNC: Control = Control {
@@ -117,12 +117,12 @@ static WRITING: Writing = Writing {
 /// LinuxCNC as rodete writes for it.
 pub const POST_LINUXCNC: Post = Post { control: &LINUXCNC, writing: &WRITING };
 
-const SPLINE: Name = ("curvas spline y NURBS", "spline and NURBS curves");
-const LATHE_MODE: Name = ("modo diámetro o radio del torno", "lathe diameter and radius mode");
-const UVW_PLANE: Name = ("planos de los ejes U, V y W", "planes of the axes U, V and W");
-const SYNCHRONISED: Name = ("movimiento sincronizado con el husillo", "spindle-synchronised motion");
-const PROBE: Name = ("palpado", "probing");
-const TURNING: Name = ("ciclos de torneado y roscado", "turning and threading cycles");
+static SPLINE: Text = t("curvas spline y NURBS", "spline and NURBS curves");
+static LATHE_MODE: Text = t("modo diámetro o radio del torno", "lathe diameter and radius mode");
+static UVW_PLANE: Text = t("planos de los ejes U, V y W", "planes of the axes U, V and W");
+static SYNCHRONISED: Text = t("movimiento sincronizado con el husillo", "spindle-synchronised motion");
+static PROBE: Text = t("palpado", "probing");
+static TURNING: Text = t("ciclos de torneado y roscado", "turning and threading cycles");
 
 static CODES: Codes = Codes::new(&[
     COMMON,

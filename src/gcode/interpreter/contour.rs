@@ -335,15 +335,15 @@ impl Reader<'_, '_> {
 
     /// Refuses what may not stand in a contour.
     fn contour_refuses(&self, cycle: u8, first: bool) -> Result<()> {
-        let refuse = |column: usize, (es, en): (&'static str, &'static str)| {
-            Err(Refused::of(&NotInContour { code: t(es, en), cycle }, &[column]).as_alarm_of(self.alarms()))
+        let refuse = |column: usize, code: Text| {
+            Err(Refused::of(&NotInContour { code, cycle }, &[column]).as_alarm_of(self.alarms()))
         };
         let block = &self.block;
         if let Some((M::Call | M::CallBlock | M::Return, _)) = block.m(4) {
-            return refuse(block.m_column(4), ("llamada a un subprograma", "call of a subprogram"));
+            return refuse(block.m_column(4), t("llamada a un subprograma", "call of a subprogram"));
         }
         if let Some((M::End, _)) = block.m(4) {
-            return refuse(block.m_column(4), ("fin del programa", "end of the program"));
+            return refuse(block.m_column(4), t("fin del programa", "end of the program"));
         }
         self.turret_place()?;
         if block.has(letter::T) && !first {
@@ -357,7 +357,7 @@ impl Reader<'_, '_> {
         let dwell = block.g(Group::NonModal) == Some(G::Dwell);
         let obeyed = 1 << Group::Speed as u16 | 1 << Group::Feed as u16 | u16::from(dwell) << Group::NonModal as u16;
         if odd & !obeyed != 0 {
-            return refuse(block.group_column(odd & !obeyed), ("código G", "G code"));
+            return refuse(block.group_column(odd & !obeyed), t("código G", "G code"));
         }
         let time = if dwell { 1 << self.dwell_time()?.0.index() } else { 0 };
         let idle = block.present & !LETTERS.mask() & !time;

@@ -165,7 +165,7 @@ impl Reader<'_, '_> {
         let found = tenths(value).and_then(|tenths| self.memory.control.codes.get(tenths));
         match found {
             Some(G::Refused(_, name) | G::RefusedCycle(name)) => {
-                Err(Refused::of(&CodeNotSupported { code: value, reason: t(name.0, name.1) }, &[column]))
+                Err(Refused::of(&CodeNotSupported { code: value, reason: name.clone() }, &[column]))
             }
             Some(g) => {
                 self.in_order('G', value, column)?;
@@ -191,13 +191,13 @@ impl Reader<'_, '_> {
             machine_number(value).and_then(|number| Some((number, (self.memory.control.machine_code)(number)?)));
         match found {
             Some((number, M::Refused(name))) => {
-                Err(Refused::of(&MachineCodeNotSupported { code: number, reason: t(name.0, name.1) }, &[column]))
+                Err(Refused::of(&MachineCodeNotSupported { code: number, reason: name.clone() }, &[column]))
             }
             Some((number, m)) => {
                 self.in_order('M', value, column)?;
                 if let M::NotFollowed(name) = m {
                     self.memory.turned.started = true;
-                    let row = MachineCodeNotFollowed { code: number, what: t(name.0, name.1) };
+                    let row = MachineCodeNotFollowed { code: number, what: name.clone() };
                     let spot = self.block.spot;
                     self.memory.remarks.row(&row, spot, Some(column));
                 }
