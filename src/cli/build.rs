@@ -216,7 +216,7 @@ fn build(
     }
     let language = settings.language.unwrap_or(filled.values.language);
     let wants = Wants { scene: filled.form.viewer || settings.view, ..Wants::default() };
-    let verified = filled.files.clone();
+    let verified = filled.named_files.clone();
     let outcome = made.outcome.insert(reading::compute(&item.workbook, filled, settings.kinds, wants, verdict)?);
     made.overtaken = overtaken();
     if made.overtaken || outcome.stopped() {
@@ -227,7 +227,7 @@ fn build(
     let scene = outcome.scene.take().transpose()?;
     let logo = match stationery::logo(&item.workbook, outcome.fields.values(), &verified) {
         Ok(Some((logo, file))) => {
-            outcome.files.push(file);
+            outcome.named_files.push(file);
             Some(logo)
         }
         Err(caution) if settings.typst.is_some() => {

@@ -17,7 +17,7 @@ use crate::machine::var_file::VarFile;
 use crate::machine::work_offset::{G28_FIRST, G30_FIRST, G92_FIRST, Offsets, System};
 use crate::text::{Language, Text, t};
 
-/// What became of the workbook that was named.
+/// Which way offsets went between the file and the workbook that was named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Transfer {
     /// It was read into the file.

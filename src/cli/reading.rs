@@ -29,7 +29,7 @@ pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Verdict {
             let found = variants(&bytes, &filled, *kind)?;
             filled.findings.extend(found);
         }
-        let verified = mem::take(&mut filled.files);
+        let verified = mem::take(&mut filled.named_files);
         let outcome = compute(workbook, filled, kinds, Wants::default(), verdict)?;
         // What a build would leave out of its report, or would take anew.
         verdict.findings.extend(stationery::named(workbook, &outcome, &verified));

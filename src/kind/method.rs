@@ -376,7 +376,7 @@ impl<M: Method> Kind for Of<M> {
             .then(|| staging::scene(M::part(&design, &model), &programs, |one| M::setting(&design, one), &findings));
         let solids = M::solids(&design, &model);
         Ok(Outcome {
-            files: Vec::new(),
+            named_files: Vec::new(),
             kind: const { &Self::new() },
             control: M::control(&design),
             style: M::style(&design),

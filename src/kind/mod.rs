@@ -344,7 +344,7 @@ pub struct Outcome {
     /// Every check of every program that was read back, in their order.
     pub checks: Vec<Check>,
     /// The files that the workbook names, as who reads files found them.
-    pub files: Vec<NamedFile>,
+    pub named_files: Vec<NamedFile>,
     /// All findings, passed checks among them, gravest first.
     pub findings: Vec<Finding>,
     /// How the work ended.

@@ -19,7 +19,7 @@ pub fn same(one: &Pose, other: &Pose) -> bool {
     one.differences(other).iter().all(|difference| difference.abs() < SAME)
 }
 
-/// How a planned move runs.
+/// How a planned move is interpolated, as controls call it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Interpolation {
     /// At rapid: no metal is meant to be cut.

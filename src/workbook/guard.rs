@@ -141,7 +141,7 @@ pub struct Guard {
     stamp: String,
     inputs: Vec<(&'static str, Option<[CellPlace; 2]>, Copy)>,
     columns: Vec<Column>,
-    files: Vec<NamedFile>,
+    named_files: Vec<NamedFile>,
 }
 
 /// The first column of the copies of lists.
@@ -166,8 +166,8 @@ impl Guard {
     }
 
     /// Keeps the SHA-256 of the files that the workbook names. No formula asks a file: `rodete check` compares them.
-    pub fn keep(&mut self, files: &[NamedFile]) {
-        self.files.extend_from_slice(files);
+    pub fn keep(&mut self, named_files: &[NamedFile]) {
+        self.named_files.extend_from_slice(named_files);
     }
 
     /// Writes the hidden sheet under a name and defines the name of its count. `files` are what was made from these inputs.
@@ -211,7 +211,7 @@ impl Guard {
                 copy.write(sheet, to, at, styles)?;
             }
         }
-        for file in &self.files {
+        for file in &self.named_files {
             row += 1;
             write_text(sheet, row, 0, &format!("{FILE}{}", file.name), &styles.entry)?;
             write_text(sheet, row, 1, &file.sha256, &styles.entry)?;
@@ -293,7 +293,7 @@ impl Guard {
 
 /// The files that the workbook named when its programs were verified, by the sheet [`SHEET`]; none where that is not rodete's.
 #[must_use]
-pub(super) fn files(sheet: &SheetCells) -> Vec<NamedFile> {
+pub(super) fn named_files(sheet: &SheetCells) -> Vec<NamedFile> {
     if sheet.text((0, 0)) != Some(MARK) {
         return Vec::new();
     }

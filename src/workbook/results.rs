@@ -118,7 +118,7 @@ fn write_for<W: Write + Seek + Send>(
     for (name, row) in names {
         results.workbook.define_name(name, &format!("={first}!$C${}", row + 1))?;
     }
-    results.guard.keep(&outcome.files);
+    results.guard.keep(&outcome.named_files);
     let made: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
     results.guard.write(&mut results.workbook, &guarded, &made, &results.styles)?;
     save(&mut results.workbook, results.additions, out)?;

@@ -52,7 +52,7 @@ pub struct Filled {
     /// Sheets of an earlier build were put into it, which is somebody's own.
     pub put_in: bool,
     /// The files that the workbook named when its programs were verified.
-    pub files: Vec<NamedFile>,
+    pub named_files: Vec<NamedFile>,
     /// What the cells of the form and of its lists hold as they stand.
     pub copies: CellCopies,
     /// It has been built, so that sheets of another build may stand in it.
@@ -90,9 +90,9 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         }
         return Err(refusal(exit, findings));
     }
-    let Verified { stale, astray, put_in, files } = verified::read(&mut book, form, &values, &copies)?;
+    let Verified { stale, astray, put_in, named_files } = verified::read(&mut book, form, &values, &copies)?;
     let (stamped, varied) = (stamp::is_named(&book.gated.names), sweep_sheet::may_be(&book.gated.sheets, language));
-    Ok(Filled { form, values, findings, stale, astray, put_in, files, copies, stamped, varied })
+    Ok(Filled { form, values, findings, stale, astray, put_in, named_files, copies, stamped, varied })
 }
 
 /// The language of the form that is read in a workbook; `None` where it follows none of `forms`.

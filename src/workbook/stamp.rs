@@ -52,7 +52,7 @@ pub fn of(outcome: &Outcome) -> String {
             row.values.iter().for_each(|(key, value)| line(&mut told, key, value));
         }
     }
-    for file in &outcome.files {
+    for file in &outcome.named_files {
         let _ = writeln!(told, "{} {}", file.sha256, file.name);
     }
     let sum = Sha256::digest(told.as_bytes());

@@ -25,7 +25,7 @@ pub(super) struct Verified {
     /// Its sheets were put into a workbook of somebody's own.
     pub(super) put_in: bool,
     /// The files that the workbook named then.
-    pub(super) files: Vec<NamedFile>,
+    pub(super) named_files: Vec<NamedFile>,
 }
 
 /// Compares the values of a form with the copies that stand in the same workbook.
@@ -53,7 +53,7 @@ pub(super) fn read(
         verified.stale = stale.or(verified.stale);
         let astray = astray(&guard::astray(&sheet, form, values, &book.gated.names));
         verified.astray = astray.map(|astray| values.locate(astray)).or(verified.astray);
-        verified.files.extend(guard::files(&sheet));
+        verified.named_files.extend(guard::named_files(&sheet));
     }
     Ok(verified)
 }

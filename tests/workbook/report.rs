@@ -82,7 +82,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             }]
         })),
         drawings: Vec::new(),
-        files: Vec::new(),
+        named_files: Vec::new(),
         solids: Vec::new(),
         scene: None,
         setup: Vec::new(),

@@ -295,7 +295,7 @@ fn outcome(
     let end = End::of(&findings, endless);
     let programs = followed.into_iter().filter(|_| end == End::Whole).map(Followed::proved).collect();
     let outcome = Outcome {
-        files: Vec::new(),
+        named_files: Vec::new(),
         kind: &Lathe,
         fields,
         control: given.control,
