@@ -43,6 +43,40 @@ pub fn never(text: &str) -> bool {
     (0..pieces.len()).any(|at| in_figures(&pieces, at) || in_words(&pieces, at))
 }
 
+/// True as a formula where a cell's whole text is a date in figures that [`never`] is true of, with strokes, full stops or hyphens;
+/// false of dates in words and of a date within a text, which are left to `rodete check`.
+///
+/// # Derivation
+/// Without its figures such a text is two strokes, or the like. Of two numbers the lesser is a month wherever one of them is; and a day
+/// that its month has not, a month 0 or 13, a day 0: DATE makes a day of another month of each. After 400 years the calendar is the same.
+#[must_use]
+pub fn never_in_figures(cell: &str) -> String {
+    let text = format!("TRIM({cell})");
+    let signs = (0..=9).fold(text.clone(), |text, figure| format!("SUBSTITUTE({text},{figure},\"\")"));
+    // Wider than any of the three numbers that count.
+    let wide = ["/", ".", "-"].iter().fold(text, |text, sign| format!("SUBSTITUTE({text},\"{sign}\",REPT(\" \",9))"));
+    let part = |number: u8| format!("TRIM(MID({wide},{},9))", 9 * number + 1);
+    let long = |number| format!("LEN({})", part(number));
+    let value = |number| format!("VALUE({})", part(number));
+    let short = |number| format!("({0}-1)*({0}-2)=0", long(number));
+    let no_day =
+        |year: &str, month: &str, day: &str| format!("MONTH(DATE(2000+MOD({year},400),{month},{day}))<>{month}");
+    let year_first = no_day(&value(0), &value(1), &value(2));
+    let either = {
+        let [low, high] = ["MIN", "MAX"].map(|of| format!("{of}({},{})", value(0), value(1)));
+        no_day(&value(2), &low, &high)
+    };
+    // Of two figures the year comes first between hyphens alone.
+    let hyphens = format!("IF({signs}=\"--\",IF({0}=2,IF({1}=2,{year_first},TRUE),TRUE),TRUE)", long(0), long(2));
+    let last = format!("IF({},IF(({1}-2)*({1}-4)=0,IF({either},{hyphens},FALSE),FALSE),FALSE)", short(0), long(2));
+    let first = format!("IF({},{year_first},FALSE)", short(2));
+    format!(
+        "IF(OR({signs}=\"//\",{signs}=\"..\",{signs}=\"--\"),IF({},IF({}=4,{first},{last}),FALSE),FALSE)",
+        short(1),
+        long(0)
+    )
+}
+
 /// True of a day of the calendar with all its figures, as `2026-11-23`.
 #[must_use]
 pub fn is_day_in_full(text: &str) -> bool {

@@ -1,9 +1,9 @@
 //! Whether every input of a form is there and allowed, as formulas: a red cell at each, and a hidden sheet with one row for each,
 //! from which the live form tells what is wrong.
 //!
-//! Of a number this is its range, of a choice its list, of a text its length, of machine codes their signs; of a list, that no cell is
-//! empty that a row needs. What a formula does
-//! not see of a block (the order of its words, the size of their numbers) is left to `rodete check`.
+//! Of a number this is its range, of a choice its list, of a text its length, of a date in figures its day, of machine codes their
+//! signs; of a list, that no cell is empty that a row needs. What a formula does not see of a block (the order of its words, the size of
+//! their numbers) is left to `rodete check`.
 
 use rust_xlsxwriter::{ColNum, Workbook, utility::column_number_to_name};
 
@@ -108,7 +108,7 @@ impl Asked {
         Some(Self {
             symbol: sheet.map_or_else(String::new, |sheet| format!("{sheet}, ")) + parameter.symbol(),
             state: format!("IF(ISERROR({name}),{NO_NUMBER},{state})"),
-            words: words(&placed(parameter, sheet), parameter, language),
+            words: told(name, &placed(parameter, sheet), parameter, language),
             gap: None,
         })
     }
@@ -132,7 +132,9 @@ impl Asked {
                 format!("IF(SUMPRODUCT(1*ISERROR({cells}))>0,{OUTSIDE},IF({unknown}<>0,{OUTSIDE},0))")
             }
             FieldKind::Line { .. } if !list.is_program => {
-                format!("IF(SUMPRODUCT(1*ISERROR({cells}))>0,{NO_NUMBER},0)")
+                format!(
+                    "IF(SUMPRODUCT(1*ISERROR({cells}))>0,{NO_NUMBER},IF(SUMPRODUCT(1*ISLOGICAL({cells}))>0,{OUTSIDE},0))"
+                )
             }
             _ => return None,
         };
@@ -153,6 +155,18 @@ fn words(symbol: &str, parameter: &Parameter, language: Language) -> String {
     let (range, unit) = (range(parameter), parameter.unit.label());
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
     format!("{symbol}&\": {} ({}{unit})\"", OUT.get(language), range.get(language))
+}
+
+/// The same of an input in a cell with a defined name.
+fn told(name: &str, symbol: &str, parameter: &Parameter, language: Language) -> String {
+    static LOGICAL: Text = t("VERDADERO y FALSO no son texto", "TRUE and FALSE are no text");
+    let words = words(symbol, parameter, language);
+    match parameter.kind {
+        FieldKind::Line { .. } | FieldKind::Date => {
+            format!("IF(ISLOGICAL({name}),{symbol}&\": {}\",{words})", LOGICAL.get(language))
+        }
+        _ => words,
+    }
 }
 
 /// True as a formula where a cell of a sheet that may stay empty is filled: then the others are missing.

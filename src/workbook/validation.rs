@@ -2,11 +2,12 @@
 
 use rust_xlsxwriter::{ConditionalFormatFormula, DataValidation, DataValidationRule, XlsxError};
 
+use super::calendar;
 use super::cell::shortened;
 use super::style::Styles;
 use super::value::DATE;
 use super::words::fold;
-use crate::kind::live_form::says;
+use crate::kind::live_form::{parted, says};
 use crate::parameter::{Choice, FieldKind, Parameter};
 use crate::text::{Language, Text, one_of, t, true_minus};
 
@@ -76,8 +77,11 @@ pub(super) fn unknown(kind: &FieldKind, cell: &str) -> Option<String> {
             let is = spellings(choices).iter().map(|word| says(cell, word)).collect::<Vec<_>>();
             Some(format!("NOT(OR({}))", is.join(",")))
         }
-        FieldKind::Line { max } => Some(format!("LEN({cell})>{max}")),
-        FieldKind::Date => Some(format!("LEN({cell})>{DATE}")),
+        // TRUE is as long as a text of four letters, and is none.
+        FieldKind::Line { max } => Some(format!("OR(ISLOGICAL({cell}),LEN({cell})>{max})")),
+        FieldKind::Date => {
+            Some(format!("IF(OR(ISLOGICAL({cell}),LEN({cell})>{DATE}),TRUE,{})", calendar::never_in_figures(cell)))
+        }
         FieldKind::Codes => Some(misspelt(cell, ["M", ""])),
         FieldKind::Block => Some(misspelt(cell, ["GM", "XYZ"])),
         FieldKind::Real { .. } | FieldKind::Whole { .. } | FieldKind::Schema => None,
@@ -89,8 +93,7 @@ pub(super) fn unknown(kind: &FieldKind, cell: &str) -> Option<String> {
 fn misspelt(cell: &str, [codes, axes]: [&str; 2]) -> String {
     const DIGITS: usize = 4;
     let most = CODES as usize;
-    // TRIM takes no notice of the blanks that do not break, which part words, too.
-    let blanks = format!("SUBSTITUTE({cell},\"\u{a0}\",\" \")");
+    let blanks = parted(cell);
     let sign = |after: usize| {
         format!("MID(\" \"&UPPER({blanks})&REPT(\" \",{}),ROW($A$1:$A${})+{after},1)", most + DIGITS + 4, most + 2)
     };

@@ -7,7 +7,7 @@ use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::part::Face;
 use rodete::kinds::impeller::solids::Stock;
 
-use crate::impeller_swept::{SHIPPED, judge, simulate};
+use crate::impeller_swept::{Design, SHIPPED, judge, plan, simulate};
 
 /// The cut of the new workbook.
 fn cut() -> CutStrategy {
@@ -76,4 +76,28 @@ fn a_tool_leans_only_where_its_holder_stays_clear() {
     // Below the lowest of them none.
     let stage = Stage { radius: f64::INFINITY, from: 5.0 };
     assert_eq!(leaning(&plan(Some(stage))), Vec::<Vec<_>>::new());
+}
+
+/// A ridge as high as the channel is deep once let the axis lean by 28° off the nose, past the floor and into the splitter, and took B
+/// to 109°.
+#[test]
+fn the_pass_round_a_splitter_leans_no_farther_than_brings_it_to_the_floor_nor_than_b_may_go() {
+    let design = Design { R: 20.0, r: 14.3, N: 3, e: 1.0, a_p: 0.3 };
+    let cut = |scallop: f64, most: Option<f64>| {
+        let usual = Cut::usual(5.0, 3.0);
+        Cut { s: 0.0, scallop, partly: true, splitters: true, tilt: [None, most], ..usual }
+    };
+    let highest = |cut: &Cut| {
+        let plan = plan(&design, cut);
+        let round = plan.of(Which::Finish).filter(|pass| matches!(pass.cutting, Cutting::SplitterFlanks { .. }));
+        round.flat_map(|pass| &pass.points).map(|stand| stand.B.to_degrees()).fold(0.0, f64::max)
+    };
+    let upright = highest(&cut(0.0005, None));
+    let leaning = highest(&cut(0.3, None));
+    // atan of (e/2 + a)/r.
+    let through = (2.0_f64 / 14.3).atan().to_degrees();
+    assert!(leaning > upright + 2.0 && leaning < upright + through + 0.1, "{upright} {leaning}");
+    let held = highest(&cut(0.3, Some(upright + 2.0)));
+    assert!(held > upright + 0.5 && held <= upright + 2.0, "{upright} {held}");
+    assert_eq!(highest(&cut(0.3, Some(leaning + 1.0))), leaning);
 }

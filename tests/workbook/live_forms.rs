@@ -114,7 +114,7 @@ fn number_or_none(cell: &Data) -> Option<f64> {
 /// which `rodete check` rejects it.
 type Broken = (&'static str, &'static str, &'static [(&'static str, &'static str)], [&'static str; 2], &'static str);
 
-const BROKEN: [Broken; 48] = [
+const BROKEN: [Broken; 63] = [
     ("impeller", "full", &[("B_min", "120")], ["the minimum is not below", "el mínimo no es menor"], "P1010"),
     ("impeller", "full", &[("Y_min", "10"), ("Y_max", "5")], ["the minimum is not", "el mínimo no es"], "P1010"),
     ("impeller", "full", &[("blank_length_L_b", "10")], ["L_b must be larger", "L_b debe ser mayor"], "P1014"),
@@ -132,6 +132,33 @@ const BROKEN: [Broken; 48] = [
     ("impeller", "full", &[("start_codes", "M3M4")], ["): codes", "): códigos"], "W0416"),
     ("impeller", "full", &[("end_codes", "M30 G12345")], ["): codes", "): códigos"], "W0416"),
     ("impeller", "full", &[("retract", "G1 X")], ["): one block", "): un bloque"], "W0417"),
+    ("impeller", "full", &[("end_codes", "M9")], ["must be M2 or M30", "debe ser M2 o M30"], "C1005"),
+    ("impeller", "full", &[("end_codes", "M30 M9")], ["must be M2 or M30", "debe ser M2 o M30"], "C1005"),
+    ("impeller", "full", &[("start_codes", "M3 M030")], ["end the program there", "terminan ahí"], "C1004"),
+    ("impeller", "full", &[("start_codes", "M3 M4")], ["M3 or M4 alone", "solo M3 o M4"], "C1009"),
+    ("impeller", "full", &[("coolant", "M8 M05")], ["are of the spindle", "mueven el husillo"], "C1009"),
+    ("impeller", "full", &[("retract", "G1 G53 Z0")], ["does not belong there", "no va ahí"], "C1006"),
+    ("impeller", "full", &[("retract", "G0 G53 X0")], ["axes, but not Z", "ejes, pero no Z"], "C1007"),
+    ("impeller", "full", &[("retract", "G0 Z100")], ["G53 is missing", "falta G53"], "C1008"),
+    ("pipe-insert", "square", &[("end_codes", "M5")], ["must be M2 or M30", "debe ser M2 o M30"], "C1005"),
+    ("pipe-insert", "square", &[("end_codes", "M03 M30")], ["turns the torch on", "enciende la antorcha"], "P2008"),
+    ("pipe-insert", "square", &[("torch_on", "M3 M5")], ["M5 turns the torch off", "M5 apaga"], "P200"),
+    ("pipe-insert", "square", &[("torch_off", "M4")], ["M3 and M4 turn", "M3 y M4 encienden"], "P2007"),
+    (
+        "pipe-insert",
+        "square",
+        &[("torch_on", "M3 M07"), ("torch_off", "M5 M7")],
+        ["stands in torch_off", "en torch_off"],
+        "P2006",
+    ),
+    ("pipe-hole", "", &[("hold_on", "M62"), ("hold_off", "M062")], ["stands in hold_off", "en hold_off"], "P2006"),
+    (
+        "pipe-hole",
+        "",
+        &[("torch_on", "M64"), ("end_codes", "M64 M30")],
+        ["turns the torch on", "enciende la antorcha"],
+        "P2008",
+    ),
     ("impeller", "clear", &[("finish_diameter_d_f", "7")], ["larger than that for", "mayor que la de"], "P1"),
     ("impeller", "clear", &[("style", "annex")], ["clear needs style", "canal necesita style"], "P1"),
     ("lathe", "shaft", &[("body_BX_min", "5"), ("body_BX_max", "1")], ["is not below", "no es menor"], "P4005"),
@@ -533,6 +560,13 @@ fn a_form_takes_the_words_that_check_takes_and_no_others() {
         ("pipe-insert", "square", sizes(branch, number("0.5"), number("40")), false),
         ("pipe-insert", "square", vec![("style", text(" full ")), ("feed_F", ">".to_owned())], false),
         ("impeller", "clear", vec![("method", text(" clear"))], true),
+        ("impeller", "clear", vec![("start_codes", text("M3\nm11 M13"))], true),
+        ("impeller", "clear", vec![("end_codes", text("M9 m02"))], true),
+        ("impeller", "clear", vec![("retract", text("g00 g53\nz0 M9"))], true),
+        ("impeller", "clear", vec![("retract", text("G0 G53 G90 Z0"))], true),
+        ("impeller", "clear", vec![("title_date", text("31/12/26"))], true),
+        ("impeller", "clear", vec![("title_date", text("32/01/2026"))], false),
+        ("pipe-insert", "square", vec![("torch_on", text("M3 M7")), ("end_codes", text("M7 M30"))], true),
     ];
     let folder = tempfile::tempdir().expect("a folder");
     let books: Vec<(String, Vec<u8>)> = cases

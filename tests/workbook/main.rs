@@ -10,6 +10,7 @@ mod ironcalc;
 mod lathe_workbook;
 mod libreoffice;
 mod live;
+mod live_dates;
 mod live_forms;
 mod missing;
 mod offsets_workbook;

@@ -4,7 +4,7 @@ use crate::gcode::control::{MILLING, RotaryMode};
 use crate::gcode::program::Style;
 use crate::gcode::word::Distance;
 use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, Wrong, holds, says};
-use crate::kinds::live_form::feed_needed;
+use crate::kinds::live_form::{feed_needed, mill_codes, retract};
 use crate::table::{Formula, Unit};
 use crate::text::t;
 
@@ -162,6 +162,7 @@ fn rows() -> Vec<LiveRow> {
     .into_iter()
     .chain(machine())
     .chain(program())
+    .chain([mill_codes(), retract()])
     .chain(clear())
     .chain(blank())
     .collect()

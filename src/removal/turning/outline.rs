@@ -54,8 +54,12 @@ enum Mark {
 /// A part of a cutter before it is a polygon: its corners, and what its edges are.
 type Marked = (Vec<[f64; 2]>, Vec<Mark>);
 
-/// How close to a mark the middle of an edge must be, mm: half the corners' rounding and the chords' tolerance.
+/// How close to a mark the middle of an edge must be, mm: more than the corners' rounding on the grid and than the usual chords are
+/// off their arc.
 const CLOSE: f64 = 0.002;
+/// How far off its circle the middle of a chord may be, in tolerances. Of several chords over the angle h, the first and the last lie
+/// R h²/12 inside there, which is a tolerance at most; one alone, with both ends on the arc, R h²/8.
+const CHORD_OFF: f64 = 1.6;
 /// Corners that do not cut are chords within this, mm.
 const COARSE: f64 = 0.005;
 /// Between the tip and what holds the insert, along the axis.
@@ -153,7 +157,7 @@ impl TurningTool {
                     Mark::Circle(centre, radius) => Mark::Circle(self.place(centre), radius),
                 })
                 .collect();
-            let roles = roles(&polygon, &marks);
+            let roles = roles(&polygon, &marks, tolerance);
             let mut circles = marks.iter().filter_map(|mark| match *mark {
                 Mark::Circle(centre, radius) => (radius > 0.0).then_some((centre, radius)),
                 Mark::Line(..) => None,
@@ -520,21 +524,23 @@ fn rounded_first(corners: &[[f64; 2]; 5], radius: f64, tolerance: f64) -> Option
     Some((points, centre))
 }
 
-/// What each edge of a polygon is for: what the mark closest to its middle says.
-fn roles(polygon: &Convex, marks: &[Mark]) -> Vec<Role> {
+/// What each edge of a polygon is for: what the mark closest to its middle says. The chords of a circle are as far off it as the
+/// tolerance lets them be; straight edges are not, and chords of a corner that does not cut stay no part of them.
+fn roles(polygon: &Convex, marks: &[Mark], tolerance: f64) -> Vec<Role> {
     let corners = polygon.corners();
+    let off_circle = CLOSE.max(CHORD_OFF * tolerance);
     (corners.iter().zip(corners.iter().cycle().skip(1)))
         .map(|(from, to)| {
             let ([z1, r1], [z2, r2]) = (from.mm(), to.mm());
             let middle = [f64::midpoint(z1, z2), f64::midpoint(r1, r2)];
             let near = marks.iter().filter_map(|mark| {
-                let (off, role) = match *mark {
-                    Mark::Line(from, to, role) => (beside(middle, from, to), role),
+                let (off, most, role) = match *mark {
+                    Mark::Line(from, to, role) => (beside(middle, from, to), CLOSE, role),
                     Mark::Circle(centre, radius) => {
-                        ((hypot(middle[0] - centre[0], middle[1] - centre[1]) - radius).abs(), Role::Nose)
+                        ((hypot(middle[0] - centre[0], middle[1] - centre[1]) - radius).abs(), off_circle, Role::Nose)
                     }
                 };
-                (off < CLOSE).then_some((off, role))
+                (off < most).then_some((off, role))
             });
             near.min_by(|one, two| one.0.total_cmp(&two.0)).map_or(Role::Back, |(_, role)| role)
         })

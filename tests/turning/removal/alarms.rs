@@ -6,6 +6,7 @@ use rodete::finding::Grade;
 use rodete::gcode::in_force::{Speed, Spindle};
 use rodete::number::trig::{sin_cos, tan};
 use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::outline::Role;
 use rodete::removal::turning::simulation::Setup;
 use rodete::removal::turning::stock::{Stock, Support};
 use rodete::removal::turning::tool::{Cutter, Holder, Shape, TurningTool};
@@ -366,5 +367,51 @@ fn alarms_read_in_both_languages_with_number_place_and_remedy() {
             assert!(text.starts_with(&alarm.cause.number().to_string()) && text.contains(" X"), "{text}");
         }
         assert!(!finding.remedy.is_empty() && finding.what.es != finding.what.en);
+    }
+}
+
+/// The chords of a nose are as far off it as the tolerance lets them be: they cut none the less, and nothing else begins to.
+#[test]
+fn a_tool_cuts_with_the_same_edges_whatever_the_tolerance_of_its_arcs() {
+    let round = TurningTool {
+        cutter: Cutter::Insert { shape: Shape::R, circle: 12.0, main: 90.0, auxiliary: 0.0, nose: 0.0 },
+        ..tools::rougher()
+    };
+    let blunt = TurningTool {
+        cutter: Cutter::Groover { width: 8.0, depth: 26.0, corner: 3.0, face: false },
+        ..tools::parter()
+    };
+    let wide = TurningTool {
+        cutter: Cutter::Insert { shape: Shape::C, circle: 12.7, main: 95.0, auxiliary: 5.0, nose: 2.4 },
+        ..tools::rougher()
+    };
+    let all =
+        [tools::rougher(), tools::profiler(), tools::copier(), tools::parter(), tools::threader(), tools::borer()];
+    for tool in all.into_iter().chain([round, blunt, wide]) {
+        // How long the edges are that do not cut.
+        let backs = |tolerance: f64| -> f64 {
+            let outline = tool.outline(tolerance, false).unwrap();
+            let part = &outline.cutter[0];
+            let corners: Vec<[f64; 2]> = part.polygon.corners().iter().map(|corner| corner.mm()).collect();
+            let edges = corners.iter().zip(corners.iter().cycle().skip(1)).zip(&part.roles);
+            let backs = edges.filter(|(_, role)| **role == Role::Back);
+            backs.map(|(([z1, r1], [z2, r2]), _)| (z2 - z1).hypot(r2 - r1)).sum()
+        };
+        let usual = backs(0.0002);
+        for tolerance in [1e-5, 0.001, 0.002, 0.003, 0.005, 0.01, 0.03, 0.1] {
+            let found = backs(tolerance);
+            assert!((found - usual).abs() < 0.03, "{}: {usual} became {found} at {tolerance}", tool.name.en);
+        }
+    }
+}
+
+#[test]
+fn the_widest_tolerance_of_arcs_raises_no_alarm_of_its_own() {
+    for tolerance in [0.0002, 0.003, 0.01] {
+        let run = || Run::on(Setup { tolerance, ..Setup::new(Lathe::default(), bar(), turret()) });
+        silent(&run().rapid(54.0, -1.0).cut(-1.6, -1.0));
+        silent(&run().rapid(46.0, 2.0).cut(46.0, -20.0).cut(54.0, -20.0));
+        let back = run().rapid(60.0, -40.0).cut(46.0, -40.0);
+        assert_eq!(back.cut(46.0, -20.0).alarms(), [131, 102], "{tolerance}");
     }
 }

@@ -10,6 +10,7 @@ use crate::kinds::impeller::clear::holder::Stage;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::part::Part;
+use crate::machine::axis::Axis;
 use crate::parameter::field::Fields;
 
 /// ε where the workbook states none.
@@ -89,6 +90,7 @@ impl Asked {
             splitters: plain.splitters,
             splitter_from: None,
             stages,
+            tilt: plain.travel.iter().find(|one| one.axis == Axis::B).map_or([None; 2], |one| one.ends),
         };
         let root = fields.get(&fields::ROOT);
         Some(Self { cut, tolerance, finish, given, given_corner: r_cf, root })

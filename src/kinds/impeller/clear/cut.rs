@@ -7,6 +7,7 @@ use crate::kinds::impeller::clear::holder::Stage;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::part::Part;
 use crate::machine::rotary::TiltingTable;
+use crate::machine::travel::Travel;
 
 /// The part and the machine it is cut on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,6 +72,8 @@ pub struct CutStrategy {
     pub splitter_from: Option<f64>,
     /// The holders behind the roughing and the finishing tool, where they are known.
     pub stages: [Option<Stage>; 2],
+    /// How far B may go, degrees: a pass that leans to leave less leans no farther.
+    pub tilt: Travel,
 }
 
 impl CutStrategy {
@@ -93,6 +96,7 @@ impl CutStrategy {
             splitters: false,
             splitter_from: None,
             stages: [None; 2],
+            tilt: [None; 2],
         }
     }
 

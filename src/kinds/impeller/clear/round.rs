@@ -8,7 +8,8 @@
 //!
 //! Parallel to N(v_s) the end would stand high where it is beside the nose along the tube: √(r_f² − (e/2 + d)²) below K, the
 //! tool being between e/2 and e/2 + d from the ruling. So the axis leans off the nose: by the angle δ about the top of the nose
-//! it passes K nearer by r·δ, the end goes that much deeper and stands more level. At the foot of the nose that leaves a_p·δ.
+//! it passes K nearer by r·δ, the end goes that much deeper and stands more level. At the foot of the nose that leaves a_p·δ. With
+//! δ = (e/2 + a)/r it goes through K: leaning more takes the end away from the floor again, and B where the machine may not go.
 //!
 //! Between two axes beside a nearly plane face, both clear of it, all are clear.
 //!
@@ -18,7 +19,7 @@
 //! # Units
 //! Millimetres and radians.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
 
@@ -33,8 +34,9 @@ use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::nearest::Axis;
 use crate::kinds::impeller::part::{Part, RIM};
 use crate::machine::rotary::TiltingTable;
+use crate::machine::travel::{Travel, excess};
 use crate::number::root::halved;
-use crate::number::trig::sin_cos;
+use crate::number::trig::{atan2, hypot, sin_cos};
 
 /// The part of the ridge c_s that a flat end may leave at the foot of the nose, to leave less in the corner.
 const FOOT: f64 = 0.5;
@@ -46,6 +48,10 @@ const NEARER: f64 = 2e-4;
 const ASKED: u8 = 6;
 /// Halvings towards D where no root is found: to a billionth of the tool's radius and closer.
 const HALVINGS: u8 = 40;
+/// Parts of the lean that are tried where B has no room for all of it.
+const LEANS: u8 = 8;
+/// How far B keeps from the ends of its travel, degrees: more than the output grid and the turns on the spot take.
+const LIMIT: f64 = 0.01;
 /// Places at which each piece of the way is looked at for its room.
 const SAMPLES: u8 = 24;
 
@@ -73,12 +79,14 @@ impl<'a> Round<'a> {
     pub fn new(part: &'a Part, cut: &CutStrategy, ways: [&'a FlankWay; 2], v_s: f64) -> Self {
         let none = || Table::new(&[0.0, 0.0], [1.0], |_| [0.0]);
         let tool = cut.finish;
-        let lean = FOOT * cut.scallop / part.a_p * tool.flat_radius() / tool.a();
+        let through = (part.e / 2.0 + tool.a()) / part.circle.torus.r;
+        let lean = (FOOT * cut.scallop / part.a_p).min(through) * tool.flat_radius() / tool.a();
         // The half round stands higher than the faces beside it.
         let reach = tool.a() + part.overhang() + part.top(v_s) - part.noses_ends(v_s)[0];
         let mut round =
             Self { part, tool, ways, v_s, reach, lean, distance: none(), off: [(none(), v_s), (none(), v_s)] };
         let body = Body::new(part, v_s, 0.0, tool.a());
+        round.lean = round.within(cut.tilt);
         round.distance = Table::new(&[-FRAC_PI_2, 0.0, FRAC_PI_2], [TABLE], |f| [round.clear_of(&body, f)]);
         round.off = [0, 1].map(|side| {
             let off = |v: f64| round.off_nose(&body, side, v);
@@ -91,6 +99,27 @@ impl<'a> Round<'a> {
             if end > v_s { (Table::new(&[v_s, end], [TABLE], |v| [off(v)]), end) } else { (none(), v_s) }
         });
         round
+    }
+
+    /// As much of the lean, in steps, as takes B nowhere out of its travel round the nose; without a lean B stands there as on every
+    /// upright pass.
+    ///
+    /// # Derivation
+    /// N − δ·out has the length √(1 + δ²) for every f, and its height is N_z − δ(b_z sin f − t_z cos f): highest and lowest where
+    /// (sin f, cos f) lies along (b_z, −t_z), and at the ends of the half turn.
+    fn within(&self, travel: Travel) -> f64 {
+        let frame = self.part.frame(self.v_s).1;
+        let steepest = atan2(frame.b.z, -frame.t.z);
+        let places = [-FRAC_PI_2, FRAC_PI_2, steepest - PI, steepest, steepest + PI];
+        let keeps = |lean: f64| {
+            places.into_iter().filter(|f| f.abs() <= FRAC_PI_2).all(|f| {
+                let along = Self { lean, ..self.clone() }.beside(f, self.part.e / 2.0 + self.tool.a()).along;
+                let B = atan2(hypot(along.x, along.y), along.z).to_degrees();
+                [B - LIMIT, B + LIMIT].into_iter().all(|B| excess(travel, B).is_none())
+            })
+        };
+        let parts = (0..LEANS).map(|less| self.lean * f64::from(LEANS - less) / f64::from(LEANS));
+        parts.into_iter().find(|&lean| keeps(lean)).unwrap_or(0.0)
     }
 
     /// An axis beside a face at v, moved off it along b, its tip as deep as the floor lets it.

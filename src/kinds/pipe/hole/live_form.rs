@@ -5,6 +5,7 @@
 //! along a = (o − c n)/s · (s sin γ − c cos γ) + n (s cos γ + c sin γ).
 
 use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView};
+use crate::kinds::live_form::torch_codes;
 use crate::kinds::pipe::live_form::{HEADER, found, rows as pipes, sizes, thick};
 use crate::table::{Formula, Unit};
 use crate::text::t;
@@ -157,6 +158,7 @@ fn rows() -> Vec<LiveRow> {
             "hold_off",
         ),
     ]);
+    rows.extend(torch_codes(&["hold_on", "hold_off"]));
     rows
 }
 

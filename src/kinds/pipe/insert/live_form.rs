@@ -2,7 +2,7 @@
 
 use crate::gcode::program::Style;
 use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, holds};
-use crate::kinds::live_form::feed_needed;
+use crate::kinds::live_form::{feed_needed, torch_codes};
 use crate::kinds::pipe::insert::enveloped;
 use crate::kinds::pipe::insert::parameters::Mode;
 use crate::kinds::pipe::live_form::{BRANCH, found, rows as pipes, sizes, thick};
@@ -126,6 +126,7 @@ fn rows() -> Vec<LiveRow> {
             "kerf",
         ),
     ]);
+    rows.extend(torch_codes(&[]));
     rows
 }
 
