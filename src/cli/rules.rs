@@ -82,7 +82,7 @@ rules! {
         en "cannot open {path}: {reason}"
         remedy "ábralo usted; los archivos están escritos", "open it yourself; the files are written";
         why "El escritorio abre el archivo con su programa predeterminado.", "The desktop opens the file with its default program.";
-        example Example::Never(t("depende del escritorio, no de la entrada", "it depends on the desktop, not on the input"));
+        example made!("no-desktop", "build --open en un sistema sin xdg-open", "build --open on a system without xdg-open");
     "U0117" OtherKind Stop { one: String, kind: &'static str, other: String, other_kind: &'static str }
         es "{one} es un libro de {kind} y {other} de {other_kind}"
         en "{one} is a workbook of {kind}, {other} of {other_kind}"

@@ -123,7 +123,7 @@ pub enum Example {
         /// How often it is repeated.
         times: u32,
     },
-    /// No input raises it; why.
+    /// Only a fault in rodete itself raises it, and none is known; why.
     Never(Text),
 }
 

@@ -65,7 +65,10 @@ rules! {
         remedy fault "comunique el fallo y envíe el libro que lo provoca", "report the fault and send the workbook that causes it";
         why "El contenido no cabía en una hoja o en un programa.",
             "A sheet or a program cannot hold the content.";
-        example never!();
+        example Example::Made {
+            key: "given-not-composed",
+            how: t("un contenido, dado a la biblioteca, que se interrumpe", "contents, given to the library, that give up"),
+        };
     "X0002" BrokeOff Stop { version: &'static str, said: Panicked, at: String }
         es "fallo de rodete {version}: {said}"
         en "fault in rodete {version}: {said}"
@@ -80,13 +83,21 @@ rules! {
         remedy "las hojas y los programas están completos; use --no-report para prescindir de los PDF",
             "the sheets and programs are complete; use --no-report to do without the PDFs";
         why "rodete no pudo pasar los valores del informe al compilador.", "rodete could not pass the report's values to the compiler.";
-        example never!();
+        example Example::Made {
+            key: "no-json",
+            how: t("los valores de un informe, dados a la biblioteca, que no se pueden escribir",
+                "the values of a report, given to the library, that cannot be written down"),
+        };
     "X0004" NotDrawable Stop { title: Text }
         es "«{title}» no se puede dibujar: no tiene trazos o una coordenada no es finita"
         en "'{title}' cannot be drawn: it has no strokes, or a coordinate is not finite"
         remedy fault;
         why "Con una plantilla incompleta se cortaría otra pieza.", "An incomplete template would lead to another part.";
-        example never!();
+        example Example::Made {
+            key: "empty-drawing",
+            how: t("un dibujo, dado a la biblioteca, con una coordenada que no es un número",
+                "a drawing, given to the library, with a coordinate that is not a number"),
+        };
     "X0005" ValueNotFinite Stop {}
         es "un valor calculado no es finito"
         en "a computed value is not finite"

@@ -24,8 +24,11 @@ rules! {
         remedy "compruebe {parameters}", "check {parameters}";
         why "El control lee cinco cifras antes del punto y perdería las demás.",
             "The control reads five digits before the point and would lose the rest.";
-        example Example::Never(t(
-            "los límites de las celdas impiden posiciones así", "the limits of the cells prevent such positions"));
+        example Example::Made {
+            key: "given-far",
+            how: t("una X_e de 150 m que no viene de un libro: los límites de las celdas la impiden",
+                "an X_e of 150 m that comes from no workbook: the limits of the cells prevent it"),
+        };
     "P1028" NotNumbered Note { greatest: u32 }
         es "los bloques van sin número: pasarían de N{greatest}"
         en "the blocks have no numbers: they would exceed N{greatest}"

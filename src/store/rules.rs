@@ -11,16 +11,6 @@ macro_rules! made {
     };
 }
 
-/// What only the system says, and no input brings about.
-macro_rules! by_the_system {
-    () => {
-        Example::Never(t(
-            "lo dice el sistema: depende del disco y no de la entrada",
-            "the system says so: it depends on the disk and not on the input",
-        ))
-    };
-}
-
 rules! {
     /// The rows of written files.
     RULES;
@@ -31,14 +21,15 @@ rules! {
         remedy "libere espacio o elija otra carpeta (en build, opción -o); los archivos anteriores siguen intactos",
             "free some space or choose another folder (for build, option -o); the earlier files are untouched";
         why "rodete entrega el juego entero o nada.", "rodete delivers the whole set or nothing.";
-        example by_the_system!();
+        example made!("given-disk-full", "un disco sin espacio, que responde ENOSPC", "a disk without space, which answers ENOSPC");
     "S0102" FileOverLimit Stop { path: String, after: Text }
         es "no se puede escribir en {path}: el archivo supera el tamaño permitido{after}"
         en "cannot write to {path}: the file exceeds the allowed size{after}"
         remedy "elija otra carpeta (en build, opción -o) o pida un límite mayor (ulimit -f)",
             "choose another folder (for build, option -o) or ask for a higher limit (ulimit -f)";
         why "rodete entrega el juego entero o nada.", "rodete delivers the whole set or nothing.";
-        example by_the_system!();
+        example made!("given-disk-limit", "un archivo mayor que el límite de ulimit -f: el disco responde EFBIG",
+            "a file beyond the limit of ulimit -f: the disk answers EFBIG");
     "S0103" NoPermissionToWrite Stop { path: String, after: Text }
         es "no se puede escribir en {path}: permiso denegado{after}"
         en "cannot write to {path}: permission denied{after}"
@@ -51,14 +42,15 @@ rules! {
         remedy "elija otra carpeta (en build, opción -o)", "choose another folder (for build, option -o)";
         why "No se puede escribir en un disco protegido o montado de solo lectura.",
             "A protected disk, or one mounted read-only, cannot be written.";
-        example by_the_system!();
+        example made!("given-disk-read-only", "un disco montado de solo lectura, que responde EROFS", "a disk mounted read-only, which answers EROFS");
     "S0105" NowhereToWrite Stop { path: String, after: Text }
         es "no se puede escribir en {path}: no existe{after}"
         en "cannot write to {path}: it does not exist{after}"
         remedy "elija otra carpeta (en build, opción -o)", "choose another folder (for build, option -o)";
         why "La carpeta desapareció durante la escritura, o el enlace no lleva a ninguna parte.",
             "The folder disappeared during writing, or the link leads nowhere.";
-        example by_the_system!();
+        example made!("given-folder-gone", "una carpeta que otro programa borra durante la escritura",
+            "a folder that another program deletes during writing");
     "S0106" FileInPlaceOfFolder Stop { path: String, after: Text }
         es "no se puede escribir en {path}: una parte de la ruta no es una carpeta{after}"
         en "cannot write to {path}: a part of the path is not a folder{after}"
@@ -70,7 +62,8 @@ rules! {
         en "cannot write to {path}: there is a folder with that name{after}"
         remedy "renombre esa carpeta o elija otra (en build, opción -o)", "rename that folder or choose another (for build, option -o)";
         why "rodete no sustituye una carpeta por un archivo.", "rodete does not replace a folder with a file.";
-        example by_the_system!();
+        example made!("given-folder-there", "una carpeta que otro programa crea con el nombre del resultado durante la escritura",
+            "a folder that another program makes under the name of the result during writing");
     "S0108" NameNotAllowed Stop { path: String, after: Text }
         es "no se puede escribir en {path}: el nombre no es válido o es demasiado largo{after}"
         en "cannot write to {path}: the name is invalid or too long{after}"
@@ -83,7 +76,8 @@ rules! {
         remedy "ciérrelo en los demás programas", "close it in the other programs";
         why "Otro programa tiene abierto el archivo, y el sistema no deja sustituirlo.",
             "Another program has the file open, and the system does not let rodete replace it.";
-        example by_the_system!();
+        example made!("given-disk-busy", "un archivo que otro programa retiene: el disco responde EBUSY",
+            "a file that another program holds: the disk answers EBUSY");
     "S0110" CannotWrite Stop { path: String, reason: Text, after: Text }
         es "no se puede escribir en {path}: {reason}{after}"
         en "cannot write to {path}: {reason}{after}"
@@ -97,7 +91,8 @@ rules! {
         remedy "no use ningún programa de esta carpeta hasta haber repetido el comando",
             "use no program from this folder until the command has run again";
         why "Un programa nuevo con una hoja anterior corta otra pieza.", "A new program with an old sheet cuts another part.";
-        example by_the_system!();
+        example made!("given-disk-stuck", "un disco que falla a mitad de la entrega y tampoco deja devolver lo anterior",
+            "a disk that fails halfway through a delivery and does not let the earlier files be put back");
     "S0121" FolderHeld Stop { lock: String, owner: String }
         es "otra ejecución está escribiendo en la misma carpeta ({lock}: {owner})"
         en "another run is writing to the same folder ({lock}: {owner})"
@@ -150,15 +145,15 @@ rules! {
         en "{path} changed while rodete was working on it"
         remedy "repita la orden", "run the command again";
         why "Alguien lo guardó entretanto, y sus cambios se perderían.", "Somebody saved it meanwhile, and those changes would be lost.";
-        example Example::Never(t(
-            "depende de quién guarda el libro y cuándo, no de la entrada", "it depends on who saves the workbook and when, not on the input"));
+        example made!("given-book-changed", "un libro que otro programa guarda entre la lectura y la escritura",
+            "a workbook that another program saves between reading and writing");
     "S0141" WrittenTwice Stop { path: String }
         es "{path} se escribiría dos veces"
         en "{path} would be written twice"
         remedy "dé un nombre distinto a cada libro", "give each workbook its own name";
         why "El segundo archivo sobrescribiría el primero.", "The second file would overwrite the first.";
-        example Example::Never(t(
-            "rodete rechaza los nombres repetidos antes de empezar", "rodete rejects repeated names before it begins"));
+        example made!("given-name-twice", "un mismo nombre dado dos veces a la biblioteca: los comandos lo rechazan antes de empezar",
+            "one name given twice to the library: the commands reject it before they begin");
     "S0142" ExistsAlready Stop { path: String }
         es "{path} ya existe"
         en "{path} already exists"

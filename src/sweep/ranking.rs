@@ -2,9 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::finding::{Finding, Place, Raise};
+use crate::limits::FRONT_DESIGNS;
 use crate::sweep::front::{Candidate, front};
 use crate::sweep::plan::Plan;
 use crate::sweep::row::State;
+use crate::sweep::rules::FrontCut;
 use crate::sweep::table::{FEASIBLE, ID, MARGIN, REASON, STATE, Table, VALUE, whole};
 
 /// Candidates beyond this many are thinned out while they come.
@@ -148,6 +151,12 @@ impl<'a> Ranking<'a> {
 }
 
 impl Ranked {
+    /// What a person should know of the front: that it is cut.
+    #[must_use]
+    pub fn told(&self) -> Option<Finding> {
+        self.cut.then(|| FrontCut { most: FRONT_DESIGNS }.at(Place::File))
+    }
+
     /// The designs that are shown: the whole front, then the best, in all at least so many where there are as many.
     #[must_use]
     pub fn top(&self, least: usize) -> Vec<u64> {

@@ -256,7 +256,7 @@ rules! {
         en "the front has more than {most} designs; the first by the first objective are marked"
         remedy "dé menos objetivos, o restricciones", "give fewer objectives, or constraints";
         why "Un frente tan largo no distingue unos diseños de otros.", "So long a front does not tell designs apart.";
-        example Example::Never(t("un plan tan grande tarda demasiado para una prueba", "a plan of this size takes too long for a test"));
+        example Example::Made { key: "given-front", how: t("un frente de 10001 diseños", "a front of 10001 designs") };
     "D0208" NoScheduler Stop { reason: Text }
         es "no se puede ejecutar sbatch: {reason}"
         en "sbatch cannot be run: {reason}"

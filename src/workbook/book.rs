@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::Cursor;
 
-use calamine::{Reader, Xlsx};
+use calamine::{Reader, Xlsx, XlsxError};
 
 use crate::escape::printable;
 use crate::finding::{Exit, Place, Raise, Refusal};
@@ -22,6 +22,11 @@ pub struct Book<'a> {
     xlsx: Xlsx<Cursor<Cow<'a, [u8]>>>,
 }
 
+/// What calamine says of a workbook, or of a sheet, that it does not take although the gate let it through.
+pub fn unread(error: &XlsxError) -> WorkbookUnread {
+    WorkbookUnread { reason: printable(&error.to_string()) }
+}
+
 impl<'a> Book<'a> {
     /// Hands a workbook that passed the gate to calamine.
     ///
@@ -32,10 +37,8 @@ impl<'a> Book<'a> {
             [] => Cow::Borrowed(gated.package.bytes),
             parts => Cow::Owned(gated.package.with(parts)?),
         };
-        let xlsx = Xlsx::new(Cursor::new(bytes)).map_err(|error| {
-            let reason = printable(&error.to_string());
-            WorkbookUnread { reason }.refused(Exit::Unreadable, Place::File)
-        })?;
+        let xlsx =
+            Xlsx::new(Cursor::new(bytes)).map_err(|error| unread(&error).refused(Exit::Unreadable, Place::File))?;
         Ok(Self { gated, xlsx })
     }
 

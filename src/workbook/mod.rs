@@ -70,6 +70,6 @@ mod words;
 pub mod xml;
 
 pub use gate::gate;
-pub use open::{Input, open, open_as, open_program};
+pub use open::{Input, open, open_as, open_program, unopened};
 pub use schema::{Filled, read};
 pub use spoken::language;

@@ -71,7 +71,7 @@ pub fn open_as(input: Input, path: &Path) -> Result<Vec<u8>, Refusal> {
     let mut bytes = Vec::new();
     File::open(path)
         .and_then(|file| file.take(limits::FILE + 1).read_to_end(&mut bytes))
-        .map_err(|error| refuse(input, path, &error))?;
+        .map_err(|error| unopened(input, path, &error))?;
     if u64::try_from(bytes.len()).is_ok_and(|length| length <= limits::FILE) {
         Ok(bytes)
     } else {
@@ -82,7 +82,7 @@ pub fn open_as(input: Input, path: &Path) -> Result<Vec<u8>, Refusal> {
 /// What is known of a regular file.
 fn regular(input: Input, path: &Path) -> Result<fs::Metadata, Refusal> {
     // Asked before opening: opening a pipe would wait for a writer.
-    let metadata = fs::metadata(path).map_err(|error| refuse(input, path, &error))?;
+    let metadata = fs::metadata(path).map_err(|error| unopened(input, path, &error))?;
     let (path, wanted) = (printable_path(path), input.named());
     if metadata.is_dir() {
         return Err(InputIsFolder { path, wanted }.refused(Exit::Unreadable, Place::File));
@@ -99,7 +99,7 @@ fn regular(input: Input, path: &Path) -> Result<fs::Metadata, Refusal> {
 /// Refuses with [`Exit::Unreadable`] a path that is missing, no regular file or may not be read.
 pub fn open_program(path: &Path) -> Result<BufReader<File>, Refusal> {
     regular(Input::Program, path)?;
-    let file = File::open(path).map_err(|error| refuse(Input::Program, path, &error))?;
+    let file = File::open(path).map_err(|error| unopened(Input::Program, path, &error))?;
     Ok(BufReader::with_capacity(1 << 16, file))
 }
 
@@ -113,11 +113,14 @@ fn too_large(input: Input, path: &Path) -> Refusal {
     }
 }
 
-/// The refusal for what the operating system answered.
-fn refuse(input: Input, named: &Path, error: &io::Error) -> Refusal {
+/// The refusal for what the operating system answered where a file of a kind was to be opened: [`Exit::Unreadable`], with the path as
+/// it was named and what to do about it.
+#[must_use]
+pub fn unopened(input: Input, named: &Path, error: &io::Error) -> Refusal {
     let path = printable_path(named);
     let open = || lock_file(named).exists();
     let finding = match error.kind() {
+        ErrorKind::ResourceBusy => HeldByProgram { path }.at(Place::File),
         // 32 and 33: another program holds the file, or a part of it.
         _ if cfg!(windows) && matches!(error.raw_os_error(), Some(32 | 33)) => HeldByProgram { path }.at(Place::File),
         ErrorKind::NotFound => not_found(input, named, path),
@@ -184,7 +187,7 @@ mod tests {
     use super::*;
 
     fn remedy(path: &Path, error: &io::Error) -> (Exit, String, String) {
-        let refusal = refuse(Input::Workbook, path, error);
+        let refusal = unopened(Input::Workbook, path, error);
         let finding = refusal.findings.into_iter().next().map(|finding| (finding.what.en, finding.remedy.en));
         let (what, remedy) = finding.unwrap_or_default();
         (refusal.exit, what.into_owned(), remedy.into_owned())

@@ -169,8 +169,9 @@ impl<'a> Package<'a> {
     fn list(&mut self) -> Result<(), Refusal> {
         let mut total = 0_u64;
         for index in 0..self.archive.len() {
-            let entry = self.archive.by_index_data(index).map_err(|_| nameless(index))?;
-            let name = entry.name().map_err(|_| nameless(index))?.into_owned();
+            let entry = self.archive.by_index_data(index).map_err(|error| broken("", &error))?;
+            // Any name can be read: as UTF-8, or else in code page 437.
+            let name = entry.name().map_err(|error| broken("", &error))?.into_owned();
             let normal = name.replace('\\', "/").to_ascii_lowercase();
             let outside = normal.starts_with('/')
                 || normal.contains('\0')
@@ -224,11 +225,6 @@ impl<'a> Package<'a> {
 
 fn part_damaged(name: &str, how: Text) -> Refusal {
     EntryDamaged { entry: excerpt(name, 80), how }.refused(Exit::Unreadable, Place::Part(name.to_owned()))
-}
-
-/// The refusal of an entry whose name is in no known encoding.
-fn nameless(index: usize) -> Refusal {
-    EntryWithoutName { number: index + 1 }.refused(Exit::Unreadable, Place::File)
 }
 
 /// The refusal of an entry that does not unpack.

@@ -6,13 +6,14 @@ use std::io::Cursor;
 
 use calamine::{DataRef, ExcelDateTime, ExcelDateTimeType, Xlsx};
 
-use crate::escape::{excerpt, printable};
+use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Place, Raise, Refusal};
 use crate::number::decimal;
 
 use super::address::{self, Position};
+use super::book::unread;
 use super::limits;
-use super::rules::package::{SheetUnread, TooManyRows};
+use super::rules::package::TooManyRows;
 use super::survey::Survey;
 use super::xml::damaged;
 
@@ -134,9 +135,7 @@ pub fn stream(
     part: &str,
     columns: u32,
 ) -> Result<(Rows, Blanks), Refusal> {
-    let fault = |error: &calamine::XlsxError| {
-        damaged(part, &SheetUnread { sheet: excerpt(sheet, 80), reason: printable(&error.to_string()) })
-    };
+    let fault = |error: &calamine::XlsxError| damaged(part, &unread(error));
     let width = usize::try_from(columns).unwrap_or_default();
     let (mut rows, mut blanks) = (Rows::new(), Blanks::new());
     let mut reader = xlsx.worksheet_cells_reader(sheet).map_err(|error| fault(&error))?;

@@ -57,6 +57,11 @@ pub fn walk<'a>(
     let mut rooted = false;
     let ill_formed =
         |byte: u64, why: &str| damaged(part, &PartIllFormed { part: name.clone(), byte, reason: excerpt(why, 120) });
+    // Not of XML, whose readers disagree on them: to calamine a form feed parts two attributes, to this walk it is of a name.
+    let control = |byte: &u8| *byte < b' ' && !b"\t\n\r".contains(byte);
+    if let Some((at, byte)) = text.as_bytes().iter().enumerate().find(|(_, byte)| control(byte)) {
+        return Err(ill_formed(u64::try_from(at).unwrap_or(u64::MAX), &format!("U+{byte:04X}")));
+    }
     loop {
         let event = match reader.read_event() {
             Ok(event) => event,
@@ -157,6 +162,8 @@ mod tests {
         assert!(refusal_of("<a><b></a>").contains("not well formed at byte"));
         assert!(refusal_of("<a b='1' b='2'/>").contains("not well formed"));
         assert!(refusal_of("<a b='&x;'/>").contains("not well formed"));
+        assert!(refusal_of("<a b='1' \u{c}c='2'/>").contains("not well formed at byte 9 (U+000C)"));
+        assert!(refusal_of("<a>\u{0}</a>").contains("U+0000"));
         assert!(refusal_of("<a>&xxe;</a>").contains("&xxe;"));
         assert!(refusal_of("<a>").contains("cut off"));
         assert!(refusal_of("").contains("cut off"));

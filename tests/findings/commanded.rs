@@ -86,11 +86,13 @@ fn sentences(rule: &Rule, text: &str) -> (String, String) {
     (what.to_owned(), remedy.unwrap_or_default().to_owned())
 }
 
-/// Runs a command in a folder: all that it prints.
+/// Runs a command in a folder: all that it prints. Where there is a folder `bin` in it, no other programs are at hand than those in that.
 fn run(folder: &Path, words: &[String], language: Language) -> String {
-    let rodete = env!("CARGO_BIN_EXE_rodete");
-    let output =
-        Command::new(rodete).current_dir(folder).args(words).args(["--lang", language.code()]).output().unwrap();
+    let mut rodete = Command::new(env!("CARGO_BIN_EXE_rodete"));
+    if folder.join("bin").is_dir() {
+        rodete.env("PATH", folder.join("bin"));
+    }
+    let output = rodete.current_dir(folder).args(words).args(["--lang", language.code()]).output().unwrap();
     [output.stderr, output.stdout].map(|text| String::from_utf8(text).unwrap()).concat()
 }
 
@@ -166,6 +168,11 @@ fn made(key: &str, folder: &Path) -> Option<CommandWords> {
             put("out/turn-report.pdf", "x");
             put("turn.nc", TURNING);
             "simulate turn.nc --dialect fanuc-lathe-a -o out".to_owned()
+        }
+        "no-desktop" => {
+            fs::create_dir(path("bin")).unwrap();
+            fs::write(path("impeller.xlsx"), common::workbook::sound(Language::En)).unwrap();
+            "build impeller.xlsx --no-report --open".to_owned()
         }
         "no-logo" | "no-templates" | "cmyk-logo" => {
             let named = common::workbook::Parts::sound().string("logo", "logo.svg").zip();
@@ -472,6 +479,7 @@ fn set(key: &str) -> Option<Vec<Finding>> {
     let whole = "for word; do output=$word; done; printf '%%PDF-1.7\\n%%%%EOF\\n' > \"$output\"";
     Some(match key {
         "no-tmpdir" => vec![ReportFailure::Folder(std::io::ErrorKind::NotFound.into()).finding()],
+        "no-json" => vec![ReportFailure::Json(serde_json::from_str::<f64>("NaN").unwrap_err()).finding()],
         "no-typst" => report(&Typst::installed("/nowhere/typst"), "a", &bare),
         "false-typst" => report(&script("exit 1"), "a", &bare),
         "false-templates" => {
@@ -500,8 +508,9 @@ fn set(key: &str) -> Option<Vec<Finding>> {
         }
         "large-attachment" => report(&script(whole), "a", &bare),
         "foreign-letters" => report(&script(whole), "\u{4e2d}", &bare),
-        "wide-drawing" => {
-            let points = vec![[0.0, 0.0], [20_000.0, 20_000.0]];
+        "wide-drawing" | "empty-drawing" => {
+            let wide = if key == "wide-drawing" { 20_000.0 } else { f64::NAN };
+            let points = vec![[0.0, 0.0], [wide, 20_000.0]];
             let stroke = Stroke { ink: Ink::Cut, points, filled: false, arrow: false };
             let (strokes, labels, legend) = (vec![stroke], Vec::new(), Vec::new());
             let figure = Figure {

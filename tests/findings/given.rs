@@ -4,7 +4,9 @@
 use rodete::finding::Finding;
 use rodete::gcode::header::Origin;
 use rodete::gcode::program::Program;
+use rodete::kind::Provenance;
 use rodete::kind::method::Method;
+use rodete::kinds;
 use rodete::kinds::impeller::clear::cut::{Job, Which};
 use rodete::kinds::impeller::clear::plan::Plan;
 use rodete::kinds::impeller::clearance::{Bounds, WORK};
@@ -107,6 +109,16 @@ fn form(cells: &[(&'static str, &'static str)]) -> Vec<Finding> {
     Fields::of(&FORM, values(&CASES, Some("full"), cells)).unwrap_err().findings
 }
 
+/// What is told of an end position farther than a program can say.
+fn far() -> Vec<Finding> {
+    let values = values(&CASES, Some("full"), &[("X_e", "150000")]);
+    let source = Provenance { workbook: "W.XLSX".to_owned(), sha256: "0".to_owned(), version: "0.0.0" };
+    match kinds::run(&FORM, values, source) {
+        Ok(outcome) => outcome.findings,
+        Err(refusal) => refusal.findings,
+    }
+}
+
 /// What is told of what an example's key stands for.
 pub fn told(key: &str) -> Vec<Finding> {
     match key {
@@ -122,6 +134,7 @@ pub fn told(key: &str) -> Vec<Finding> {
         "given-path" => path(0.019, 0.024),
         "given-missing" => form(&[("R", "")]),
         "given-mistyped" => form(&[("R", "ten")]),
-        _ => panic!("nobody gives {key}"),
+        "given-far" => far(),
+        _ => super::handed::told(key).unwrap_or_else(|| panic!("nobody gives {key}")),
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::Cursor;
+use std::io::{self, Cursor};
 use std::path::Path;
 use std::sync::Mutex;
 
@@ -210,6 +210,7 @@ fn made(key: &str) -> Option<Vec<u8>> {
         "million-texts" => sound().put(strings, format!("<sst>{}</sst>", "<si/>".repeat(1_000_001))).zip(),
         "schema-1" => include_bytes!("../golden/impeller-schema-1.xlsx").to_vec(),
         "formats" => formats(&"<xf/>".repeat(65_537)).zip(),
+        "no-texts" => sound().put(strings, "<texts/>").zip(),
         "no-workbook" => sound().without(list).zip(),
         "relations" => {
             let many: String =
@@ -375,6 +376,12 @@ fn opened(key: &str, folder: &Path) -> Option<Vec<Finding>> {
     let book = folder.join("impeller.xlsx");
     let (mut input, mut path) = (Input::Workbook, folder.join("book.xlsx"));
     match key {
+        "held-open" | "fails-and-open" => {
+            fs::write(folder.join("~$impeller.xlsx"), "").unwrap();
+            // EBUSY, EIO
+            let answer = io::Error::from_raw_os_error(if key == "held-open" { 16 } else { 5 });
+            return Some(workbook::unopened(input, &book, &answer).findings);
+        }
         "folder" => path = folder.to_owned(),
         "device" => path = "/dev/zero".into(),
         "missing" => {}

@@ -9,6 +9,7 @@ mod commanded;
 mod common;
 mod earlier_schema;
 mod given;
+mod handed;
 mod lathe_inputs;
 mod made;
 mod reference;

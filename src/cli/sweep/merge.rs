@@ -22,7 +22,7 @@ use super::work::Workshop;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule};
 use crate::kind::Kind;
-use crate::limits::{FRONT_DESIGNS, SWEEP_ROWS};
+use crate::limits::SWEEP_ROWS;
 use crate::number::{decimal, shown};
 use crate::parameter::Values;
 use crate::report;
@@ -35,7 +35,7 @@ use crate::sweep::plan::Plan;
 use crate::sweep::ranking::{Ranked, Ranking, Reason};
 use crate::sweep::results::{Built, Coded, Results};
 use crate::sweep::row::{of_design, says, told};
-use crate::sweep::rules::{FrontCut, NamesInCase, NoneDone, RejectedWhole};
+use crate::sweep::rules::{NamesInCase, NoneDone, RejectedWhole};
 use crate::sweep::sensitivity::{Shares, around, most};
 use crate::sweep::table::{CODES, Cells, Column, FEASIBLE, FRONT, ID, MARGIN, REASON, STATE, Table, VALUE};
 use crate::text::{Text, t};
@@ -159,8 +159,8 @@ pub(super) fn merge(
         }
     }
     finding::general(&in_case(&all), *language, terminal);
-    if ranked.cut {
-        finding::general(&[FrontCut { most: FRONT_DESIGNS }.at(Place::File)], *language, terminal);
+    if let Some(cut) = ranked.told() {
+        finding::general(&[cut], *language, terminal);
     }
     if let (Some(first), (built, rejected)) = (results.rejected.first(), results.tried()) {
         let path = printable_path(&rows.place().join(&names[0]));

@@ -337,5 +337,5 @@ impl Method for Impeller {
 
 /// The refusal of a position that no program may carry.
 fn no_room(error: OutOfFormat) -> Vec<Finding> {
-    vec![out_of_format(error, [form::R.key(), form::R_B.key(), form::H.key()])]
+    vec![out_of_format(error, [form::R.key(), form::R_B.key(), form::H.key(), form::X_E.key()])]
 }

@@ -38,13 +38,14 @@ macro_rules! blocks {
 }
 
 /// What the workbook refuses before a set-up is made of it.
-macro_rules! checked {
-    () => {
-        Example::Never(t(
-            "el libro y --stock rechazan antes tales medidas: solo lo ve quien usa la biblioteca directamente",
-            "the workbook and --stock reject such sizes first: only direct users of the library meet it",
-        ))
-    };
+const fn checked(key: &'static str) -> Example {
+    Example::Made {
+        key,
+        how: t(
+            "medidas que no vienen de un libro: el libro y --stock las rechazan antes",
+            "sizes that come from no workbook: the workbook and --stock reject them first",
+        ),
+    }
 }
 
 rules! {
@@ -185,7 +186,11 @@ rules! {
         remedy "escriba el paso con F", "write the lead with F";
         why "Con paso 0 el carro no avanza: la herramienta hace un surco.",
             "With a lead of 0 the carriage does not move: the tool cuts a groove.";
-        example Example::Never(t("el intérprete rechaza una rosca sin F antes de la simulación", "the interpreter rejects a thread without F before the simulation"));
+        example Example::Made {
+            key: "given-thread-lead",
+            how: t("una rosca de paso 0 que no viene de un programa: el intérprete la rechaza antes",
+                "a thread with a lead of 0 that comes from no program: the interpreter rejects it first"),
+        };
     "L0142" LeadNotOfInsert Caution alarm Lathe 142 { lead: Size, least: Size, most: Size }
         es "El paso está fuera de los que admite la placa de roscar"
         en "The lead is outside the threading insert's range"
@@ -395,49 +400,49 @@ rules! {
         remedy "cambie las medidas del bruto", "change the sizes of the stock";
         why "El diámetro debe ser mayor que 0 y caber en el espacio de cálculo.",
             "The diameter must be above 0 and fit into the space of the computation.";
-        example checked!();
+        example checked("given-stock-diameter");
     "L0222" StockLength Stop {}
         es "la longitud L del bruto es imposible"
         en "the stock length L is impossible"
         remedy "cambie las medidas del bruto", "change the sizes of the stock";
         why "La longitud debe ser mayor que 0 y caber en el espacio de cálculo.",
             "The length must be above 0 and fit into the space of the computation.";
-        example checked!();
+        example checked("given-stock-length");
     "L0223" StockBore Stop {}
         es "el agujero del bruto es imposible"
         en "the bore of the stock is impossible"
         remedy "cambie las medidas del bruto", "change the sizes of the stock";
         why "Entre el agujero y la superficie debe quedar pared.",
             "There must be a wall between the bore and the surface.";
-        example checked!();
+        example checked("given-stock-bore");
     "L0224" StockOverhang Stop {}
         es "el voladizo L3 es imposible"
         en "the stick-out L3 is impossible"
         remedy "cambie las medidas del bruto", "change the sizes of the stock";
         why "El voladizo debe ser mayor que 0 y menor que la longitud de la pieza.",
             "The stick-out must be above 0 and less than the length of the stock.";
-        example checked!();
+        example checked("given-stock-overhang");
     "L0225" StockFacing Stop {}
         es "la demasía de refrentado L5 es imposible"
         en "the facing allowance L5 is impossible"
         remedy "cambie las medidas del bruto", "change the sizes of the stock";
         why "El cero pieza W1 quedaría dentro de las garras.",
             "The part zero W1 would be inside the jaws.";
-        example checked!();
+        example checked("given-stock-facing");
     "L0226" ArcTolerance Stop {}
         es "la tolerancia de los arcos es imposible"
         en "the arc tolerance is impossible"
         remedy "elija una tolerancia entre 0.00001 y 0.1 mm", "choose a tolerance between 0.00001 and 0.1 mm";
         why "Con una tolerancia mayor la pieza se deforma, y con una menor el cálculo no acaba.",
             "A larger tolerance distorts the part, and with a smaller one the computation does not end.";
-        example checked!();
+        example checked("given-tolerance");
     "L0227" ToolWithoutOutline Stop { place: u32, why: Text }
         es "herramienta {place}: {why}"
         en "tool {place}: {why}"
         remedy "corrija la herramienta", "correct the tool";
         why "Con medidas que se contradicen no se puede trazar el perfil de la herramienta.",
             "Sizes that contradict each other give no tool outline.";
-        example checked!();
+        example checked("given-tool");
     "L0228" PartBeyondSpace Stop {}
         es "la pieza es demasiado grande para simularla"
         en "the part is too large to simulate"

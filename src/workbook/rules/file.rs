@@ -2,7 +2,7 @@
 
 use super::made;
 use crate::finding::rule::rules;
-use crate::text::{Text, t};
+use crate::text::Text;
 
 rules! {
     /// The rows of files that are opened.
@@ -27,7 +27,8 @@ rules! {
         remedy "ciérrelo en Excel o LibreOffice y repita el comando", "close it in Excel or LibreOffice and run the command again";
         why "En Windows, un programa puede bloquear el archivo que tiene abierto.",
             "On Windows a program that has a file open can lock it.";
-        example crate::finding::Example::Never(t("solo Windows lo impide", "only Windows keeps others out"));
+        example made!("held-open", "un libro que otro programa retiene: el sistema responde que está ocupado",
+            "a workbook that another program holds: the system answers that it is busy");
     "W0104" NoSuchFile Stop { path: String }
         es "no se puede abrir {path}: no existe"
         en "cannot open {path}: no such file"
@@ -81,9 +82,8 @@ rules! {
         remedy "ciérrelo en Excel o LibreOffice y repita el comando", "close it in Excel or LibreOffice and run the command again";
         why "Junto al libro hay un archivo que Excel crea mientras lo tiene abierto.",
             "Beside the workbook is a file that Excel creates while the workbook is open.";
-        example crate::finding::Example::Never(t(
-            "el sistema solo responde así donde el disco o la red fallan con el libro abierto",
-            "the system answers so only where the disk or the network fails while the workbook is open"));
+        example made!("fails-and-open", "un disco que falla al leer un libro con el ~$ de Excel a su lado",
+            "a disk that fails in reading a workbook with Excel's ~$ beside it");
     "W0112" WorkbookTooLarge Stop { path: String, most: u64 }
         es "{path} ocupa más de {most} MiB"
         en "{path} is larger than {most} MiB"

@@ -1,9 +1,8 @@
 //! The package and its parts: what a file must be before its cells are read.
 
 use super::made;
-use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::{Text, t};
+use crate::text::Text;
 
 rules! {
     /// The rows of packages and their parts.
@@ -110,15 +109,6 @@ rules! {
             "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
         why "La parte ya no es como se guardó: podría cambiar un valor.", "The part is not as it was saved: a value might be wrong.";
         example made!("checksum", "un libro con un bit cambiado en una hoja", "a workbook with one bit changed in a sheet");
-    "W0219" EntryWithoutName Stop { number: usize }
-        es "el nombre de la parte {number} del paquete no se puede leer"
-        en "the name of entry {number} of the package cannot be read"
-        remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
-            "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
-        why "Una parte sin nombre no se puede buscar ni descartar.", "An entry without a name can neither be found nor skipped.";
-        example Example::Never(t(
-            "el lector de zip lee cualquier nombre como UTF-8 o CP437",
-            "the zip reader reads any name as UTF-8 or CP437"));
     "W0220" PartTooLarge Stop { part: String, most: u64 }
         es "{part}: el libro ocupa descomprimido más de {most} MiB en una sola parte"
         en "{part}: the workbook unpacks to more than {most} MiB in one part"
@@ -298,18 +288,7 @@ rules! {
         remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
             "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
         why "El lector de hojas no admite el libro, por la razón indicada.", "The sheet reader does not accept the workbook, for the reason given.";
-        example Example::Never(t(
-            "rodete rechaza antes, con su propio código, lo que el lector no admite; esto recoge lo que falte",
-            "rodete first rejects, under its own code, what the reader does not accept; this catches the rest"));
-    "W0262" SheetUnread Stop { sheet: String, reason: String }
-        es "la hoja \"{sheet}\" no se puede leer: «{reason}»"
-        en "the sheet \"{sheet}\" cannot be read: {reason}"
-        remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
-            "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
-        why "El lector de hojas no admite la hoja, por la razón indicada.", "The sheet reader does not accept the sheet, for the reason given.";
-        example Example::Never(t(
-            "rodete rechaza antes, con su propio código, lo que el lector no admite; esto recoge lo que falte",
-            "rodete first rejects, under its own code, what the reader does not accept; this catches the rest"));
+        example made!("no-texts", "un libro cuya parte de textos no es una lista de textos", "a workbook whose part of texts is no list of texts");
     "W0263" TooManyRows Stop { sheet: String, most: usize, last: String }
         es "la hoja \"{sheet}\" tiene más de {most} filas con contenido en las columnas A a {last}"
         en "the sheet \"{sheet}\" has more than {most} rows with content in columns A to {last}"

@@ -4,6 +4,17 @@ use crate::finding::rule::rules;
 use crate::finding::{Example, Size};
 use crate::text::t;
 
+/// What the interpreter rejects before the cycle is worked out.
+const fn given(key: &'static str) -> Example {
+    Example::Made {
+        key,
+        how: t(
+            "un ciclo que no viene de un programa: al leerlo, el intérprete lo rechaza antes",
+            "a cycle that comes from no program: the interpreter rejects it first, on reading it",
+        ),
+    }
+}
+
 rules! {
     /// The rows of this file.
     RULES;
@@ -19,10 +30,7 @@ rules! {
         en "the block of the contour that P or Q names is not found"
         remedy "numere los bloques del contorno; Q va después de P", "number the blocks of the contour; Q comes after P";
         why "Sin contorno el ciclo no sabe qué cortar.", "Without a contour the cycle does not know what to cut.";
-        example Example::Never(t(
-            "rodete rechaza al leerlo un contorno sin bloques",
-            "rodete rejects a contour without blocks when it reads it",
-        ));
+        example given("given-no-contour");
     "G0617" ContourBackAlongZ Stop alarm Fanuc 64 {}
         es "el contorno cambia de sentido en Z"
         en "the contour reverses along Z"
@@ -36,19 +44,13 @@ rules! {
         remedy "lleve la herramienta al contorno con G0 o G1", "take the tool to the contour with G0 or G1";
         why "El primer bloque solo lleva la herramienta al contorno.",
             "The first block only takes the tool to the contour.";
-        example Example::Never(t(
-            "rodete rechaza al leerlo un contorno que empieza con un arco",
-            "rodete rejects a contour that begins with an arc when it reads it",
-        ));
+        example given("given-arc-first");
     "G0619" ThreadLeadNotPositive Stop alarm Fanuc 313 {}
         es "el paso de la rosca es 0 o negativo"
         en "the lead of the thread is zero or negative"
         remedy "dé el paso con F", "give the lead with F";
         why "Sin paso la herramienta no avanza.", "Without a lead the tool does not advance.";
-        example Example::Never(t(
-            "rodete rechaza al leer F un paso que no es positivo",
-            "rodete rejects a lead of 0 or less when it reads F",
-        ));
+        example given("given-cycle-lead");
     "G0620" ThreadAngle Stop alarm Fanuc 315 {}
         es "ángulo de la punta no admitido en el roscado"
         en "tip angle not allowed in threading"
@@ -124,10 +126,7 @@ rules! {
         en "a parameter of the cycle is not a finite number"
         remedy "dé números que el control admita", "give numbers that the control accepts";
         why "Un número infinito no es una cota.", "An infinite number is not a dimension.";
-        example Example::Never(t(
-            "toda cota leída es finita y cabe en la retícula de salida",
-            "every dimension read is finite and within the output grid",
-        ));
+        example given("given-endless-depth");
     "G0632" RetractionNegative Stop {}
         es "la retirada R es negativa"
         en "the retraction R is negative"
