@@ -1,7 +1,7 @@
 //! Codes beside the motion: feed, speed, spindle, coolant, dwell, units.
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, Group, M, TurningCycle};
+use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::{DwellUnit, DwellWord, FeedChange, SpeedLimit};
 use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::interpreter::Reader;
@@ -65,7 +65,7 @@ impl Reader<'_, '_> {
 
     pub(super) fn take_feed_and_speed(&mut self) -> Result<()> {
         // They are parameters of the cycle.
-        if let Some(G::Turning(TurningCycle::Fagor(_))) = self.block.g(Group::NonModal) {
+        if self.in_letter_cycle() {
             return Ok(());
         }
         if let Some(F) = self.block.get(letter::F) {

@@ -376,7 +376,7 @@ impl Reader<'_, '_> {
         let motion = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion);
         if let Some(G::Turning(cycle)) = self.block.g(Group::NonModal)
             && matches!(name, 'I' | 'K')
-            && !self.fagor_cycle()
+            && !self.in_letter_cycle()
         {
             return Refused::of(&CycleInOneBlock { letter: name, number: cycle.number() }, &[self.block.column(index)]);
         }

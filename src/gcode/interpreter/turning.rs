@@ -46,7 +46,7 @@ const fn second_words(cycle: TurningCycle) -> Option<&'static [u8]> {
     match cycle {
         TurningCycle::Axial | TurningCycle::Radial | TurningCycle::Repeat => Some(OF_CONTOUR),
         TurningCycle::GrooveFace | TurningCycle::GrooveOutside | TurningCycle::Thread => Some(TO_A_POINT),
-        TurningCycle::Finish | TurningCycle::Fagor(_) => None,
+        TurningCycle::Finish | TurningCycle::ByLetters(_) => None,
     }
 }
 
@@ -110,7 +110,7 @@ impl Reader<'_, '_> {
             TurningCycle::Axial | TurningCycle::Radial | TurningCycle::Repeat => self.roughing(cycle),
             TurningCycle::GrooveFace | TurningCycle::GrooveOutside => self.grooving(cycle),
             TurningCycle::Thread => self.threading(cycle),
-            TurningCycle::Fagor(number) => self.fagor(number),
+            TurningCycle::ByLetters(cycle) => self.letter_cycle(cycle),
         }
     }
 
