@@ -408,6 +408,7 @@ impl G {
     }
 
     /// The turning cycle of the code to which all letters of its block belong; `None` of any other code.
+    #[inline]
     #[must_use]
     pub const fn by_letters(self) -> Option<LetterCycle> {
         match self {

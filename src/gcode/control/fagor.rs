@@ -8,7 +8,8 @@ use crate::gcode::control::{
     FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, Increments, Language, LengthWord, Lexis, LoneDwell,
     LoneReturn, MachineMove, Mark, MissingFeed, NamesWithDigit, NegativeRadius, NumberBehind, OffsetRule, OpeningLine,
     Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, Source,
-    SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    SpeedLimit, SpindleRule, Start, TextForm, ThreadAngle, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed,
+    WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::letters::Letters;
@@ -70,7 +71,7 @@ pub(super) const BASE: Control = Control {
         unsaid: UnsaidFeed::Taken,
         limit: FeedLimit::Format,
     },
-    spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Code },
+    spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Code, thread_angle: ThreadAngle::None },
     tool: ToolCall::Change,
     change: ToolChange::Routine,
     length: LengthWord::D,

@@ -5,8 +5,8 @@ use crate::gcode::control::codes::{BY_MODE, COMMON};
 use crate::gcode::control::fagor::{BASE, BOTH_8055, DWELL, FAGOR, FRAME, LEXIS, NO_HELIX, THREAD};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, Class, Codes, Control, FeedRule, FileName, HeightHold, Increments, Lexis,
-    MachineZero, NoseCorner, Order, RadiusRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall,
-    Turns, UnsaidFeed, Writing,
+    MachineZero, NoseCorner, Order, RadiusRule, Source, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, Turns,
+    UnsaidFeed, Writing,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::letters::Letters;
@@ -39,7 +39,7 @@ pub static FAGOR_8055_T: Control = Control {
     axes: AxisWords { x: AcrossWord::Diameter, increments: Increments::ByMode },
     arcs: ArcWords { across: Across::Unknown, ..BASE.arcs },
     feed: FeedRule { unsaid: UnsaidFeed::Told, ..BASE.feed },
-    spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
+    spindle: SpindleRule { turns: Turns::Part, ..BASE.spindle },
     tool: ToolCall::Words,
     radius: RadiusRule::Nose(NoseCorner::StraightTo120),
     written: Some(&WRITING),

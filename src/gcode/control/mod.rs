@@ -50,7 +50,7 @@ pub use self::point::{
 };
 pub use self::rotary::{Rollover, RotaryMode, RotaryRule};
 pub use self::source::Source;
-pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
+pub use self::spindle::{SpeedLimit, SpindleRule, ThreadAngle, Turns};
 pub use self::told::Feature;
 pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
 pub use self::word_order::{Disorder, WordOrder, WordsSeen};
@@ -62,11 +62,15 @@ use crate::gcode::motion::{FeedMode, Plane};
 use crate::text::{Text, t};
 
 /// What stands in the chuck.
+///
+/// It is the machine: which sheets, tools and proofs are meant, and that a lathe's X is shown as a diameter. How a word of X counts is
+/// the control's, [`AcrossWord`]: a lathe may be programmed by radii as well (LinuxCNC, G7 and G8). No such control is followed yet, as
+/// the places where X is shown as it is programmed take it for a diameter; `tests/controls/lists.rs` holds the two together till then.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// The tool: X, Y, Z and more axes.
     Mill,
-    /// The part, turned about Z: X is written as a diameter and shown so.
+    /// The part, turned about Z: X is shown as a diameter.
     Lathe,
 }
 
@@ -180,7 +184,7 @@ pub static MILLING: [&Control; 3] = [&FAGOR_8055, &FAGOR_8070, &LINUXCNC];
 pub static TURNING: [&Control; 2] = [&FANUC_LATHE_A, &FAGOR_8055_T];
 
 impl Control {
-    /// True for a lathe, whose part turns and whose X is a diameter.
+    /// True for a lathe, whose part turns and whose X is shown as a diameter.
     #[must_use]
     pub const fn turns(&self) -> bool {
         match self.class {

@@ -182,7 +182,8 @@ impl Features {
     }
 
     fn spindle(&mut self, spindle: &SpindleRule, codes: &Codes) {
-        let SpindleRule { turns, limit } = spindle;
+        // A finding says what the Q of a thread counts, where it is out of range.
+        let SpindleRule { turns, limit, thread_angle: _ } = spindle;
         self.row(t("el husillo gira", "the spindle turns"), turns.told());
         self.row(
             t("límite de giro con velocidad de corte constante", "speed limit under constant surface speed"),

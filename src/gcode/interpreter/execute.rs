@@ -303,9 +303,11 @@ impl Reader<'_, '_> {
         used |= match motion {
             Some(G::Arc(_)) => self.memory.control.arcs.letters.mask(),
             Some(G::Cycle(cycle)) => self.memory.control.drilling.letters(cycle).mask(),
-            Some(G::Pass(SinglePassCycle::Thread)) => Letters::of("QR").mask(),
+            Some(G::Pass(SinglePassCycle::Thread)) => {
+                Letters::of("R").mask() | self.memory.control.spindle.thread_angle.letters().mask()
+            }
             Some(G::Pass(_)) => Letters::of("R").mask(),
-            Some(G::Thread(false)) => Letters::of("Q").mask(),
+            Some(G::Thread(false)) => self.memory.control.spindle.thread_angle.letters().mask(),
             Some(G::Thread(true)) => Letters::of("K").mask(),
             _ => 0,
         };
