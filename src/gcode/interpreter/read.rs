@@ -196,13 +196,13 @@ impl Reader<'_, '_> {
             Some((number, m)) => {
                 self.in_order('M', value, column)?;
                 if let M::NotFollowed(name) = m {
-                    self.memory.turned.started = true;
+                    self.memory.seen.turned.started = true;
                     let row = MachineCodeNotFollowed { code: number, what: t(name.0, name.1) };
                     let spot = self.block.spot;
                     self.memory.remarks.row(&row, spot, Some(column));
                 }
                 if m == M::User {
-                    self.memory.turned.started = true;
+                    self.memory.seen.turned.started = true;
                     let spot = self.block.spot;
                     self.memory.remarks.row(&MachineCodeOfBuilder { code: number }, spot, Some(column));
                     // Codes of the builder do not exclude each other everywhere: clamps M11 and M13 stand in one block.

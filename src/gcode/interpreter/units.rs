@@ -39,7 +39,7 @@ impl Memory<'_> {
     /// A linear axis moves in a unit.
     pub(super) fn see_unit(&mut self, unit: LengthUnit, spot: Spot) {
         let control = self.control;
-        match (self.units.moved_in.replace(unit), self.units.told_at) {
+        match (self.seen.units.moved_in.replace(unit), self.seen.units.told_at) {
             (Some(before), _) if before == unit => return,
             // A rejected block may have told it.
             (None, None) if self.doubts.holds(UNIT) => {}
@@ -61,13 +61,13 @@ impl Memory<'_> {
             }
             (None, Some(_)) | (Some(_), None) => {}
         }
-        self.units.inches |= unit == LengthUnit::Inch;
+        self.seen.units.inches |= unit == LengthUnit::Inch;
     }
 
     /// A motion goes at feed: remarked where no code has said what F means, and the machine may start with the other meaning.
     pub(super) fn see_feed(&mut self, mode: FeedMode, spot: Spot) {
         let rule = self.control.feed;
-        if std::mem::replace(&mut self.units.feed_said, true) || !rule.unsaid.told_of() {
+        if std::mem::replace(&mut self.seen.units.feed_said, true) || !rule.unsaid.told_of() {
             return;
         }
         let meaning = match mode {
