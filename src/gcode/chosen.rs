@@ -1,10 +1,10 @@
 //! What the cells of a form become where they speak of programs: codes, blocks, and the settings of a control.
 
-use crate::gcode::control::{Control, Post, RotaryMode};
+use crate::gcode::control::{Control, MILLING, Post, RotaryMode, TURNING};
 use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, NumberFormat, Retract, Word, block, codes};
-use crate::parameter::Value;
 use crate::parameter::field::{Stated, Typed, choices};
+use crate::parameter::{Choice, Value};
 
 /// Machine codes, as `M3 M11 M13`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -49,6 +49,24 @@ impl Stated for Retract {
     }
 }
 
+/// The mills that a form of programs offers: all of [`MILLING`].
+pub static MILLS: [Choice; MILLING.len()] = choices_of(&MILLING);
+
+/// The lathes that a form of programs offers: all of [`TURNING`].
+pub static LATHES: [Choice; TURNING.len()] = choices_of(&TURNING);
+
+/// A choice for each of some controls, by its name.
+const fn choices_of<const N: usize>(controls: &[&Control; N]) -> [Choice; N] {
+    let mut choices = [const { Choice::named("") }; N];
+    let mut at = 0;
+    while at < N {
+        // What is replaced has a destructor, and none is run where constants are made.
+        std::mem::forget(std::mem::replace(&mut choices[at], Choice::named(controls[at].name)));
+        at += 1;
+    }
+    choices
+}
+
 impl Typed for &'static Control {
     fn typed(value: &Value) -> Option<Self> {
         if let Value::Choice(name) = value { Control::named(name) } else { None }
@@ -85,7 +103,7 @@ choices! { for RotaryMode;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gcode::control::{MILLING, POST_8055, POST_LINUXCNC};
+    use crate::gcode::control::{POST_8055, POST_LINUXCNC};
 
     #[test]
     fn what_is_put_into_a_cell_is_read_from_it() {

@@ -3,6 +3,7 @@
 use crate::gcode::in_force::Compensation;
 use crate::gcode::letters::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
+use crate::gcode::turning::fagor::Along;
 use crate::text::{Text, t};
 
 /// A modal group: of one group a block may name one code.
@@ -132,8 +133,76 @@ pub enum TurningCycle {
     GrooveOutside,
     /// A thread in several passes (G76).
     Thread,
-    /// A cycle of the Fagor 8055 T, by its number.
-    Fagor(u8),
+    /// One whose block is its own whole: its letters are all its parameters.
+    ByLetters(LetterCycle),
+}
+
+/// A turning cycle of one block whose letters are all its own: F, S and M of the block are parameters too, and none is in force behind it
+/// (Fagor 8055 T, G81 to G89).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LetterCycle {
+    /// A straight section: turning (G81), facing (G82).
+    Straight(Along),
+    /// A curved section: turning (G84), facing (G85).
+    Curved(Along),
+    /// Drilling in the axis, and tapping (G83).
+    Drilling,
+    /// A thread in several passes: longitudinal (G86), face (G87).
+    Thread(Along),
+    /// Grooving: along X (G88), along Z (G89).
+    Groove(Along),
+}
+
+impl LetterCycle {
+    /// The number of its G code.
+    #[must_use]
+    pub const fn number(self) -> u8 {
+        match self {
+            Self::Straight(Along::Cylinder) => 81,
+            Self::Straight(Along::Face) => 82,
+            Self::Drilling => 83,
+            Self::Curved(Along::Cylinder) => 84,
+            Self::Curved(Along::Face) => 85,
+            Self::Thread(Along::Cylinder) => 86,
+            Self::Thread(Along::Face) => 87,
+            Self::Groove(Along::Cylinder) => 88,
+            Self::Groove(Along::Face) => 89,
+        }
+    }
+
+    /// The letters that are its parameters, whether they are followed or not.
+    pub const LETTERS: Letters = Letters::of("ABCDEFHIJKLMPQRSUVWXZ");
+
+    /// The letters that it must have.
+    #[must_use]
+    pub const fn needed(self) -> Letters {
+        match self {
+            Self::Straight(_) | Self::Groove(_) => Letters::of("CQRXZ"),
+            Self::Drilling => Letters::of("BIXZ"),
+            Self::Curved(_) => Letters::of("CIKQRXZ"),
+            Self::Thread(_) => Letters::of("BCDIQRXZ"),
+        }
+    }
+
+    /// The letters that it may have beside them, of those that rodete follows.
+    #[must_use]
+    pub const fn optional(self) -> Letters {
+        match self {
+            Self::Straight(_) | Self::Curved(_) => Letters::of("DFHLM"),
+            Self::Drilling => Letters::of("CDHKLR"),
+            Self::Thread(_) => Letters::of("AEJL"),
+            Self::Groove(_) => Letters::of("DK"),
+        }
+    }
+
+    /// The letters of the feeds that it has of its own.
+    #[must_use]
+    pub const fn feeds(self) -> &'static [u8] {
+        match self {
+            Self::Straight(_) | Self::Curved(_) => b"FH",
+            Self::Drilling | Self::Thread(_) | Self::Groove(_) => b"",
+        }
+    }
 }
 
 impl TurningCycle {
@@ -148,7 +217,7 @@ impl TurningCycle {
             Self::GrooveFace => 74,
             Self::GrooveOutside => 75,
             Self::Thread => 76,
-            Self::Fagor(number) => number,
+            Self::ByLetters(cycle) => cycle.number(),
         }
     }
 
@@ -159,7 +228,7 @@ impl TurningCycle {
             Self::Finish => Letters::of("PQ"),
             Self::Axial | Self::Radial | Self::Repeat => Letters::of("PQRUW"),
             Self::GrooveFace | Self::GrooveOutside | Self::Thread => Letters::of("PQRUWXZ"),
-            Self::Fagor(_) => Letters::of("ABCDEFHIJKLMPQRSUVWXZ"),
+            Self::ByLetters(_) => LetterCycle::LETTERS,
         }
     }
 
@@ -174,7 +243,7 @@ impl TurningCycle {
             | Self::GrooveFace
             | Self::GrooveOutside
             | Self::Thread
-            | Self::Fagor(_) => Letters::of(""),
+            | Self::ByLetters(_) => Letters::of(""),
         }
     }
 }
@@ -333,6 +402,26 @@ impl G {
     #[must_use]
     pub const fn is_cycle(self) -> bool {
         matches!(self, Self::Cycle(_) | Self::Turning(_) | Self::Pass(_) | Self::RefusedCycle(_))
+    }
+
+    /// The turning cycle of the code to which all letters of its block belong; `None` of any other code.
+    #[inline]
+    #[must_use]
+    pub const fn by_letters(self) -> Option<LetterCycle> {
+        match self {
+            Self::Turning(TurningCycle::ByLetters(cycle)) => Some(cycle),
+            _ => None,
+        }
+    }
+
+    /// True of a cycle that may wait at the bottom for a time that its block says.
+    #[must_use]
+    pub const fn waits(self) -> bool {
+        matches!(
+            self,
+            Self::Cycle(Cycle::DrillDwell | Cycle::BoreStop | Cycle::BoreManual | Cycle::BoreDwell)
+                | Self::Turning(TurningCycle::ByLetters(LetterCycle::Drilling | LetterCycle::Groove(_)))
+        )
     }
 
     /// True where the code takes the block's axis words for itself, so that no motion may stand beside it.

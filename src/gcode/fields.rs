@@ -1,9 +1,10 @@
 //! The parameters that forms of programs have in common.
 
+use crate::gcode::chosen::MILLS;
 use crate::gcode::control::Post;
 use crate::machine::rapids::Rapids;
+use crate::parameter::Parameter;
 use crate::parameter::field::{Field, Fields, Optional, Required};
-use crate::parameter::{DIALECTS, Parameter};
 use crate::table::Unit;
 use crate::text::t;
 
@@ -19,7 +20,7 @@ pub static MATERIAL: Field<String, Optional> =
 
 /// The control that programs are written for.
 pub static DIALECT: Field<Post, Required> =
-    Field::of_list("dialect", "dialect", DIALECTS, t("Dialecto del control", "Dialect of the control"), t("", ""));
+    Field::of_list("dialect", "dialect", &MILLS, t("Dialecto del control", "Dialect of the control"), t("", ""));
 
 /// How fast the linear axes are at rapid.
 pub static RAPID_LINEAR: Field<f64, Optional> = Field::real(

@@ -145,7 +145,8 @@ impl TurningCycle {
                 t("ranurado a lo largo de X con rotura de viruta", "grooving along X, with chip breaking")
             }
             Self::Thread => t("rosca en varias pasadas", "a thread in several passes"),
-            Self::Fagor(number) => {
+            Self::ByLetters(cycle) => {
+                let number = cycle.number();
                 Text::new(format!("ciclo de torneado {number} de Fagor"), format!("Fagor's turning cycle {number}"))
             }
         }

@@ -29,6 +29,12 @@ pub struct Choice {
 }
 
 impl Choice {
+    /// One whose key is what stands in the cell, in either language.
+    #[must_use]
+    pub const fn named(key: &'static str) -> Self {
+        Self { key, label: t(key, key), once: &[] }
+    }
+
     /// Every word that is read as this choice: its key, its labels and what it was once called.
     pub fn words(&self) -> impl Iterator<Item = &str> {
         [self.key, &*self.label.es, &*self.label.en].into_iter().chain(self.once.iter().copied())
@@ -341,10 +347,3 @@ impl Values {
 pub fn at<const N: usize>(keys: [Key; N]) -> Place {
     Place::Parameters(keys.to_vec())
 }
-
-/// The dialects of milling and cutting controls.
-pub const DIALECTS: &[Choice] = &[
-    Choice { key: "fagor-8055", label: t("fagor-8055", "fagor-8055"), once: &[] },
-    Choice { key: "fagor-8070", label: t("fagor-8070", "fagor-8070"), once: &[] },
-    Choice { key: "linuxcnc", label: t("linuxcnc", "linuxcnc"), once: &[] },
-];

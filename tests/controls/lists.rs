@@ -3,12 +3,14 @@
 
 use std::collections::BTreeSet;
 
+use rodete::gcode::code::G;
 use rodete::gcode::comment::LONGEST;
 use rodete::gcode::control::{
-    ALL, AcrossWord, Class, Control, Corners, Drilling, Increments, MILLING, RadiusRule, TURNING, Turns,
+    ALL, AcrossWord, CODE_LIMIT, Class, Control, Corners, Drilling, Increments, MILLING, RadiusRule, TURNING, Turns,
 };
+use rodete::gcode::word::NumberFormat;
 use rodete::kinds::KINDS;
-use rodete::parameter::{DIALECTS, FieldKind};
+use rodete::parameter::FieldKind;
 
 /// Fails where a list does not name the controls of `ALL` that it should, and names those.
 fn holds(list: &str, names: impl IntoIterator<Item = &'static str>, wanted: &[&'static Control], which: &str) {
@@ -29,7 +31,6 @@ fn every_list_of_controls_names_those_of_all_that_belong_to_it() {
     let lathes: Vec<_> = ALL.into_iter().filter(|control| control.turns()).collect();
     let [written, turned] = ["every mill with `written`", "every control of the class `Lathe`"];
     holds("control::MILLING", MILLING.map(|control| control.name), &mills, written);
-    holds("parameter::DIALECTS", DIALECTS.iter().map(|choice| choice.key), &mills, written);
     holds("control::TURNING", TURNING.map(|control| control.name), &lathes, turned);
     for form in KINDS.iter().map(|kind| kind.form()) {
         let dialect = form.parameter("dialect").unwrap_or_else(|| panic!("{}: no cell of the control", form.kind));
@@ -38,6 +39,35 @@ fn every_list_of_controls_names_those_of_all_that_belong_to_it() {
         let (wanted, which) = if turns { (&lathes, turned) } else { (&mills, written) };
         holds(&format!("the list of {}", form.kind), list.iter().map(|choice| choice.key), wanted, which);
     }
+}
+
+/// The form names no control: its hint says the codes of those that have an output for it.
+#[test]
+fn the_hints_of_the_height_control_say_the_codes_of_every_control_that_has_them() {
+    let form = KINDS.iter().map(|kind| kind.form()).find(|form| form.kind == "pipe-hole").expect("the form");
+    let mut seen = 0;
+    for (key, on) in [("hold_on", true), ("hold_off", false)] {
+        let note = &form.parameter(key).expect("a cell").note;
+        for words in MILLING.iter().filter_map(|control| control.written?.height.words(on)) {
+            let mut block = String::new();
+            words.iter().for_each(|word| word.write(NumberFormat::Fixed, &mut block));
+            assert!(note.es.contains(&block) && note.en.contains(&block), "{key}: {block}: {note:?}");
+            seen += 1;
+        }
+    }
+    assert!(seen >= 2, "some control has an output: {seen}");
+}
+
+#[test]
+fn a_turning_cycle_by_letters_is_called_by_the_number_that_findings_name() {
+    let mut seen = 0;
+    for (control, tenths) in ALL.into_iter().flat_map(|control| (0..CODE_LIMIT).map(move |tenths| (control, tenths))) {
+        let Some(cycle) = control.codes.get(tenths).and_then(G::by_letters) else { continue };
+        assert_eq!(usize::from(cycle.number()) * 10, tenths, "{}: {cycle:?}", control.name);
+        assert!(control.codes.turn_by(cycle));
+        seen += 1;
+    }
+    assert_eq!(seen, 9);
 }
 
 /// The fields whose value is followed for one class of machine alone, with that class.

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use proptest::sample::{select, subsequence};
-use rodete::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC, POST_8055_T, Post};
+use rodete::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC, Post};
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::word::Word;
 use rodete::gcode::writer::Writer;
@@ -95,9 +95,9 @@ proptest! {
     #[test]
     fn a_writer_puts_words_into_the_order_of_its_control(
         letters in subsequence("XYZUVWABCFSTDM".chars().collect::<Vec<_>>(), 1..=14).prop_shuffle(),
-        post in select(vec![
-            Post::of(&FAGOR_8055).expect("written"), Post::of(&FAGOR_8070).expect("written"), Post::of(&LINUXCNC).expect("written"), POST_8055_T,
-        ]),
+        post in select(
+            [&FAGOR_8055, &FAGOR_8070, &LINUXCNC, &FAGOR_8055_T].map(|control| Post::of(control).expect("written")).to_vec()
+        ),
     ) {
         let mut writer = Writer::new(post, Vec::new());
         writer.rapid(letters.iter().map(|letter| Word::size(*letter, Milli::ZERO)));

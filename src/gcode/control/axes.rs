@@ -4,7 +4,7 @@ use crate::gcode::letters::Letters;
 use crate::machine::axis::Axis;
 use crate::number::grid::Milli;
 
-/// What a word of X is.
+/// What a word of X is. That the machine is a lathe, [`Class`](super::Class) says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AcrossWord {
     /// The coordinate itself.

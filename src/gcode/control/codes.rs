@@ -1,6 +1,6 @@
 //! The G codes that a control knows.
 
-use crate::gcode::code::{G, M};
+use crate::gcode::code::{G, LetterCycle, M};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
 
@@ -73,6 +73,28 @@ impl Codes {
     pub fn names(&self, meaning: G) -> Vec<String> {
         let of = |(tenths, code): (usize, &Option<G>)| (*code == Some(meaning)).then(|| code_name(tenths));
         self.0.iter().enumerate().filter_map(of).collect()
+    }
+
+    /// True where a code is this turning cycle. Like [`Self::has`], for constants.
+    #[must_use]
+    pub const fn turn_by(&self, cycle: LetterCycle) -> bool {
+        let mut at = 0;
+        while at < CODE_LIMIT {
+            if let Some(code) = self.0[at]
+                && let Some(one) = code.by_letters()
+                && one.number() == cycle.number()
+            {
+                return true;
+            }
+            at += 1;
+        }
+        false
+    }
+
+    /// True where something holds of the meaning of a code.
+    #[must_use]
+    pub fn any(&self, holds: fn(G) -> bool) -> bool {
+        self.0.iter().flatten().copied().any(holds)
     }
 
     /// True where a code has some meaning.

@@ -15,8 +15,8 @@ use crate::gcode::control::{
     DwellWord, EmptyBlock, FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, Increments, Language,
     LeastIncrement, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NamesWithDigit,
     NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference,
-    Retract, Rollover, RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolCall, ToolChange,
-    Turns, UnitChange, UnsaidFeed, WordOrder,
+    Retract, Rollover, RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ThreadAngle, ToolCall,
+    ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -117,7 +117,7 @@ pub static FANUC_LATHE_A: Control = Control {
         unsaid: UnsaidFeed::Taken,
         limit: FeedLimit::Format,
     },
-    spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
+    spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code, thread_angle: ThreadAngle::Thousandth },
     tool: ToolCall::Digits,
     change: ToolChange::Routine,
     length: LengthWord::D,

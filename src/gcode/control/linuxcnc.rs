@@ -8,8 +8,8 @@ use crate::gcode::control::{
     FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord,
     Lexis, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NamesWithDigit, NegativeRadius,
     NumberBehind, OffsetRule, Order, Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover,
-    RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns,
-    UnitChange, UnsaidFeed, WordOrder, Writing,
+    RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ThreadAngle, ToolBlocks, ToolCall,
+    ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::gcode::in_force::Compensation;
@@ -88,7 +88,7 @@ pub static LINUXCNC: Control = Control {
         unsaid: UnsaidFeed::Taken,
         limit: FeedLimit::Number,
     },
-    spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Word },
+    spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Word, thread_angle: ThreadAngle::None },
     tool: ToolCall::Change,
     change: ToolChange::Selected,
     length: LengthWord::H,

@@ -9,7 +9,7 @@ use super::{
     FeedRule, HeightHold, Lexis, OpeningLine, RotaryRule, SpeedLimit, SpindleRule, Start, TextForm, Writing,
 };
 use crate::finding::AlarmFamily;
-use crate::gcode::code::{Cycle, G, M, TurningCycle};
+use crate::gcode::code::{G, M};
 use crate::gcode::letters::Letters;
 use crate::gcode::word::{NumberFormat, Word};
 use crate::text::{Text, t};
@@ -182,7 +182,8 @@ impl Features {
     }
 
     fn spindle(&mut self, spindle: &SpindleRule, codes: &Codes) {
-        let SpindleRule { turns, limit } = spindle;
+        // A finding says what the Q of a thread counts, where it is out of range.
+        let SpindleRule { turns, limit, thread_angle: _ } = spindle;
         self.row(t("el husillo gira", "the spindle turns"), turns.told());
         self.row(
             t("límite de giro con velocidad de corte constante", "speed limit under constant surface speed"),
@@ -293,8 +294,7 @@ impl Control {
         features.row(t("esquinas entre líneas", "corners between lines"), corners.told());
         features.row(t("G41 y G42", "G41 and G42"), radius.told());
         features.row(t("ciclos de taladrado", "drilling cycles"), drilling.told());
-        let waits =
-            [G::Cycle(Cycle::DrillDwell), G::Turning(TurningCycle::Fagor(83))].iter().any(|code| codes.has(*code));
+        let waits = codes.any(G::waits);
         features.row(
             t("espera de un ciclo", "dwell of a cycle"),
             if waits { lexis.cycle_dwell.told() } else { t("ninguna que rodete simule", "none that rodete simulates") },

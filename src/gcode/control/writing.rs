@@ -1,6 +1,7 @@
 //! How a program is written: its text, and the blocks that every program needs.
 
-use super::{Control, HeightHold, ToolBlocks};
+use super::{Control, HeightHold, TURNING, ToolBlocks};
+use crate::gcode::code::LetterCycle;
 use crate::gcode::word::Word;
 use crate::text::Text;
 
@@ -175,6 +176,23 @@ impl Post {
     #[must_use]
     pub fn of(control: &'static Control) -> Option<Self> {
         control.written.map(|writing| Self { control, writing })
+    }
+
+    /// The first lathe of [`TURNING`] that rodete writes for and that has a turning cycle. For a cycle that none of them has no constant
+    /// compiles.
+    #[must_use]
+    pub const fn turning_with(cycle: LetterCycle) -> Self {
+        let mut at = 0;
+        while at < TURNING.len() {
+            let control = TURNING[at];
+            if let Some(writing) = control.written
+                && control.codes.turn_by(cycle)
+            {
+                return Self { control, writing };
+            }
+            at += 1;
+        }
+        panic!("no lathe that rodete writes for has the cycle")
     }
 }
 

@@ -1,16 +1,18 @@
-//! Codes beside the motion: feed, speed, spindle, coolant, dwell, units.
+//! The codes of a block in the order in which they are obeyed, and those beside the motion: feed, speed, spindle, coolant, dwell, units.
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, Group, M, TurningCycle};
+use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::{DwellUnit, DwellWord, FeedChange, SpeedLimit};
 use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::doubt;
+use crate::gcode::interpreter::execute::one_shot;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::{FeedMode, MotionKind};
 use crate::gcode::rules::modes::{
-    DwellNegative, DwellOfNoTime, DwellTwice, DwellWithoutTime, NoSpeedLimit, SurfaceSpeedMissing,
+    DwellNegative, DwellOfNoTime, DwellTwice, DwellWithoutTime, MachineMoveIncremental, NoSpeedLimit,
+    SurfaceSpeedMissing,
 };
 use crate::gcode::rules::words::{DwellNotWhole, OrientWord};
 use crate::gcode::turning::pace::Pace;
@@ -19,6 +21,144 @@ use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
 
 impl Reader<'_, '_> {
+    /// Obeys the codes of the block in hand, and its own `motion` behind them, in the order of the control.
+    pub(super) fn execute_codes(&mut self, motion: Option<G>) -> Result<()> {
+        let unit_first = self.memory.control.order.unit_first();
+        if unit_first {
+            self.take_unit();
+        }
+        self.begin_codes()?;
+        let at_once = self.block.g(Group::NonModal);
+        if let Some(G::Plane(plane)) = self.block.g(Group::Plane) {
+            self.state.modal.plane = plane;
+        }
+        if !unit_first {
+            self.doubt_unit(motion)?;
+            self.take_unit();
+        }
+        self.codes_of_the_tool()?;
+        self.codes_of_words();
+        if let Some(code) = at_once {
+            self.code_at_once(code)?;
+        }
+        if let Some(code) = self.block.g(Group::SetPosition) {
+            self.change_position(code);
+        }
+        if let Some(code) = at_once.filter(|code| *code != G::Dwell) {
+            self.behind_code_at_once(code);
+        }
+        if let Some(motion) = motion {
+            self.make_motion(motion)?;
+        }
+        if self.memory.control.order.off_last() {
+            self.machine_codes_after()?;
+        }
+        self.codes_of_flow()
+    }
+
+    /// How the tool is led: compensation of its radius, its length, and the system that its path is told in.
+    #[inline]
+    fn codes_of_the_tool(&mut self) -> Result<()> {
+        match self.block.g(Group::CutterCompensation) {
+            Some(code) if self.memory.control.radius.cutter() => self.cutter_compensation(code)?,
+            Some(G::Compensation(side)) => self.set_compensation(side)?,
+            _ => {}
+        }
+        self.length_across_plane()?;
+        if let Some(code) = self.block.g(Group::ToolLength) {
+            self.tool_length(code)?;
+        }
+        if let Some(G::WorkOffset(system)) = self.block.g(Group::WorkOffset) {
+            if self.shifts_system() {
+                self.shift_system(system);
+            } else {
+                if self.memory.control.offsets.preset_ends() {
+                    self.end_preset();
+                }
+                self.select_system(system);
+            }
+        }
+        Ok(())
+    }
+
+    /// What words of coordinates, of centres and of a cycle's heights say from here on.
+    #[inline]
+    fn codes_of_words(&mut self) {
+        match self.block.g(Group::Distance) {
+            Some(G::Absolute) => self.state.modal.incremental = false,
+            Some(G::Incremental) => self.state.modal.incremental = !self.memory.control.axes.by_letters(),
+            _ => {}
+        }
+        match self.block.g(Group::Centre) {
+            Some(G::CentreAbsolute) => self.state.modal.centre_absolute = true,
+            Some(G::CentreIncremental) => self.state.modal.centre_absolute = false,
+            _ => {}
+        }
+        match self.block.g(Group::Retract) {
+            Some(G::ReturnInitial) => self.state.modal.return_initial = Some(true),
+            Some(G::ReturnR) => self.state.modal.return_initial = Some(false),
+            _ => {}
+        }
+    }
+
+    /// A code that counts in its own block alone.
+    fn code_at_once(&mut self, code: G) -> Result<()> {
+        match code {
+            G::SetOffsets => self.set_offsets(),
+            G::Reference(second) => self.reference_point(second),
+            G::SetReference(second) => {
+                self.keep_reference(second);
+                Ok(())
+            }
+            G::LocalOffset => {
+                self.local_offset();
+                Ok(())
+            }
+            G::SetPosition => {
+                self.no_length_due()?;
+                self.set_position();
+                Ok(())
+            }
+            G::SetPositionOrSpeed => {
+                self.no_length_due()?;
+                self.set_position_or_speed()
+            }
+            G::Turning(cycle) => self.turning(cycle),
+            G::MachineCoordinates if self.state.modal.incremental => {
+                Err(Refused::of(&MachineMoveIncremental {}, &[self.block.g_column(Group::NonModal)]))
+            }
+            G::MachineCoordinates => self.no_rotary_length(false),
+            _ => Ok(()),
+        }
+    }
+
+    /// A code that counts in its own block alone ends the passes of a turning cycle; a motion code beside it is in force from here on.
+    fn behind_code_at_once(&mut self, code: G) {
+        self.state.modal.pass = None;
+        let under = self.block.g(Group::Motion).filter(|_| one_shot(code));
+        if let Some(under) = under.filter(|_| self.memory.control.order.motion_beside()) {
+            self.begin_motion(under);
+            self.state.modal.motion = under;
+        }
+    }
+
+    /// The end of the program, calls and returns.
+    #[inline]
+    fn codes_of_flow(&mut self) -> Result<()> {
+        match self.block.m(4) {
+            Some((M::End, _)) => {
+                self.finish_run()?;
+                self.see_unreached(false);
+                self.end()
+            }
+            Some((M::Call | M::CallBlock | M::Return, _)) => {
+                self.finish_run()?;
+                self.call_or_return()
+            }
+            _ => Ok(()),
+        }
+    }
+
     pub(super) fn set_speed_mode(&mut self) -> Result<()> {
         match self.block.g(Group::Speed) {
             Some(G::ConstantSurfaceSpeed) => {
@@ -65,7 +205,7 @@ impl Reader<'_, '_> {
 
     pub(super) fn take_feed_and_speed(&mut self) -> Result<()> {
         // They are parameters of the cycle.
-        if let Some(G::Turning(TurningCycle::Fagor(_))) = self.block.g(Group::NonModal) {
+        if self.in_letter_cycle() {
             return Ok(());
         }
         if let Some(F) = self.block.get(letter::F) {
@@ -98,7 +238,7 @@ impl Reader<'_, '_> {
     pub(super) fn set_feed_mode(&mut self, mode: FeedMode) {
         let changes = mode != self.state.modal.feed_mode;
         self.state.modal.feed_mode = mode;
-        self.memory.units.feed_said = true;
+        self.memory.seen.units.feed_said = true;
         match self.memory.control.feed.change {
             FeedChange::Forgets if mode != FeedMode::InverseTime => {
                 (self.state.modal.feed, self.state.modal.feed_word) = (0.0, 0.0);
@@ -221,7 +361,7 @@ impl Reader<'_, '_> {
 
     pub(super) fn set_unit(&mut self, unit: LengthUnit) {
         let column = self.block.g_column(Group::Units);
-        self.memory.units.tell(self.block.spot, column);
+        self.memory.seen.units.tell(self.block.spot, column);
         // The numbers of a cycle in force stay as they are written, and so does the height that it began at: they count in the new
         // unit from here on (LinuxCNC's interp_convert.cc, convert_length_units, scales none of them).
         let scale = unit.to_mm(1.0) / self.state.modal.unit.to_mm(1.0);

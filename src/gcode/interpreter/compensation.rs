@@ -176,16 +176,16 @@ impl Reader<'_, '_> {
 
     /// Counts a block, by which it is seen how far ahead the control would have to look.
     pub(super) fn count_block(&mut self) {
-        self.memory.compensator.blocks = self.memory.compensator.blocks.saturating_add(1);
+        self.memory.out.compensator.blocks = self.memory.out.compensator.blocks.saturating_add(1);
     }
 
     /// Warns where the control has not seen a motion that follows others under compensation: it puts the nose at right angles to
     /// the end of the one before, and the corner may be cut.
     fn remark_unseen(&mut self, motion: &Motion, side: Compensation) {
-        let still = std::mem::take(&mut self.memory.compensator.blocks).saturating_sub(1);
+        let still = std::mem::take(&mut self.memory.out.compensator.blocks).saturating_sub(1);
         if let Some(sees) = self.memory.control.radius.sees().filter(|&sees| still >= sees)
             && side != Compensation::Off
-            && !self.memory.compensator.stage.idle()
+            && !self.memory.out.compensator.stage.idle()
         {
             let spot = Spot { line: motion.line, n: motion.n, ..self.block.spot };
             self.memory.remarks.row(&MotionNotSeen { still, sees }, spot, None);
@@ -199,14 +199,14 @@ impl Reader<'_, '_> {
         let side = self.side(&motion);
         control.compensation = side;
         if side == Compensation::Off {
-            self.memory.compensator.refused = false;
-            if self.memory.compensator.stage.idle() {
-                self.memory.queue.push_back(Ok((motion, control, number)));
+            self.memory.out.compensator.refused = false;
+            if self.memory.out.compensator.stage.idle() {
+                self.memory.out.queue.push_back(Ok((motion, control, number)));
                 return;
             }
         }
-        if self.memory.compensator.refused {
-            self.memory.queue.push_back(Ok((motion, control, number)));
+        if self.memory.out.compensator.refused {
+            self.memory.out.queue.push_back(Ok((motion, control, number)));
             return;
         }
         let [was, is] = [point(&motion.from), point(&motion.to)];
@@ -217,12 +217,12 @@ impl Reader<'_, '_> {
             Ok(nose) => nose,
             Err(mut fault) => {
                 self.flush();
-                self.memory.compensator.refused = true;
-                self.memory.compensator.stage = Stage::new(self.memory.compensator.straight);
+                self.memory.out.compensator.refused = true;
+                self.memory.out.compensator.stage = Stage::new(self.memory.out.compensator.straight);
                 fault.line = motion.line;
                 fault.file = self.memory.library.file(control.file).cloned();
-                self.memory.queue.push_back(Err(fault));
-                self.memory.queue.push_back(Ok((motion, control, number)));
+                self.memory.out.queue.push_back(Err(fault));
+                self.memory.out.queue.push_back(Ok((motion, control, number)));
                 return;
             }
         };
@@ -240,14 +240,14 @@ impl Reader<'_, '_> {
         let rapid = motion.kind == MotionKind::Rapid;
         let mut placed = Vec::new();
         let step = Step { element: Element { from, to, path }, side, nose, rapid, tag };
-        let result = self.memory.compensator.stage.push(step, &mut placed);
+        let result = self.memory.out.compensator.stage.push(step, &mut placed);
         self.take_placed(placed, result);
     }
 
     /// Hands out what the stage still holds: the program has ended, or goes on without it.
     pub(super) fn flush(&mut self) {
         let mut placed = Vec::new();
-        let result = self.memory.compensator.stage.finish(&mut placed);
+        let result = self.memory.out.compensator.stage.finish(&mut placed);
         self.take_placed(placed, result);
     }
 
@@ -305,11 +305,12 @@ impl Reader<'_, '_> {
         let mut last = 0;
         for (element, carried) in placed {
             let first = std::mem::replace(&mut last, carried.number) != carried.number;
-            self.memory.compensator.aside = [0, 1].map(|axis| element.to[axis] - point(&carried.motion.machine)[axis]);
+            self.memory.out.compensator.aside =
+                [0, 1].map(|axis| element.to[axis] - point(&carried.motion.machine)[axis]);
             let motion = self.placed(&element, &carried, first);
-            self.memory.queue.push_back(Ok((motion, carried.control, carried.number)));
+            self.memory.out.queue.push_back(Ok((motion, carried.control, carried.number)));
         }
-        for cut in self.memory.compensator.stage.cuts() {
+        for cut in self.memory.out.compensator.stage.cuts() {
             self.memory.remarks.row(
                 &NoseCutsContour {
                     radius: Size::length(cut.radius, 4),
@@ -323,7 +324,7 @@ impl Reader<'_, '_> {
         if let Err((misfit, carried)) = result {
             let mut fault = refusal(&misfit);
             (fault.line, fault.file) = (carried.motion.line, self.memory.library.file(carried.control.file).cloned());
-            self.memory.queue.push_back(Err(fault));
+            self.memory.out.queue.push_back(Err(fault));
         }
     }
 

@@ -15,6 +15,7 @@
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::in_force::Compensation;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, Block, EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
@@ -22,7 +23,6 @@ use crate::gcode::interpreter::library::{Mark, Spot};
 use crate::gcode::interpreter::numbers::Numbered;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
-use crate::gcode::interpreter::{Interpreter, Reader};
 use crate::gcode::letters::Letters;
 use crate::gcode::rules::flow::ContourBlockMissing;
 use crate::gcode::rules::turned::ContourWithoutCut;
@@ -101,14 +101,6 @@ impl Ends {
     }
 }
 
-impl Interpreter<'_> {
-    /// The contours of a lathe's cycles that have been read so far, each once.
-    #[must_use]
-    pub fn contours(&self) -> &[TurnedContour] {
-        &self.memory.contours
-    }
-}
-
 impl Reader<'_, '_> {
     /// The blocks that two words of the block in hand name, P and Q of Fanuc's cycles, S and E of Fagor's.
     pub(super) fn contour_ends(&mut self, cycle: u8, letters: [usize; 2]) -> Result<Ends> {
@@ -171,7 +163,7 @@ impl Reader<'_, '_> {
             let n = blocks.first().and_then(|block| block.words.spot.n);
             self.memory.remarks.row(&ContourWithoutCut {}, Spot { text: file, line, n, ..last }, None);
         }
-        let kept = &self.memory.contours;
+        let kept = &self.memory.seen.contours;
         // A file of nothing but contours must not fill the memory.
         let full = kept.len() >= REMARKS
             || kept.iter().map(|one| one.legs.len()).sum::<usize>() + profile.elements.len() > CONTOUR_BLOCKS;
@@ -187,7 +179,7 @@ impl Reader<'_, '_> {
         let legs = profile.elements.windows(2).filter(|pair| !pair[1].rapid);
         let legs = legs.map(|pair| (pair[1].line, [machine(pair[0].to), machine(pair[1].to)])).collect();
         let tool = self.state.modal.tool;
-        self.memory.contours.push(TurnedContour { file, ends: ends.numbers, tool, legs });
+        self.memory.seen.contours.push(TurnedContour { file, ends: ends.numbers, tool, legs });
     }
 
     fn read_contour(&mut self, cycle: u8, ends: Ends) -> Result<Contour> {

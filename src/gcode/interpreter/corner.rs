@@ -114,7 +114,7 @@ impl Reader<'_, '_> {
     /// Refuses the corner where the block in hand does not go on from it with a line at feed; the block itself is executed.
     pub(super) fn corner_goes_on(&mut self) {
         let block = &self.block;
-        if self.memory.corner.is_none() || block.says_nothing() {
+        if self.memory.out.corner.is_none() || block.says_nothing() {
             return;
         }
         let allowed = [Group::Motion, Group::CutterCompensation, Group::Speed, Group::Feed];
@@ -131,7 +131,7 @@ impl Reader<'_, '_> {
 
     /// The program does not go on from a corner: its line is made whole, and the corner refused.
     pub(super) fn lose_corner(&mut self, motion: bool) {
-        if let Some(corner) = self.memory.corner.take() {
+        if let Some(corner) = self.memory.out.corner.take() {
             let fault = corner.word.alone(corner.spot.line, motion, self.alarms());
             self.refuse_corner(corner, fault);
         }
@@ -140,20 +140,20 @@ impl Reader<'_, '_> {
     /// Hands out the refusal of a corner, and its line, which is made whole. The program goes on.
     fn refuse_corner(&mut self, corner: Corner, mut fault: Box<Refused>) {
         fault.file = self.memory.library.file(corner.spot.text).cloned();
-        self.memory.queue.push_back(Err(fault));
+        self.memory.out.queue.push_back(Err(fault));
         self.make_corner(corner, None);
     }
 
     /// The line of a corner is made whole, as what should follow it is refused.
     pub(super) fn leave_corner(&mut self) {
-        if let Some(corner) = self.memory.corner.take() {
+        if let Some(corner) = self.memory.out.corner.take() {
             self.make_corner(corner, None);
         }
     }
 
     /// A line at feed, behind a corner and before one.
     pub(super) fn line_at_feed(&mut self, to: Pose, feed: Feed) -> Result<()> {
-        if let Some(corner) = self.memory.corner.take() {
+        if let Some(corner) = self.memory.out.corner.take() {
             let points = [corner.from, self.state.at, to].map(|pose| point(&pose));
             match broken(points, corner.edge, corner.word.square) {
                 Ok(broken) => self.make_corner(corner, broken),
@@ -165,7 +165,7 @@ impl Reader<'_, '_> {
         }
         let way = Move { kind: MoveKind::Feed(None), to: point(&to), line: None };
         let Some(word) = self.block.edge else { return self.make_way(&way, Some(feed)) };
-        self.memory.corner = Some(Corner {
+        self.memory.out.corner = Some(Corner {
             word,
             edge: word.edge(self.state.modal.unit),
             spot: self.block.spot,

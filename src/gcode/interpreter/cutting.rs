@@ -41,10 +41,10 @@ impl Reader<'_, '_> {
     pub(super) fn see_spindle(&mut self) {
         let code = self.block.m(7).map(|(code, _)| code);
         self.see_start_of_spindle(code);
-        self.memory.spindle.speed |= self.state.modal.speed > 0.0;
-        self.memory.spindle.off |= code == Some(M::SpindleOff);
-        self.memory.spindle.no_torch |= self.block.has(letter::S);
-        self.memory.spindle.said |= matches!(code, Some(M::Spindle(_) | M::SpindleOff));
+        self.memory.seen.spindle.speed |= self.state.modal.speed > 0.0;
+        self.memory.seen.spindle.off |= code == Some(M::SpindleOff);
+        self.memory.seen.spindle.no_torch |= self.block.has(letter::S);
+        self.memory.seen.spindle.said |= matches!(code, Some(M::Spindle(_) | M::SpindleOff));
         if matches!(code, Some(M::Spindle(_))) {
             self.remark_cut_before_spindle();
         }
@@ -53,7 +53,7 @@ impl Reader<'_, '_> {
     /// A cut that came before the program's first M3 or M4, where there is one, or an S. A program that speaks of no spindle at all is
     /// one of a machine without it, or with a switch for it.
     fn remark_cut_before_spindle(&mut self) {
-        if let Some(spot) = self.memory.spindle.cut_before.take() {
+        if let Some(spot) = self.memory.seen.spindle.cut_before.take() {
             self.memory.remarks.row(&CutsBeforeSpindle {}, spot, None);
         }
     }
@@ -63,22 +63,22 @@ impl Reader<'_, '_> {
     pub(super) fn end_spindle(&mut self, whole: bool) {
         let turns = self.memory.control.turns();
         // An S behind which no M stands has not been seen yet.
-        self.memory.spindle.speed |= self.state.modal.speed > 0.0;
+        self.memory.seen.spindle.speed |= self.state.modal.speed > 0.0;
         // Of a lathe whose spindle starts nowhere another caution speaks.
-        let before = if turns { !whole && !self.memory.turned.started } else { true };
-        if self.memory.spindle.speed && before {
+        let before = if turns { !whole && !self.memory.seen.turned.started } else { true };
+        if self.memory.seen.spindle.speed && before {
             self.remark_cut_before_spindle();
         }
-        self.memory.spindle.cut_before = None;
+        self.memory.seen.spindle.cut_before = None;
         self.remark_cut_still(whole);
-        self.end_turned(self.memory.spindle.speed, whole);
+        self.end_turned(self.memory.seen.spindle.speed, whole);
     }
 
     /// A cut under M3 or M4 without a speed. A torch or a laser is lit by M3 for its cuts alone and put out by M5: a program without any S that
     /// makes no rapid motion with it on is one of those, and has no speed to say. No lathe is.
     fn remark_cut_still(&mut self, whole: bool) {
-        let cut_still = self.memory.spindle.cut_still.take();
-        let SpindleSeen { no_torch, off, speed, .. } = &self.memory.spindle;
+        let cut_still = self.memory.seen.spindle.cut_still.take();
+        let SpindleSeen { no_torch, off, speed, .. } = &self.memory.seen.spindle;
         if let Some(spot) = cut_still
             && (*no_torch || *speed || whole && !*off || self.memory.control.turns())
         {
@@ -97,10 +97,12 @@ impl Reader<'_, '_> {
 
     /// Sees a cut of a lathe that the spindle leads: before a spindle is started the control waits there for ever.
     fn see_waiting_cut(&mut self) {
-        if self.state.modal.spindle == Spindle::Stopped && !self.in_doubt(doubt::SPINDLE) && !self.memory.turned.started
+        if self.state.modal.spindle == Spindle::Stopped
+            && !self.in_doubt(doubt::SPINDLE)
+            && !self.memory.seen.turned.started
         {
             let spot = self.block.spot;
-            self.memory.spindle.cut_before.get_or_insert(spot);
+            self.memory.seen.spindle.cut_before.get_or_insert(spot);
         }
     }
 
@@ -108,7 +110,7 @@ impl Reader<'_, '_> {
     fn see_cut_still(&mut self) {
         if self.turns_without_speed() {
             let spot = self.block.spot;
-            self.memory.spindle.cut_still.get_or_insert(spot);
+            self.memory.seen.spindle.cut_still.get_or_insert(spot);
         }
     }
 
@@ -160,7 +162,7 @@ impl Reader<'_, '_> {
         let feed = match kind {
             MotionKind::Feed(feed) | MotionKind::Arc(_, feed) => feed,
             MotionKind::Rapid => {
-                self.memory.spindle.no_torch |= self.turns_without_speed();
+                self.memory.seen.spindle.no_torch |= self.turns_without_speed();
                 self.see_feed_word(to);
                 return;
             }
@@ -201,8 +203,8 @@ impl Reader<'_, '_> {
             return;
         }
         if self.state.modal.spindle == Spindle::Stopped && !self.in_doubt(doubt::SPINDLE) {
-            if !self.memory.spindle.said {
-                self.memory.spindle.cut_before.get_or_insert(spot);
+            if !self.memory.seen.spindle.said {
+                self.memory.seen.spindle.cut_before.get_or_insert(spot);
             } else if feed.mode != FeedMode::PerRevolution {
                 self.memory.remarks.row(&SpindleStopped {}, spot, None);
             }

@@ -15,8 +15,8 @@ use crate::gcode::letters::Letters;
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::rules::modes::{
     AxesClaimedTwice, AxesWithCancel, AxesWithoutMotion, CycleWithoutAxes, DwellBesideAxes, FeedMissing,
-    FeedPerTurnWithoutSpeed, InverseTimeWithoutF, InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutAxes,
-    MachineMoveWithoutMotion, NoFeed, SpindleStill, SpindleStops, ThreadStartAngle, WordWithoutUse,
+    FeedPerTurnWithoutSpeed, InverseTimeWithoutF, InverseTimeZero, MachineMoveWithoutAxes, MachineMoveWithoutMotion,
+    NoFeed, SpindleStill, SpindleStops, ThreadStartAngle, WordWithoutUse,
 };
 use crate::gcode::rules::words::{CycleInOneBlock, DwellBesideArc, TaperByOtherLetter};
 use crate::machine::axis::{Axis, Pose};
@@ -83,106 +83,6 @@ impl Reader<'_, '_> {
             self.take_feed_and_speed()?;
             self.take_tool()?;
             plan.motion.map_or(Ok(()), |motion| self.make_motion(motion))
-        }
-    }
-
-    fn execute_codes(&mut self, motion: Option<G>) -> Result<()> {
-        let unit_first = self.memory.control.order.unit_first();
-        if unit_first {
-            self.take_unit();
-        }
-        self.begin_codes()?;
-        let at_once = self.block.g(Group::NonModal);
-        if let Some(G::Plane(plane)) = self.block.g(Group::Plane) {
-            self.state.modal.plane = plane;
-        }
-        if !unit_first {
-            self.doubt_unit(motion)?;
-            self.take_unit();
-        }
-        match self.block.g(Group::CutterCompensation) {
-            Some(code) if self.memory.control.radius.cutter() => self.cutter_compensation(code)?,
-            Some(G::Compensation(side)) => self.set_compensation(side)?,
-            _ => {}
-        }
-        self.length_across_plane()?;
-        if let Some(code) = self.block.g(Group::ToolLength) {
-            self.tool_length(code)?;
-        }
-        if let Some(G::WorkOffset(system)) = self.block.g(Group::WorkOffset) {
-            if self.shifts_system() {
-                self.shift_system(system);
-            } else {
-                if self.memory.control.offsets.preset_ends() {
-                    self.end_preset();
-                }
-                self.select_system(system);
-            }
-        }
-        match self.block.g(Group::Distance) {
-            Some(G::Absolute) => self.state.modal.incremental = false,
-            Some(G::Incremental) => self.state.modal.incremental = !self.memory.control.axes.by_letters(),
-            _ => {}
-        }
-        match self.block.g(Group::Centre) {
-            Some(G::CentreAbsolute) => self.state.modal.centre_absolute = true,
-            Some(G::CentreIncremental) => self.state.modal.centre_absolute = false,
-            _ => {}
-        }
-        match self.block.g(Group::Retract) {
-            Some(G::ReturnInitial) => self.state.modal.return_initial = Some(true),
-            Some(G::ReturnR) => self.state.modal.return_initial = Some(false),
-            _ => {}
-        }
-        match at_once {
-            Some(G::SetOffsets) => self.set_offsets()?,
-            Some(G::Reference(second)) => self.reference_point(second)?,
-            Some(G::SetReference(second)) => self.keep_reference(second),
-            Some(G::LocalOffset) => self.local_offset(),
-            Some(code @ (G::SetPosition | G::SetPositionOrSpeed)) => {
-                self.no_length_due()?;
-                if code == G::SetPosition {
-                    self.set_position();
-                } else {
-                    self.set_position_or_speed()?;
-                }
-            }
-            Some(G::Turning(cycle)) => self.turning(cycle)?,
-            Some(G::MachineCoordinates) if self.state.modal.incremental => {
-                return Err(Refused::of(&MachineMoveIncremental {}, &[self.block.g_column(Group::NonModal)]));
-            }
-            Some(G::MachineCoordinates) => self.no_rotary_length(false)?,
-            _ => {}
-        }
-        if let Some(code) = self.block.g(Group::SetPosition) {
-            self.change_position(code);
-        }
-        if let Some(code) = at_once.filter(|code| *code != G::Dwell) {
-            // A code for one block ends the passes of a turning cycle.
-            self.state.modal.pass = None;
-            let under = self.block.g(Group::Motion).filter(|_| one_shot(code));
-            if let Some(under) = under.filter(|_| self.memory.control.order.motion_beside()) {
-                self.begin_motion(under);
-                self.state.modal.motion = under;
-            }
-        }
-        if let Some(motion) = motion {
-            self.make_motion(motion)?;
-        }
-        if self.memory.control.order.off_last() {
-            self.machine_codes_after()?;
-        }
-        match self.block.m(4) {
-            Some((M::End, _)) => {
-                self.finish_run()?;
-                self.see_unreached(false);
-                self.end()
-            }
-            Some((M::Call | M::CallBlock | M::Return, _)) => {
-                self.finish_run()?;
-                self.call_or_return()
-            }
-            _ => Ok(()),
         }
     }
 
@@ -303,9 +203,11 @@ impl Reader<'_, '_> {
         used |= match motion {
             Some(G::Arc(_)) => self.memory.control.arcs.letters.mask(),
             Some(G::Cycle(cycle)) => self.memory.control.drilling.letters(cycle).mask(),
-            Some(G::Pass(SinglePassCycle::Thread)) => Letters::of("QR").mask(),
+            Some(G::Pass(SinglePassCycle::Thread)) => {
+                Letters::of("R").mask() | self.memory.control.spindle.thread_angle.letters().mask()
+            }
             Some(G::Pass(_)) => Letters::of("R").mask(),
-            Some(G::Thread(false)) => Letters::of("Q").mask(),
+            Some(G::Thread(false)) => self.memory.control.spindle.thread_angle.letters().mask(),
             Some(G::Thread(true)) => Letters::of("K").mask(),
             _ => 0,
         };
@@ -376,7 +278,7 @@ impl Reader<'_, '_> {
         let motion = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion);
         if let Some(G::Turning(cycle)) = self.block.g(Group::NonModal)
             && matches!(name, 'I' | 'K')
-            && !self.fagor_cycle()
+            && !self.in_letter_cycle()
         {
             return Refused::of(&CycleInOneBlock { letter: name, number: cycle.number() }, &[self.block.column(index)]);
         }
@@ -404,9 +306,9 @@ impl Reader<'_, '_> {
         Refused::of(&WordWithoutUse { letter: name }, &[self.block.column(index)]).hanging_on(doubt::MOTION)
     }
 
-    fn make_motion(&mut self, motion: G) -> Result<()> {
+    pub(super) fn make_motion(&mut self, motion: G) -> Result<()> {
         let moves = motion != G::Cancel && self.block.present & AXIS_WORDS != 0;
-        self.memory.distances[usize::from(self.state.modal.incremental)] |= moves;
+        self.memory.seen.distances[usize::from(self.state.modal.incremental)] |= moves;
         if !matches!(motion, G::Cycle(_)) {
             self.state.modal.sticky.initial = None;
         }
@@ -430,7 +332,7 @@ impl Reader<'_, '_> {
             G::Rapid | G::Linear => {
                 let feed = if motion == G::Linear { Some(self.feed()?) } else { None };
                 self.state.modal.motion = motion;
-                if self.block.present & AXIS_WORDS == 0 && !self.memory.milling.takes_bare_lines() {
+                if self.block.present & AXIS_WORDS == 0 && !self.memory.out.milling.takes_bare_lines() {
                     return Ok(());
                 }
                 let to = self.end_point();
@@ -502,7 +404,7 @@ impl Reader<'_, '_> {
 
     /// A motion that goes by revolutions, with a spindle that the program has stopped. One that it has not spoken of may turn.
     pub(super) fn remark_standing_spindle(&mut self) {
-        let stands = self.state.modal.spindle == Spindle::Stopped && self.memory.spindle.said;
+        let stands = self.state.modal.spindle == Spindle::Stopped && self.memory.seen.spindle.said;
         if stands && !self.in_doubt(doubt::SPINDLE) {
             self.memory.remarks.row(&SpindleStops {}, self.block.spot, None);
         }
@@ -513,7 +415,7 @@ impl Reader<'_, '_> {
         let unit = self.state.modal.unit;
         let machine = self.block.groups & (1 << Group::NonModal as u16) != 0
             && self.block.g(Group::NonModal) == Some(G::MachineCoordinates);
-        self.memory.in_machine |= machine;
+        self.memory.seen.in_machine |= machine;
         let mut to = if machine { self.state.frame.to_machine(&self.state.at) } else { self.state.at };
         for (letter, axis) in AXES.into_iter().zip(Axis::ALL) {
             if let Some(word) = self.block.get(letter) {
@@ -581,15 +483,15 @@ impl Reader<'_, '_> {
         self.moved();
         match self.memory.control.radius {
             RadiusRule::Nose(_) => self.hand_out(motion),
-            RadiusRule::Cutter if !self.memory.milling.idle() => self.mill(motion),
+            RadiusRule::Cutter if !self.memory.out.milling.idle() => self.mill(motion),
             RadiusRule::Cutter | RadiusRule::None => {
-                self.memory.queue.push_back(Ok((motion, self.state.modal.in_force(), self.made())));
+                self.memory.out.queue.push_back(Ok((motion, self.state.modal.in_force(), self.made())));
             }
         }
     }
 }
 
 /// True for codes of Fanuc beside which a motion code may stand: it comes in force behind them.
-const fn one_shot(code: G) -> bool {
+pub(super) const fn one_shot(code: G) -> bool {
     matches!(code, G::Reference(_) | G::SetPositionOrSpeed)
 }

@@ -4,7 +4,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::CallBy;
-use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::context::Context;
 use crate::gcode::interpreter::cursor::Cursor;
@@ -12,8 +11,10 @@ use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::library::Mark;
 use crate::gcode::interpreter::parameters::LOCAL;
 use crate::gcode::interpreter::refused::{Refused, Result};
+use crate::gcode::interpreter::round::Rounds;
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::interpreter::structure::{OWord, Structure, Word, label, shown, word};
+use crate::gcode::interpreter::{Reader, Stage};
 use crate::gcode::rules::flow::{
     ArgumentsTooMany, BehindOWord, CallNotFirst, CallWithWords, CallWithoutP, CallsTooDeep, DefinedBehindCall,
     MainReturns, NotCalled, OWordUnknown, ProgramMissing, RepeatsTooMany, ReturnInsideSub, SubprogramBefore,
@@ -51,9 +52,18 @@ impl Call {
     }
 }
 
-/// Where the program is in its subprograms and loops.
+/// Where the program is, in its subprograms and loops too.
 #[derive(Debug, Default)]
 pub(super) struct Flow {
+    pub(super) stage: Stage,
+    /// A `%` has opened the program.
+    pub(super) percent: bool,
+    /// A comment has ended the program.
+    pub(super) aborted: bool,
+    /// Blocks that have been read again.
+    pub(super) repeated: u64,
+    /// What is watched of loops, so that each comes to an end.
+    pub(super) loops: Rounds,
     /// Where the next line begins.
     pub(super) next: Mark,
     pub(super) frames: Vec<Call>,

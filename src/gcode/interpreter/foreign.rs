@@ -12,7 +12,7 @@ impl Reader<'_, '_> {
     /// In place of the first refusal, that the program is for another control, where a line at its beginning says so: behind it
     /// nothing is read. A program without a refusal is read as what it is.
     pub(super) fn or_foreign(&mut self, fault: Box<Refused>) -> Box<Refused> {
-        if std::mem::replace(&mut self.memory.foreign_sought, true) || fault.exit == Exit::Limit {
+        if std::mem::replace(&mut self.memory.seen.foreign_sought, true) || fault.exit == Exit::Limit {
             return fault;
         }
         let (mut line, mut at) = (Vec::new(), Mark::default());
@@ -20,7 +20,7 @@ impl Reader<'_, '_> {
             && let Ok(Some(behind)) = self.memory.library.line(at, &mut line)
         {
             if let Some(found) = sign(&String::from_utf8_lossy(&line)) {
-                self.memory.stage = Stage::Ended;
+                self.memory.flow.stage = Stage::Ended;
                 let row = OtherControl { control: found.control, sign: found.sign };
                 let mut fault = Refused::of(&row, &[]).fatal();
                 fault.line = behind.line.lines;

@@ -73,17 +73,17 @@ impl Reader<'_, '_> {
         let both = TURRET.into_iter().fold(0, |mask, axis| mask | 1 << axis as u16);
         // A motion at feed begins at a position of the program.
         let feed = kind != MotionKind::Rapid;
-        let begins = if feed { both & !self.memory.placed.known[0] } else { 0 };
+        let begins = if feed { both & !self.memory.seen.placed.known[0] } else { 0 };
         let machine = self.block.g(Group::NonModal) == Some(G::MachineCoordinates);
         let reached = if machine { self.state.frame.to_machine(to) } else { *to };
         for axis in TURRET {
             let own = |value: f64| (reached.get(axis) - value).abs() < SAME;
             if self.axis_word(axis).is_some_and(own) && (machine || !self.state.modal.incremental) {
-                self.memory.placed.place(axis, machine);
+                self.memory.seen.placed.place(axis, machine);
             }
         }
         if *to != self.state.at {
-            let placed = &mut self.memory.placed;
+            let placed = &mut self.memory.seen.placed;
             placed.counted[0] |= begins;
             for side in 0..2 {
                 placed.counted[side] |= both & !placed.known[side];
@@ -93,14 +93,14 @@ impl Reader<'_, '_> {
 
     /// An axis goes to the reference point.
     pub(super) const fn place_at_reference(&mut self, axis: Axis) {
-        self.memory.placed.place(axis, true);
+        self.memory.seen.placed.place(axis, true);
     }
 
     /// The position gets coordinates by the axis words of the block.
     pub(super) fn see_preset(&mut self) {
         for axis in TURRET {
             if self.axis_word(axis).is_some() {
-                self.memory.placed.preset(axis);
+                self.memory.seen.placed.preset(axis);
             }
         }
     }

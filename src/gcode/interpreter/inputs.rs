@@ -52,7 +52,7 @@ impl Reader<'_, '_> {
             return Err(Refused::of(&InputWithoutTime {}, &[self.block.m_column(5)]));
         }
         self.memory.parameters.forget(INPUT);
-        self.memory.input_read = true;
+        self.memory.seen.input_read = true;
         let column = Some(self.block.m_column(5));
         if wait == Some(0) {
             self.memory.remarks.row(&InputRead {}, self.block.spot, column);
@@ -64,6 +64,6 @@ impl Reader<'_, '_> {
 
     /// True where a parameter holds what M66 has read.
     pub(super) fn is_input(&self, number: usize) -> bool {
-        number == INPUT && self.memory.input_read && !self.memory.parameters.known(INPUT)
+        number == INPUT && self.memory.seen.input_read && !self.memory.parameters.known(INPUT)
     }
 }

@@ -144,7 +144,7 @@ impl Reader<'_, '_> {
     /// G50 with axis words: this position gets the coordinates X and Z, or its own and U and W more.
     pub(super) fn set_lathe_position(&mut self) {
         let to = self.end_point();
-        self.memory.position_set |= [letter::X, letter::Z].into_iter().any(|word| self.block.has(word));
+        self.memory.seen.position_set |= [letter::X, letter::Z].into_iter().any(|word| self.block.has(word));
         let mut g92 = self.state.frame.g92;
         for axis in [Axis::X, Axis::Z] {
             g92.set(axis, self.state.at.get(axis) + g92.get(axis) - to.get(axis));
@@ -169,7 +169,7 @@ impl Reader<'_, '_> {
         if named.is_empty() {
             return Err(Refused::of(&ReferenceWithoutAxes { code: number }, &[column]));
         }
-        self.memory.referred |= !second;
+        self.memory.seen.referred |= !second;
         let first = if second { G30_FIRST } else { G28_FIRST };
         if !self.memory.setting.var_file.iter().any(|(parameter, _)| (first..first + 3).contains(&parameter)) {
             let spot = self.block.spot;

@@ -26,8 +26,8 @@ impl Reader<'_, '_> {
         let again = !self.memory.library.text(behind.text).first_time(number);
         (self.block.spot.text, self.block.spot.line) = (behind.text, number);
         if again {
-            self.memory.repeated += 1;
-            if self.memory.repeated > self.memory.setting.budget.repeated_blocks {
+            self.memory.flow.repeated += 1;
+            if self.memory.flow.repeated > self.memory.setting.budget.repeated_blocks {
                 return Err(self.endless());
             }
         }
@@ -43,7 +43,7 @@ impl Reader<'_, '_> {
         }
         if memchr::memchr3(b'(', b')', b';', line).is_some() {
             self.see_comments(line)?;
-            if self.memory.aborted {
+            if self.memory.flow.aborted {
                 return self.end().map(|()| None);
             }
         }
@@ -90,8 +90,8 @@ impl Reader<'_, '_> {
         if cursor.peek() == b'%' && self.block.spot.n.is_none() && !line.trim_ascii_start().starts_with(b"/") {
             return self.percent_line(&mut cursor, line);
         }
-        let opening = self.memory.stage == Stage::Opening;
-        self.memory.stage = Stage::Running;
+        let opening = self.memory.flow.stage == Stage::Opening;
+        self.memory.flow.stage = Stage::Running;
         if matches!(cursor.peek(), b'$' | b'#') && self.memory.control.lexis.language.has_words_alone() {
             return Err(Refused::of(&HighLevel {}, &[cursor.column()]));
         }
@@ -119,8 +119,9 @@ impl Reader<'_, '_> {
     /// `%` begins and ends a program; a Fagor program begins with `%` and its name.
     fn percent_line(&mut self, cursor: &mut Cursor<'_>, line: &[u8]) -> Result<()> {
         let bare = self.memory.control.lexis.percent.bare();
-        let opening =
-            self.memory.stage == Stage::Opening && !self.memory.percent && (!bare || self.only_blank_lines_before()?);
+        let opening = self.memory.flow.stage == Stage::Opening
+            && !self.memory.flow.percent
+            && (!bare || self.only_blank_lines_before()?);
         let start = cursor.column();
         cursor.pass();
         let alone = if bare {
@@ -139,16 +140,17 @@ impl Reader<'_, '_> {
             }
             // With attributes the header is the first line of the file, or none.
             if opening && (!form.attributes() || self.block.spot.line == 1) {
-                self.memory.percent = true;
+                self.memory.flow.percent = true;
                 return if form.attributes() { header(line) } else { Ok(()) };
             }
         } else if alone {
             if opening {
-                self.memory.percent = true;
+                self.memory.flow.percent = true;
                 return Ok(());
             }
-            if self.memory.percent || self.memory.flow.next.text != 0 || self.memory.control.lexis.percent.leader() {
-                if self.memory.stage == Stage::Opening || self.memory.flow.next.text != 0 {
+            if self.memory.flow.percent || self.memory.flow.next.text != 0 || self.memory.control.lexis.percent.leader()
+            {
+                if self.memory.flow.stage == Stage::Opening || self.memory.flow.next.text != 0 {
                     return self.end_of_file();
                 }
                 if self.memory.control.lexis.percent.leader() {
@@ -262,8 +264,8 @@ impl Reader<'_, '_> {
         for (column, text) in comments(line, self.memory.control.lexis.comments)? {
             let text = String::from_utf8_lossy(text);
             let word: String = text.trim_start().chars().take(10).collect::<String>().to_uppercase();
-            self.memory.aborted |= self.memory.control.lexis.comments.obeyed() && word.starts_with("ABORT,");
-            if self.memory.aborted {
+            self.memory.flow.aborted |= self.memory.control.lexis.comments.obeyed() && word.starts_with("ABORT,");
+            if self.memory.flow.aborted {
                 let shown = excerpt(text.trim(), COMMENT_EXCERPT);
                 self.memory.remarks.row(&Aborts { comment: shown }, self.block.spot, Some(column));
                 return Ok(());

@@ -114,7 +114,7 @@ impl Reader<'_, '_> {
             let spot = self.block.spot;
             self.memory.remarks.row(&CompensationOfNothing {}, spot, Some(column));
         } else {
-            self.memory.milling.stage = Some(Stage::new(left, diameter.abs() / 2.0, self.state.modal.unit));
+            self.memory.out.milling.stage = Some(Stage::new(left, diameter.abs() / 2.0, self.state.modal.unit));
         }
         Ok(())
     }
@@ -188,7 +188,7 @@ impl Reader<'_, '_> {
     /// The compensation is over: what is held back is made, and the cutter stays aside of the program.
     pub(super) fn end_cutter(&mut self) {
         self.state.modal.compensation = Compensation::Off;
-        let Some(mut stage) = self.memory.milling.stage.take() else { return };
+        let Some(mut stage) = self.memory.out.milling.stage.take() else { return };
         let mut out = Vec::new();
         let result = stage.finish(&mut out);
         self.hand_placed(out);
@@ -196,8 +196,8 @@ impl Reader<'_, '_> {
             Ok(Some(end)) => {
                 let mut tip = self.state.at;
                 place(&mut tip, end);
-                self.memory.milling.left = Some(self.state.frame.to_machine(&tip));
-                self.memory.milling.straight_due = true;
+                self.memory.out.milling.left = Some(self.state.frame.to_machine(&tip));
+                self.memory.out.milling.straight_due = true;
             }
             Ok(None) => {}
             Err(misfit) => self.refuse_cutter(&misfit, self.block.spot.line),
@@ -207,7 +207,7 @@ impl Reader<'_, '_> {
     /// Looks at a motion code of the program: what follows G40 is straight, whatever a cycle or a reference point does between.
     pub(super) fn straight_behind_cutter(&mut self, motion: G) {
         if matches!(motion, G::Rapid | G::Linear | G::Arc(_))
-            && std::mem::take(&mut self.memory.milling.straight_due)
+            && std::mem::take(&mut self.memory.out.milling.straight_due)
             && matches!(motion, G::Arc(_))
         {
             self.refuse_here(self.block.spot.line, &ArcBehindCompensation {});
@@ -219,9 +219,9 @@ impl Reader<'_, '_> {
         let (control, number) = (self.state.modal.in_force(), self.made());
         let carried = Carried { motion, control, number };
         let dwell = matches!(motion.kind, MotionKind::Dwell(_));
-        let Some(mut stage) = self.memory.milling.stage.take() else { return self.lead_back(carried) };
+        let Some(mut stage) = self.memory.out.milling.stage.take() else { return self.lead_back(carried) };
         if dwell && stage.aside().is_none() {
-            self.memory.milling.stage = Some(stage);
+            self.memory.out.milling.stage = Some(stage);
             return self.lead_back(carried);
         }
         let by = motion.to.differences(&motion.from);
@@ -241,18 +241,18 @@ impl Reader<'_, '_> {
         };
         self.hand_placed(out);
         // Where G40 has left the cutter aside, the entry leads from there; its way is that of the programmed one.
-        let left = self.memory.milling.left.take().map(|machine| point(&self.state.frame.to_program(&machine)));
+        let left = self.memory.out.milling.left.take().map(|machine| point(&self.state.frame.to_program(&machine)));
         match result {
             Ok(()) => {
                 left.into_iter().for_each(|point| stage.enter_from(point));
-                self.memory.milling.stage = Some(stage);
+                self.memory.out.milling.stage = Some(stage);
             }
             Err(misfit) => {
                 match misfit {
                     Some(misfit) => self.refuse_cutter(&misfit, motion.line),
                     None => self.refuse_here(motion.line, &RotaryUnderCompensation {}),
                 }
-                self.memory.queue.push_back(Ok((motion, control, number)));
+                self.memory.out.queue.push_back(Ok((motion, control, number)));
             }
         }
     }
@@ -260,7 +260,7 @@ impl Reader<'_, '_> {
     /// A motion without compensation: the first behind G40 leads from where the cutter is.
     fn lead_back(&mut self, carried: Carried) {
         let Carried { mut motion, control, number } = carried;
-        if let Some(machine) = self.memory.milling.left {
+        if let Some(machine) = self.memory.out.milling.left {
             let tip = point(&self.state.frame.to_program(&machine));
             match motion.kind {
                 MotionKind::Dwell(_) => {
@@ -268,16 +268,16 @@ impl Reader<'_, '_> {
                     place(&mut motion.to, tip);
                     motion.machine = self.state.frame.to_machine(&motion.to);
                 }
-                MotionKind::Arc(..) => self.memory.milling.left = None,
+                MotionKind::Arc(..) => self.memory.out.milling.left = None,
                 _ => {
-                    self.memory.milling.left = None;
+                    self.memory.out.milling.left = None;
                     let programmed = motion;
                     place(&mut motion.from, tip);
                     self.take_time(&mut motion, &programmed);
                 }
             }
         }
-        self.memory.queue.push_back(Ok((motion, control, number)));
+        self.memory.out.queue.push_back(Ok((motion, control, number)));
     }
 
     fn hand_placed(&mut self, placed: Vec<Placed<Carried>>) {
@@ -304,7 +304,7 @@ impl Reader<'_, '_> {
             if element.path != Path::Still {
                 self.take_time(&mut motion, &programmed);
             }
-            self.memory.queue.push_back(Ok((motion, control, number)));
+            self.memory.out.queue.push_back(Ok((motion, control, number)));
         }
     }
 
@@ -326,7 +326,7 @@ impl Reader<'_, '_> {
     fn refuse_here(&mut self, line: usize, row: &dyn Raise) {
         let mut fault = Refused::of(row, &[]);
         (fault.line, fault.file) = (line, self.memory.library.file(self.block.spot.text).cloned());
-        self.memory.queue.push_back(Err(fault));
+        self.memory.out.queue.push_back(Err(fault));
     }
 
     fn refuse_cutter(&mut self, misfit: &Misfit, line: usize) {

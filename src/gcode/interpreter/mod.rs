@@ -43,13 +43,13 @@ mod cycle;
 mod doubt;
 mod execute;
 mod expression;
-mod fagor;
 mod flow;
 mod foreign;
 mod from_start;
 mod inputs;
 mod lathe;
 mod length;
+mod letter_cycle;
 mod library;
 mod line;
 mod milling;
@@ -66,6 +66,8 @@ mod refused;
 mod remarks;
 mod rollover;
 mod round;
+mod run;
+mod seen;
 mod setting;
 mod source;
 mod standstill;
@@ -81,41 +83,30 @@ mod turret;
 mod units;
 mod unreached;
 
-use std::collections::VecDeque;
-
 pub use self::arc::radii_tolerance;
 use self::block::Block;
-use self::compensation::Compensator;
 pub use self::contour::TurnedContour;
-use self::corner::Corner;
 use self::cursor::Cursor;
 pub use self::cursor::bare;
-use self::cutting::SpindleSeen;
 use self::doubt::Doubts;
 use self::flow::Flow;
 pub use self::from_start::FromStart;
-use self::from_start::Placed;
 use self::library::{Library, Spot};
-use self::milling::Milling;
 use self::modal::Modal;
-use self::out::Pending;
+use self::out::Out;
 use self::parameters::Parameters;
 pub use self::refused::Refused;
 use self::refused::Result;
 use self::remarks::Remarks;
-use self::round::Rounds;
+use self::seen::Seen;
 pub use self::setting::{Budget, Files, HolePlane, NoFiles, Setting, Start, ToolOffset, Tools};
 pub use self::source::{Bytes, decoded, line_feeds, wide};
-use self::standstill::Standing;
 pub use self::standstill::Standstill;
 use self::structure::Structure;
-use self::turned::TurnedSeen;
 use crate::finding::{Finding, Place, Raise};
-use crate::gcode::code::TurningCycle;
-use crate::gcode::control::{Control, RadiusRule};
+use crate::gcode::control::Control;
 pub use crate::gcode::control::{DecimalPoint, RotaryMode};
 use crate::gcode::in_force::InForce;
-use crate::gcode::interpreter::units::UnitsSeen;
 use crate::gcode::motion::Motion;
 use crate::gcode::rules::flow::{
     BlockNumberInvalid, ByteOrderMark, ByteOrderMarkRejected, EndlessProgram, EndsInSubprogram, NoEnd, NoEndOrPercent,
@@ -128,9 +119,10 @@ use crate::machine::var_file::{VarFile, required};
 use crate::machine::work_offset::{ACTIVE, ActiveOffsets, G92_FIRST, G92_SWITCH, Offsets};
 
 /// How far the reading has come.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Stage {
     /// No block has been read.
+    #[default]
     Opening,
     /// Blocks are being read.
     Running,
@@ -146,47 +138,11 @@ struct Memory<'a> {
     library: Library<'a>,
     parameters: Parameters,
     tools: Tools,
-    /// Motions with what was in force, and their numbers among those that the program has made.
-    queue: VecDeque<Result<(Motion, InForce, u64)>>,
-    compensator: Compensator,
-    milling: Milling,
-    run: Option<Pending>,
-    /// The line whose end is to be broken once the next block says how the path goes on.
-    corner: Option<Corner>,
-    standing: Standing,
-    remarks: Remarks,
+    out: Out,
     flow: Flow,
-    rounds: Rounds,
     doubts: Doubts,
-    stage: Stage,
-    percent: bool,
-    /// M66 has read an input.
-    input_read: bool,
-    /// A sign of another control has been looked for.
-    foreign_sought: bool,
-    /// First blocks of turning cycles of two that no second one has followed yet.
-    first_blocks: Vec<(TurningCycle, Spot)>,
-    /// A comment has ended the program.
-    aborted: bool,
-    /// A cycle of a lathe was refused.
-    uncut: bool,
-    units: UnitsSeen,
-    /// Which axes of a lathe the program has given a place.
-    placed: Placed,
-    /// A block of a lathe has given the place where the turret stands coordinates.
-    position_set: bool,
-    /// A block of a lathe has gone to a reference point, and one has moved in machine coordinates.
-    referred: bool,
-    in_machine: bool,
-    spindle: SpindleSeen,
-    turned: TurnedSeen,
-    /// The contours that cycles have read.
-    contours: Vec<TurnedContour>,
-    repeated: u64,
-    /// An absolute motion has been made, and an incremental one.
-    distances: [bool; 2],
-    /// No word of a rotary axis has meant something else on a rollover axis than on a linear one.
-    any_rotary: bool,
+    remarks: Remarks,
+    seen: Seen,
 }
 
 /// What the blocks so far have left in force, and where the program stands. Small: a contour is read on a clone of it.
@@ -264,69 +220,16 @@ impl<'a> Interpreter<'a> {
             library: Library::new(bytes, control.lexis.lone_return),
             parameters,
             tools,
-            queue: VecDeque::new(),
-            compensator: Compensator::new(control.radius),
-            milling: Milling::default(),
-            run: None,
-            corner: None,
-            standing: Standing::default(),
-            remarks,
+            out: Out::new(control.radius),
             flow: Flow::default(),
-            rounds: Rounds::default(),
             doubts: Doubts::default(),
-            stage: Stage::Opening,
-            percent: false,
-            input_read: false,
-            foreign_sought: false,
-            first_blocks: Vec::new(),
-            aborted: false,
-            uncut: false,
-            units: UnitsSeen::default(),
-            placed: Placed::default(),
-            position_set: false,
-            referred: false,
-            in_machine: false,
-            spindle: SpindleSeen::default(),
-            turned: TurnedSeen::default(),
-            contours: Vec::new(),
-            repeated: 0,
-            distances: [false; 2],
-            any_rotary: true,
+            remarks,
+            seen: Seen::default(),
             setting,
         };
         let at = frame.to_program(&memory.setting.start.machine);
         let (block, in_force) = (Block::at(Spot::default()), InForce::default());
         Self { memory, line: Vec::new(), block, state: State { modal, frame, at }, in_force }
-    }
-
-    /// Whether a motion has been made in inches.
-    #[must_use]
-    pub const fn in_inches(&self) -> bool {
-        self.memory.units.inches
-    }
-
-    /// Whether a block of a lathe has given coordinates to the place where the turret stands (G50 X Z).
-    #[must_use]
-    pub const fn sets_position(&self) -> bool {
-        self.memory.position_set
-    }
-
-    /// Whether a block of a lathe has gone to the first reference point (G28).
-    #[must_use]
-    pub const fn returns_to_reference(&self) -> bool {
-        self.memory.referred
-    }
-
-    /// Which axes of a lathe have made motions that hang on where the turret stood before the program.
-    #[must_use]
-    pub fn from_start(&self) -> FromStart {
-        self.memory.placed.told()
-    }
-
-    /// Whether a block has moved in machine coordinates (G53).
-    #[must_use]
-    pub const fn moves_in_machine(&self) -> bool {
-        self.memory.in_machine
     }
 
     /// What is worth saying about the program as far as it has been read.
@@ -348,35 +251,11 @@ impl<'a> Interpreter<'a> {
         self.memory.library.file(number).map(String::as_str)
     }
 
-    /// True behind a refused block of a lathe whose cycle is not made, also where that refusal follows from another and is not told: what
-    /// comes after it meets another part than the program counts on.
-    #[must_use]
-    pub const fn uncut(&self) -> bool {
-        self.memory.uncut
-    }
-
     /// The position reached, in program and machine coordinates.
     #[must_use]
     pub fn position(&self) -> (Pose, Pose) {
-        let Memory { control, milling, compensator, .. } = &self.memory;
-        let tip = match control.radius {
-            RadiusRule::Cutter => milling.cutter(&self.state),
-            RadiusRule::Nose(_) | RadiusRule::None => compensator.tip(&self.state.at),
-        };
+        let tip = self.memory.out.tip(self.memory.control.radius, &self.state);
         (tip, self.state.frame.to_machine(&tip))
-    }
-
-    /// True where no word so far has meant something else on a rollover axis than on a linear one: what was read so far reads
-    /// alike under each [`Setting::rotary`].
-    #[must_use]
-    pub const fn any_rotary(&self) -> bool {
-        self.memory.any_rotary
-    }
-
-    /// True where every motion so far was programmed by increments.
-    #[must_use]
-    pub const fn all_incremental(&self) -> bool {
-        matches!(self.memory.distances, [false, true])
     }
 
     /// How many lines there are as far as the program, and each file of a subprogram, has been read: up to the last line that it came to,
@@ -415,9 +294,9 @@ impl Reader<'_, '_> {
             }
             fault.file = fault.file.or_else(|| self.memory.library.file(text).cloned());
             if fault.fatal {
-                self.memory.stage = Stage::Ended;
+                self.memory.flow.stage = Stage::Ended;
             }
-            if self.memory.stage == Stage::Ended {
+            if self.memory.flow.stage == Stage::Ended {
                 self.end_spindle(false);
             }
             fault
@@ -448,8 +327,8 @@ impl Reader<'_, '_> {
     }
 
     fn end_of_file(&mut self) -> Result<()> {
-        let (stage, percent) = (self.memory.stage, self.memory.percent);
-        self.memory.stage = Stage::Ended;
+        let (stage, percent) = (self.memory.flow.stage, self.memory.flow.percent);
+        self.memory.flow.stage = Stage::Ended;
         self.lose_corner(false);
         if self.memory.flow.next.text != 0 || !self.memory.flow.frames.is_empty() {
             return Err(Refused::of(&EndsInSubprogram {}, &[]));
@@ -475,9 +354,9 @@ impl Reader<'_, '_> {
 
     /// The program has come to its end: the first work offset is in force again, and what G92 leaves is remarked.
     fn end(&mut self) -> Result<()> {
-        self.memory.stage = Stage::Ended;
+        self.memory.flow.stage = Stage::Ended;
         self.lose_corner(false);
-        for (cycle, spot) in std::mem::take(&mut self.memory.first_blocks) {
+        for (cycle, spot) in std::mem::take(&mut self.memory.seen.first_blocks) {
             self.memory.remarks.row(&FirstBlockUnused { cycle: cycle.number() }, spot, None);
         }
         if self.memory.control.radius.cutter() {
@@ -538,10 +417,10 @@ impl Iterator for Interpreter<'_> {
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
-            match self.memory.queue.pop_front() {
+            match self.memory.out.queue.pop_front() {
                 Some(Ok((motion, control, number))) => {
                     self.in_force = control;
-                    self.memory.standing.handed_out(Some((&motion, number)));
+                    self.memory.out.standing.handed_out(Some((&motion, number)));
                     return Some(Ok(motion));
                 }
                 Some(Err(fault)) => return Some(Err(fault)),
@@ -549,15 +428,15 @@ impl Iterator for Interpreter<'_> {
             }
             let Self { memory, line, block, state, .. } = self;
             let mut reader = Reader { memory, block, state };
-            let result = if reader.memory.run.is_some() {
+            let result = if reader.memory.out.run.is_some() {
                 let made = reader.made();
                 let result = reader.go_on();
                 reader.cycle_went_on(made);
                 result
-            } else if reader.memory.stage == Stage::Ended {
+            } else if reader.memory.flow.stage == Stage::Ended {
                 reader.flush();
-                if reader.memory.queue.is_empty() {
-                    reader.memory.standing.handed_out(None);
+                if reader.memory.out.queue.is_empty() {
+                    reader.memory.out.standing.handed_out(None);
                     return None;
                 }
                 continue;
@@ -567,11 +446,11 @@ impl Iterator for Interpreter<'_> {
             let Err(fault) = result else { continue };
             let fault = reader.or_foreign(fault);
             let lost = reader.loses_cycle(line);
-            reader.memory.uncut |= lost || fault.uncut;
+            reader.memory.seen.uncut |= lost || fault.uncut;
             if let Some(mut fault) = reader.told_once(fault, line) {
                 fault.uncut |= lost;
                 // Behind the refusals that its block has handed out already.
-                let queue = &mut reader.memory.queue;
+                let queue = &mut reader.memory.out.queue;
                 if !queue.iter().any(Result::is_err) {
                     return Some(Err(fault));
                 }

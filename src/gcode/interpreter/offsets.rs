@@ -293,7 +293,7 @@ impl Reader<'_, '_> {
             G::SuspendPosition => (false, Pose::default(), None),
             _ => (true, registers, None),
         };
-        self.memory.placed.preset_ends();
+        self.memory.seen.placed.preset_ends();
         self.keep_g92(on, kept);
         self.reframe(ActiveOffsets { g92: in_force, ..self.state.frame });
     }

@@ -37,6 +37,7 @@ impl Reader<'_, '_> {
         if !self.feed_by_revolution() {
             self.block.pointless &= !(1 << letter::F);
         }
+        self.block.pointless &= !self.counted_dwell();
         let words = self.block.pointless;
         for index in (0..26).filter(|index| words & (1 << index) != 0) {
             let value = self.block.get(index).unwrap_or(0.0);
@@ -79,6 +80,15 @@ impl Reader<'_, '_> {
         Ok(by)
     }
 
+    /// The letters of the block's dwell whose number counts parts of a second, whatever a setting makes of a length.
+    fn counted_dwell(&self) -> u32 {
+        if self.block.g(Group::NonModal) != Some(G::Dwell) {
+            return 0;
+        }
+        let words = self.memory.control.lexis.dwell.iter().filter(|word| word.unit.whole());
+        words.map(|word| 1 << word.index()).sum()
+    }
+
     /// True where the block's lengths are inches.
     fn inch(&self) -> bool {
         match self.block.g(Group::Units) {
@@ -108,4 +118,34 @@ fn point_not_taken(index: u8, value: f64, column: usize) -> Box<Refused> {
     let name = char::from(b'A' + index);
     let word = if value.fract() == 0.0 { format!("{name}{value}.") } else { format!("{name}{value}") };
     Refused::of(&PointNotTaken { letter: name, word }, &[column])
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::control::{Control, DecimalPoint, DwellUnit, DwellWord, FANUC_LATHE_A, Lexis};
+    use crate::gcode::interpreter::{Interpreter, Setting};
+    use crate::gcode::motion::MotionKind;
+
+    /// A lathe whose dwell counts X in hundredths of a second, though X is a letter of lengths.
+    static HUNDREDTHS: Control = Control {
+        lexis: Lexis {
+            dwell: &[DwellWord { letter: 'X', unit: DwellUnit::Hundredth, shared: false }],
+            ..FANUC_LATHE_A.lexis
+        },
+        ..FANUC_LATHE_A
+    };
+
+    #[test]
+    fn a_dwell_in_parts_of_a_second_is_not_divided() {
+        let dwelt = |control: &'static Control, point: DecimalPoint| -> Vec<f64> {
+            let setting = Setting { decimal_point: Some(point), ..Setting::new(control) };
+            let motions = Interpreter::over(b"G4 X150\nM30\n", setting).flatten().collect::<Vec<_>>();
+            let time = |kind: MotionKind| if let MotionKind::Dwell(seconds) = kind { Some(seconds) } else { None };
+            motions.into_iter().filter_map(|motion| time(motion.kind)).collect()
+        };
+        for (point, seconds) in [(DecimalPoint::Calculator, 150.0), (DecimalPoint::Micrometre, 0.15)] {
+            assert_eq!(dwelt(&FANUC_LATHE_A, point), [seconds]);
+            assert_eq!(dwelt(&HUNDREDTHS, point), [1.5]);
+        }
+    }
 }

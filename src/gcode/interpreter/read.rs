@@ -1,6 +1,6 @@
 //! From a line to a block.
 
-use crate::gcode::code::{G, Group, M, TurningCycle};
+use crate::gcode::code::{G, Group, LetterCycle, M};
 use crate::gcode::control::{ALL, Disorder};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
@@ -86,7 +86,7 @@ impl Reader<'_, '_> {
                 }
                 b'g' => self.read_g(cursor)?,
                 b',' if self.memory.control.corners.by_words() => self.read_edge(cursor)?,
-                b'm' if !self.fagor_cycle() => self.read_m(cursor)?,
+                b'm' if !self.in_letter_cycle() => self.read_m(cursor)?,
                 letter @ b'a'..=b'z' => self.read_word(cursor, letter)?,
                 b'#' if self.memory.control.lexis.language.computes() => {
                     let setting = self.setting(cursor)?;
@@ -104,7 +104,7 @@ impl Reader<'_, '_> {
         }
         if let Some(D) = self.block.get(letter::D).filter(|D| *D < 0.0)
             && !matches!(self.block.g(Group::CutterCompensation), Some(G::CompensationGiven(_)))
-            && !self.fagor_cycle()
+            && !self.in_letter_cycle()
         {
             return Err(negative('D', D, self.block.column(letter::D)));
         }
@@ -141,9 +141,9 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    /// True behind the code of a turning cycle of Fagor's: M, S, L and others are its parameters.
-    pub(super) fn fagor_cycle(&self) -> bool {
-        matches!(self.block.g(Group::NonModal), Some(G::Turning(TurningCycle::Fagor(_))))
+    /// True behind the code of a turning cycle that takes all letters for itself: M, S, L and others are its parameters.
+    pub(super) fn in_letter_cycle(&self) -> bool {
+        self.block.g(Group::NonModal).is_some_and(|code| code.by_letters().is_some())
     }
 
     /// The refusal of `=` behind a word: a name of an axis or a spindle on a control that has such names.
@@ -196,13 +196,13 @@ impl Reader<'_, '_> {
             Some((number, m)) => {
                 self.in_order('M', value, column)?;
                 if let M::NotFollowed(name) = m {
-                    self.memory.turned.started = true;
+                    self.memory.seen.turned.started = true;
                     let row = MachineCodeNotFollowed { code: number, what: name.clone() };
                     let spot = self.block.spot;
                     self.memory.remarks.row(&row, spot, Some(column));
                 }
                 if m == M::User {
-                    self.memory.turned.started = true;
+                    self.memory.seen.turned.started = true;
                     let spot = self.block.spot;
                     self.memory.remarks.row(&MachineCodeOfBuilder { code: number }, spot, Some(column));
                     // Codes of the builder do not exclude each other everywhere: clamps M11 and M13 stand in one block.
@@ -275,7 +275,7 @@ impl Reader<'_, '_> {
         if letter == b'o' && cursor.behind_number() {
             return Err(letter_for_zero(column));
         }
-        if !(known || (self.fagor_cycle() && TurningCycle::Fagor(0).letters().has(index))) {
+        if !(known || (self.in_letter_cycle() && LetterCycle::LETTERS.has(index))) {
             return Err(self.unknown_letter(letter, cursor));
         }
         cursor.pass();
@@ -287,7 +287,7 @@ impl Reader<'_, '_> {
         }
         let number = self.value(cursor)?;
         let value = number.value;
-        if DIMENSIONS.has(index) || self.fagor_cycle() {
+        if DIMENSIONS.has(index) || self.in_letter_cycle() {
             if let Some(most) = self.beyond(letter, value) {
                 return Err(Refused::of(&CoordinateTooGreat { letter: name(letter), value, most }, &[number_column]));
             }
@@ -297,7 +297,7 @@ impl Reader<'_, '_> {
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
             && !self.memory.control.lexis.negative.has(index)
             && !(letter == b'q' && matches!(self.block.m(5), Some((M::AnalogOutput, _))))
-            && !self.fagor_cycle()
+            && !self.in_letter_cycle()
             && !(letter == b'q' && self.memory.control.lexis.polar.by_letters())
         {
             return Err(negative(name(letter), value, number_column));
@@ -306,7 +306,7 @@ impl Reader<'_, '_> {
             self.see_decimals(letter, number.decimals, column);
         }
         self.see_point(index, &number, column)?;
-        if self.fagor_cycle() {
+        if self.in_letter_cycle() {
             self.memory.control.lexis.words.take_of_cycle(&mut self.block.seen, name(letter), column);
         } else {
             self.in_order(name(letter), value, column)?;
@@ -337,7 +337,7 @@ impl Reader<'_, '_> {
         if value.abs() > f64::from(LIMIT) / 1000.0 {
             return Some(t("99 999.999", "99,999.999"));
         }
-        let length = b"uvwxyz".contains(&letter) && !self.fagor_cycle();
+        let length = b"uvwxyz".contains(&letter) && !self.in_letter_cycle();
         let most = self.memory.control.lexis.decimals.greatest_inches().filter(|_| length && self.in_inch())?;
         (value.abs() > most).then(|| Text::new(format!("{most} pulgadas"), format!("{most} inches")))
     }
@@ -368,7 +368,7 @@ impl Reader<'_, '_> {
         }
         if let Some(G::Turning(cycle)) = self.block.g(Group::NonModal)
             && matches!(name, 'A' | 'D')
-            && !self.fagor_cycle()
+            && !self.in_letter_cycle()
         {
             return Refused::of(&CycleInOneBlock { letter: name, number: cycle.number() }, &[column]);
         }

@@ -35,7 +35,7 @@ impl Reader<'_, '_> {
             return Ok(());
         }
         let taken = self.on_rollover();
-        self.memory.any_rotary &= taken.is_ok();
+        self.memory.seen.rotary_differs |= taken.is_err();
         if self.memory.setting.rotary.rolls_over() { taken } else { Ok(()) }
     }
 
@@ -74,7 +74,7 @@ impl Reader<'_, '_> {
     /// Where an absolute word leads a rotary axis that stands at an angle, counted on beyond a turn; degrees.
     pub(super) fn turned_to(&mut self, axis: Axis, word: f64, at: f64) -> f64 {
         let (rolled, reached) = rolled(word, at);
-        self.memory.any_rotary &= rolled == word;
+        self.memory.seen.rotary_differs |= rolled != word;
         if !self.memory.setting.rotary.rolls_over() {
             return word;
         }

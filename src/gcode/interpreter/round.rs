@@ -28,15 +28,16 @@ impl Reader<'_, '_> {
             return Some(fault);
         }
         let follows = self.follows(&fault, line);
-        if self.memory.rounds.refusals.len() >= REFUSED_LINES && !self.memory.rounds.refusals.contains_key(&key) {
+        if self.memory.flow.loops.refusals.len() >= REFUSED_LINES && !self.memory.flow.loops.refusals.contains_key(&key)
+        {
             return (!follows).then_some(fault);
         }
-        let times = self.memory.rounds.refusals.entry(key).or_insert(0);
+        let times = self.memory.flow.loops.refusals.entry(key).or_insert(0);
         *times += 1;
         match *times {
             1 => (!follows).then_some(fault),
             BLOCK_REFUSALS => {
-                self.memory.stage = Stage::Ended;
+                self.memory.flow.stage = Stage::Ended;
                 let mut limit = Refused::ended(&RefusedInLoop { times: BLOCK_REFUSALS });
                 (limit.line, limit.file) = (fault.line, fault.file);
                 Some(limit)
@@ -48,7 +49,7 @@ impl Reader<'_, '_> {
     /// A loop goes round again because of its condition: where nothing has happened since it did so last, it never ends.
     pub(super) fn round_again(&mut self) -> Result<()> {
         let now = (self.made(), self.memory.parameters.changes(), self.state.modal.in_force());
-        let rounds = &mut self.memory.rounds;
+        let rounds = &mut self.memory.flow.loops;
         rounds.idle = if rounds.last.replace(now) == Some(now) { rounds.idle + 1 } else { 0 };
         if rounds.idle < IDLE_ROUNDS {
             return Ok(());
@@ -58,15 +59,15 @@ impl Reader<'_, '_> {
 
     /// A cycle has gone on, from so many motions made.
     pub(super) fn cycle_went_on(&mut self, before: u64) {
-        self.memory.rounds.cycled += self.made() - before;
+        self.memory.flow.loops.cycled += self.made() - before;
         let most = self.memory.setting.budget.repeated_blocks;
-        if self.memory.rounds.cycled <= most || self.memory.run.is_none() {
+        if self.memory.flow.loops.cycled <= most || self.memory.out.run.is_none() {
             return;
         }
-        self.memory.run = None;
-        self.memory.stage = Stage::Ended;
+        self.memory.out.run = None;
+        self.memory.flow.stage = Stage::Ended;
         let mut limit = Refused::ended(&TooManyCycleMotions { most });
         limit.line = self.block.spot.line;
-        self.memory.queue.push_back(Err(limit));
+        self.memory.out.queue.push_back(Err(limit));
     }
 }

@@ -57,8 +57,8 @@ impl State {
 impl Interpreter<'_> {
     /// From now on keeps what blocks without motion change; see [`Interpreter::stood`].
     pub fn keep_stood(&mut self) {
-        self.memory.standing.kept = true;
-        self.memory.standing.last = Some((self.state.modal.in_force(), self.state.at));
+        self.memory.out.standing.kept = true;
+        self.memory.out.standing.last = Some((self.state.modal.in_force(), self.state.at));
     }
 
     /// What is in force at the block that was read last, and where the machine stands.
@@ -70,7 +70,7 @@ impl Interpreter<'_> {
     /// The blocks that changed what is in force without a motion, before the motion last handed out or, at the end of the
     /// program, behind it. Each is given once.
     pub fn stood(&mut self) -> Vec<Standstill> {
-        let Standing { blocks, given, ends, .. } = &mut self.memory.standing;
+        let Standing { blocks, given, ends, .. } = &mut self.memory.out.standing;
         let before = blocks.iter().take_while(|block| block.made < *given).count();
         let placed = |Block { mut stood, aside, .. }: Block| {
             if let (true, Some(tip)) = (aside, ends[1]) {
@@ -99,32 +99,30 @@ impl Standing {
 impl Reader<'_, '_> {
     /// How many motions the program has made.
     pub(super) const fn made(&self) -> u64 {
-        self.memory.standing.made
+        self.memory.out.standing.made
     }
 
     /// A motion was made.
     pub(super) fn moved(&mut self) {
-        self.memory.standing.made += 1;
-        if self.memory.standing.kept {
-            self.memory.standing.last = Some((self.state.modal.in_force(), self.state.at));
+        self.memory.out.standing.made += 1;
+        if self.memory.out.standing.kept {
+            self.memory.out.standing.last = Some((self.state.modal.in_force(), self.state.at));
         }
     }
 
     /// A block was executed: what it changed without a motion is kept.
     pub(super) fn executed(&mut self) {
-        if !self.memory.standing.kept
-            || self.memory.run.is_some()
-            || self.memory.corner.is_some()
-            || self.memory.standing.blocks.len() == STANDSTILL_BLOCKS
+        if !self.memory.out.standing.kept
+            || !self.memory.out.settled()
+            || self.memory.out.standing.blocks.len() == STANDSTILL_BLOCKS
         {
             return;
         }
         let now = (self.state.modal.in_force(), self.state.at);
-        if self.memory.standing.last.replace(now) != Some(now) {
+        if self.memory.out.standing.last.replace(now) != Some(now) {
             let stood = self.state.stands(self.block.spot);
-            let (made, aside) =
-                (self.memory.standing.made, !(self.memory.compensator.idle() && self.memory.milling.idle()));
-            self.memory.standing.blocks.push_back(Block { stood, made, aside });
+            let (made, aside) = (self.memory.out.standing.made, !self.memory.out.straight());
+            self.memory.out.standing.blocks.push_back(Block { stood, made, aside });
         }
     }
 }

@@ -37,21 +37,21 @@ pub(super) struct TurnedSeen {
 impl Reader<'_, '_> {
     /// Sees the code of the spindle in the block in hand.
     pub(super) fn see_start_of_spindle(&mut self, code: Option<M>) {
-        self.memory.turned.started |= matches!(code, Some(M::Spindle(_))) || self.in_doubt(doubt::SPINDLE);
+        self.memory.seen.turned.started |= matches!(code, Some(M::Spindle(_))) || self.in_doubt(doubt::SPINDLE);
     }
 
     /// Sees a cut of a lathe.
     pub(super) fn see_turned(&mut self) {
         let spot = self.block.spot;
-        self.memory.turned.started |= self.in_doubt(doubt::SPINDLE);
-        self.memory.turned.cut.get_or_insert(spot);
+        self.memory.seen.turned.started |= self.in_doubt(doubt::SPINDLE);
+        self.memory.seen.turned.cut.get_or_insert(spot);
         let modal = &self.state.modal;
         if modal.selected.is_some()
             && modal.offset == 0
             && !self.in_doubt(doubt::TOOL)
             && let Some(words) = self.memory.control.tool.without_offset(modal.tool)
         {
-            self.memory.turned.without.entry(modal.tool).or_insert((spot, words));
+            self.memory.seen.turned.without.entry(modal.tool).or_insert((spot, words));
         }
     }
 
@@ -75,7 +75,7 @@ impl Reader<'_, '_> {
             (feed > rapid * (1.0 + 1e-9)).then_some((axis, feed, rapid))
         });
         if let Some((axis, feed, rapid)) = beyond
-            && self.memory.turned.fast.insert(self.state.modal.tool)
+            && self.memory.seen.turned.fast.insert(self.state.modal.tool)
         {
             let whose = match known {
                 Some(_) => t("del libro de torno", "of the lathe workbook"),
@@ -88,14 +88,14 @@ impl Reader<'_, '_> {
 
     /// The first pass of a G92.
     pub(super) fn see_first_pass(&mut self) {
-        self.memory.turned.first_pass = Some(self.block.spot);
+        self.memory.seen.turned.first_pass = Some(self.block.spot);
     }
 
     /// A pass of G92 behind another of the same thread, from `start` to the two radii, mm. A whole thread is less deep than its lead; a
     /// first pass that is deeper than the next by more is no thread of its own, which has more passes than one.
     pub(super) fn remark_far_deeper(&mut self, start: f64, [before, now]: [f64; 2], lead: f64) {
         let by = (now - start).abs() - (before - start).abs();
-        let first = self.memory.turned.first_pass.take();
+        let first = self.memory.seen.turned.first_pass.take();
         let (spot, than) = if by > 0.0 {
             (Some(self.block.spot), t("la anterior", "the one before"))
         } else {
@@ -109,14 +109,14 @@ impl Reader<'_, '_> {
 
     /// The program has ended, as a whole or not: what nothing in it does is known of a whole one alone.
     pub(super) fn end_turned(&mut self, speed: bool, whole: bool) {
-        if let Some(spot) = self.memory.turned.cut.take().filter(|_| whole)
+        if let Some(spot) = self.memory.seen.turned.cut.take().filter(|_| whole)
             && speed
-            && !self.memory.turned.started
+            && !self.memory.seen.turned.started
         {
             self.memory.remarks.row(&SpindleNeverStarts {}, spot, None);
         }
-        let mut without: Vec<_> = std::mem::take(&mut self.memory.turned.without).into_values().collect();
-        let some = self.memory.turned.offset;
+        let mut without: Vec<_> = std::mem::take(&mut self.memory.seen.turned.without).into_values().collect();
+        let some = self.memory.seen.turned.offset;
         if !some {
             without.sort_by_key(|(spot, _)| spot.line);
             without.truncate(1);

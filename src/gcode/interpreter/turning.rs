@@ -46,7 +46,7 @@ const fn second_words(cycle: TurningCycle) -> Option<&'static [u8]> {
     match cycle {
         TurningCycle::Axial | TurningCycle::Radial | TurningCycle::Repeat => Some(OF_CONTOUR),
         TurningCycle::GrooveFace | TurningCycle::GrooveOutside | TurningCycle::Thread => Some(TO_A_POINT),
-        TurningCycle::Finish | TurningCycle::Fagor(_) => None,
+        TurningCycle::Finish | TurningCycle::ByLetters(_) => None,
     }
 }
 
@@ -110,7 +110,7 @@ impl Reader<'_, '_> {
             TurningCycle::Axial | TurningCycle::Radial | TurningCycle::Repeat => self.roughing(cycle),
             TurningCycle::GrooveFace | TurningCycle::GrooveOutside => self.grooving(cycle),
             TurningCycle::Thread => self.threading(cycle),
-            TurningCycle::Fagor(number) => self.fagor(number),
+            TurningCycle::ByLetters(cycle) => self.letter_cycle(cycle),
         }
     }
 
@@ -254,16 +254,16 @@ impl Reader<'_, '_> {
 
     /// A second block makes use of the first one before it.
     fn second_block(&mut self, cycle: TurningCycle) {
-        self.memory.first_blocks.retain(|(first, _)| *first != cycle);
+        self.memory.seen.first_blocks.retain(|(first, _)| *first != cycle);
     }
 
     /// Keeps the words of the first block of a cycle; those that it does not give stay.
     fn keep_first(&mut self, cycle: TurningCycle) {
-        if let Some((_, spot)) = self.memory.first_blocks.iter().find(|(first, _)| *first == cycle) {
+        if let Some((_, spot)) = self.memory.seen.first_blocks.iter().find(|(first, _)| *first == cycle) {
             self.memory.remarks.row(&FirstBlockUnused { cycle: cycle.number() }, *spot, None);
         }
         self.second_block(cycle);
-        self.memory.first_blocks.push((cycle, self.block.spot));
+        self.memory.seen.first_blocks.push((cycle, self.block.spot));
         let given = FIRST.map(|letter| self.block.get(letter));
         match self.state.modal.first.iter_mut().find(|(of, _)| *of == cycle) {
             Some((_, kept)) => {

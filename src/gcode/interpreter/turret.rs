@@ -88,7 +88,7 @@ impl Reader<'_, '_> {
 
     fn put_in(&mut self, place: u32, offset: u32) {
         (self.state.modal.selected, self.state.modal.tool, self.state.modal.offset) = (Some(place), place, offset);
-        self.memory.turned.offset |= offset != 0;
+        self.memory.seen.turned.offset |= offset != 0;
         let tool = if offset == 0 { Pose::default() } else { self.offset_of(offset) };
         self.reframe(ActiveOffsets { tool, ..self.state.frame });
     }

@@ -1,7 +1,7 @@
 //! What is seen of a program's unit of length.
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, Group, TurningCycle};
+use crate::gcode::code::{G, Group};
 use crate::gcode::control::UnitChange;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::doubt::UNIT;
@@ -39,7 +39,7 @@ impl Memory<'_> {
     /// A linear axis moves in a unit.
     pub(super) fn see_unit(&mut self, unit: LengthUnit, spot: Spot) {
         let control = self.control;
-        match (self.units.moved_in.replace(unit), self.units.told_at) {
+        match (self.seen.units.moved_in.replace(unit), self.seen.units.told_at) {
             (Some(before), _) if before == unit => return,
             // A rejected block may have told it.
             (None, None) if self.doubts.holds(UNIT) => {}
@@ -61,13 +61,13 @@ impl Memory<'_> {
             }
             (None, Some(_)) | (Some(_), None) => {}
         }
-        self.units.inches |= unit == LengthUnit::Inch;
+        self.seen.units.inches |= unit == LengthUnit::Inch;
     }
 
     /// A motion goes at feed: remarked where no code has said what F means, and the machine may start with the other meaning.
     pub(super) fn see_feed(&mut self, mode: FeedMode, spot: Spot) {
         let rule = self.control.feed;
-        if std::mem::replace(&mut self.units.feed_said, true) || !rule.unsaid.told_of() {
+        if std::mem::replace(&mut self.seen.units.feed_said, true) || !rule.unsaid.told_of() {
             return;
         }
         let meaning = match mode {
@@ -92,14 +92,10 @@ impl Reader<'_, '_> {
             return Ok(());
         }
         let at_once = self.block.g(Group::NonModal);
-        if let Some(G::Turning(TurningCycle::Fagor(number))) = at_once {
-            // F and H of these are feeds of their own.
-            let feeds: &[usize] = if matches!(number, 81 | 82 | 84 | 85) { &[letter::F, letter::H] } else { &[] };
+        if let Some(cycle) = at_once.and_then(G::by_letters) {
             let line = self.block.spot.line;
-            return match feeds.iter().find(|&&feed| self.block.has(feed)) {
-                Some(&feed) => Err(self.feed_without_unit(if feed == letter::F { 'F' } else { 'H' }, line, code)),
-                None => Ok(()),
-            };
+            let feed = cycle.feeds().iter().find(|&&feed| self.block.has(usize::from(feed - b'A')));
+            return feed.map_or(Ok(()), |&feed| Err(self.feed_without_unit(char::from(feed), line, code)));
         }
         let by_length = matches!(self.state.modal.feed_mode, FeedMode::PerMinute | FeedMode::PerRevolution);
         let feed = self.block.has(letter::F) && by_length;

@@ -57,7 +57,7 @@ impl Reader<'_, '_> {
         let lexis = &self.memory.control.lexis;
         let mut cursor = Cursor::new(line, lexis.comments);
         if cursor.peek() == b'%' {
-            let ends = lexis.percent.leader() && titled(line) || lexis.percent.bare() && self.memory.percent;
+            let ends = lexis.percent.leader() && titled(line) || lexis.percent.bare() && self.memory.flow.percent;
             return if ends { Behind::Closed } else { Behind::Nothing };
         }
         cursor.accept_delete(lexis.delete.switches() > 0);

@@ -1,11 +1,13 @@
-//! Turning the torus with the Fagor cycle G85 after facing.
+//! Turning the torus with a cycle of a curved section, G85, after facing.
 //!
 //! # References
 //! The thesis, section 4.1: G85 X = 2R, Z = −r, Q = 2(R − r), R = 0, C = step, I = 0, K = r. Its table prints Z = −R; its
 //! program has −15, which is −r.
 
-use crate::gcode::control::POST_8055_T;
+use crate::gcode::code::LetterCycle;
+use crate::gcode::control::Post;
 use crate::gcode::program::Program;
+use crate::gcode::turning::fagor::Along;
 use crate::gcode::word::{NumberFormat, Word};
 use crate::gcode::writer::Writer;
 use crate::geometry::torus::Torus;
@@ -18,6 +20,12 @@ use crate::text::t;
 
 /// How far from the stock the tool ends where the form does not say it, on the diameter: the published end X of 80 for R = 25.
 const END_CLEARANCE: f64 = 30.0;
+
+/// The cycle of the thesis.
+const QUARTER: LetterCycle = LetterCycle::Curved(Along::Face);
+
+/// The lathe that the program is written for, whatever the mill's control: one that has the cycle.
+pub const POST: Post = Post::turning_with(QUARTER);
 
 /// How the blank is turned. Lengths in mm; those named "on the diameter" are programmed so.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +86,7 @@ impl BlankTurning {
     /// For a dimension that no program may carry.
     pub fn program(&self, torus: Torus, format: NumberFormat, block_step: u32) -> Result<Program, OutOfFormat> {
         let Torus { R, r } = torus;
-        let mut writer = Writer::new(POST_8055_T, Vec::new());
+        let mut writer = Writer::new(POST, Vec::new());
         let size = |letter: char, value: f64| Ok::<_, OutOfFormat>(Word::size(letter, Milli::round(value)?));
         let g = |number| Word::whole('G', number);
         let full = format == NumberFormat::Fixed;
@@ -106,7 +114,7 @@ impl BlankTurning {
         writer.block(facing);
         writer.rapid([writer.diameter(2.0 * R + self.c_c)?, size('Z', 0.0)?]);
         writer.block([
-            g(85),
+            g(QUARTER.number().into()),
             writer.diameter(2.0 * R)?,
             size('Z', -r)?,
             size('Q', 2.0 * (R - r))?,

@@ -300,8 +300,8 @@ pub(super) static DISTANCE: Field<Distance, Required> = Field::choice(
     "distance",
     t("Coordenadas: G90 absolutas, G91 incrementales", "Coordinates: G90 absolute, G91 incremental"),
     t(
-        "Solo con style = completo; anexo es siempre G91. En un Fagor 8055, G90 solo con rotary = lineal",
-        "Only with style = full; annex is always G91. On a Fagor 8055, G90 only with rotary = linear",
+        "Solo con style = completo; anexo es siempre G91. Con ejes rollover (rotary), solo G91",
+        "Only with style = full; annex is always G91. On rollover axes (rotary), G91 only",
     ),
 );
 pub(super) static START_CODES: Field<Codes, Required> = Field::other(

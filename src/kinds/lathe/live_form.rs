@@ -1,9 +1,8 @@
 //! The live form of the lathe: its closed limits, and stock, chuck, tailstock and mounted tools in plan, the turret at its
 //! reference point.
 
-use crate::gcode::control::Control;
+use crate::gcode::control::TURNING;
 use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, says};
-use crate::kinds::lathe::parameters::DIALECTS;
 use crate::kinds::lathe::setup::MARGIN;
 use crate::removal::turning::machine::{Chuck, Lathe, Tailstock};
 use crate::table::{Formula, Unit};
@@ -181,8 +180,8 @@ fn turret_and_control() -> [LiveRow; 2] {
 
 /// True as a formula where a setting of the control says how it reads a dimension without a decimal point.
 fn by_setting() -> String {
-    let asks = |name: &&str| Control::named(name).is_some_and(|control| control.lexis.point.by_setting());
-    let asking = DIALECTS.iter().map(|one| one.key).filter(asks).map(|name| says("dialect", name));
+    let asking = TURNING.into_iter().filter(|control| control.lexis.point.by_setting());
+    let asking = asking.map(|control| says("dialect", control.name));
     format!("OR({})", asking.collect::<Vec<_>>().join(","))
 }
 

@@ -3,6 +3,7 @@
 //! Source: the lathe simulator's tables of the machine and of the stock (D, L, L1 to L5), in its symbols; what a machine
 //! needs beside them is added here. The tools have a file of their own.
 
+use crate::gcode::chosen::LATHES;
 use crate::gcode::control::Control;
 use crate::gcode::fields;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane};
@@ -11,7 +12,7 @@ pub use crate::kinds::lathe::tool_sheet::KEY as TOOLS_KEY;
 use crate::limits::SHEET_BLOCKS;
 use crate::parameter::field::{Field, Optional, Required, Usual, choices};
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Choice, Form, Parameter, Section, Sheet, title_block};
+use crate::parameter::{Form, Parameter, Section, Sheet, title_block};
 use crate::removal::turning::stock::Support;
 use crate::table::Unit;
 use crate::text::{Text, t};
@@ -27,12 +28,6 @@ const NOT_KNOWN: Text = t(
     "Vacía: no se conoce; se rechaza el programa que la necesite",
     "Empty: not known; rodete rejects a program that needs it",
 );
-
-/// The controls that turn.
-pub const DIALECTS: &[Choice] = &[
-    Choice { key: "fanuc-lathe-a", label: t("fanuc-lathe-a", "fanuc-lathe-a"), once: &[] },
-    Choice { key: "fagor-8055-t", label: t("fagor-8055-t", "fagor-8055-t"), once: &[] },
-];
 
 choices! { for DecimalPoint;
     "calculator" ("calculadora (X100 = 100 mm)", "calculator (X100 = 100 mm)") => DecimalPoint::Calculator,
@@ -90,14 +85,14 @@ pub(crate) static MATERIAL: Field<String, Optional> =
 const PIECE: &[&Parameter] = &[&PART.row, &MATERIAL.row];
 
 pub(crate) static DIALECT: Field<&'static Control, Required> =
-    Field::of_list("dialect", "dialect", DIALECTS, t("Control", "Control"), NONE);
+    Field::of_list("dialect", "dialect", &LATHES, t("Control", "Control"), NONE);
 pub(crate) static POINT: Field<DecimalPoint, Optional> = Field::choice(
     "point",
     "decimal_point",
     t("Cotas sin punto decimal", "Dimensions without a decimal point"),
     t(
-        "Obligatorio con fanuc-lathe-a: depende de un parámetro de la máquina. Con otro control puede quedar vacía",
-        "Required with fanuc-lathe-a: depends on a machine parameter. With another control it may stay empty",
+        "Obligatorio si lo decide un parámetro del control; con otro control puede quedar vacía",
+        "Required where a parameter of the control decides it; with another control it may stay empty",
     ),
 );
 pub(crate) static BLOCK_DELETE: Field<bool, Usual> = Field::choice_or(
@@ -370,8 +365,8 @@ pub(crate) static HOLE_R: Field<HolePlane, Optional> = Field::choice(
     "hole_R",
     t("R de G81 a G83", "R of G81 to G83"),
     t(
-        "fanuc-lathe-a. Absoluta: la Z del plano. Incremental: desde la posición de la herramienta. Vacía: absoluta",
-        "fanuc-lathe-a. Absolute: the Z of the plane. Incremental: from the tool's position. Empty: absolute",
+        "Donde G81 a G83 taladran. Absoluta: la Z del plano. Incremental: desde la posición de la herramienta. Vacía: absoluta",
+        "Where G81 to G83 drill. Absolute: the Z of the plane. Incremental: from the tool's position. Empty: absolute",
     ),
 );
 

@@ -2,7 +2,7 @@
 
 use rodete::finding::Exit;
 use rodete::finding::Exit::{Refused, Unreadable};
-use rodete::parameter::DIALECTS;
+use rodete::gcode::control::MILLING;
 use rodete::text::Language;
 
 use super::workbook::{CALIBRATION, DATA, Expected, Parts, cell, compare, impeller, place, row, sound};
@@ -27,7 +27,7 @@ fn value(row: &'static str, key: &str, parts: &Parts, what: &'static str, remedy
 fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
     let sound = Parts::sound;
     let text_of_40000 = "x".repeat(40_000);
-    let controls = DIALECTS.iter().map(|choice| choice.key).collect::<Vec<_>>().join(", ");
+    let controls = MILLING.map(|control| control.name).join(", ");
     let one_of_the_controls: &'static str = format!("write one of: {controls}").leak();
     compare(vec![
         value(

@@ -11,8 +11,8 @@ use crate::gcode::control::Drilling;
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::out::{Holes, Pending};
 use crate::gcode::interpreter::refused::{Refused, Result};
+use crate::gcode::interpreter::run::{Holes, Pending};
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind, Plane};
 use crate::gcode::turning::rules::{
@@ -131,7 +131,7 @@ impl Reader<'_, '_> {
         let sticky = &mut self.state.modal.sticky;
         (sticky.r, sticky.bottom) = (r_word, bottom_word);
         self.state.modal.motion = G::Cycle(cycle);
-        self.memory.run = Some(Pending::Holes(run));
+        self.memory.out.run = Some(Pending::Holes(run));
         Ok(())
     }
 
@@ -299,7 +299,7 @@ impl Reader<'_, '_> {
         }
         run.left -= 1;
         if run.left > 0 {
-            self.memory.run = Some(Pending::Holes(run));
+            self.memory.out.run = Some(Pending::Holes(run));
         }
         Ok(())
     }

@@ -9,7 +9,7 @@
 //! # References
 //! The lathe simulator's figures of G90, G92 and G94; Fanuc Series 0i-T operator's manual, single cycles (R against the direction
 //! of the infeed may not exceed it), G32 (the lead counts along the axis that moves more) and G34 (K the change of the lead in
-//! one revolution), and the start angle Q of G32 and G92 (thousandths of a degree, not modal, 0 where it is not given). How far
+//! one revolution), and the start angle Q of G32 and G92 (not modal, 0 where it is not given). How far
 //! a thread is pulled out at the end of G92 is a parameter of the control: none is taken here.
 
 use crate::finding::{Bare, Size};
@@ -40,14 +40,15 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// The spindle's angle at which a pass of a thread begins: Q in thousandths of a degree, of this block alone; degrees.
+    /// The spindle's angle at which a pass of a thread begins: Q of this block alone; degrees.
     fn start_angle(&self) -> Result<f64> {
-        const TURN: f64 = 360_000.0;
+        let Some(per_degree) = self.memory.control.spindle.thread_angle.per_degree() else { return Ok(0.0) };
         let Some(Q) = self.block.get(letter::Q) else { return Ok(0.0) };
-        if !(0.0..=TURN).contains(&Q) {
+        let turn = 360.0 * per_degree;
+        if !(0.0..=turn).contains(&Q) {
             return Err(Refused::of(&StartAngle { value: Q }, &[self.block.column(letter::Q)]));
         }
-        Ok(if Q == TURN { 0.0 } else { Q / 1000.0 })
+        Ok(if Q == turn { 0.0 } else { Q / per_degree })
     }
 
     /// Tells a pass of G92 that begins at 0 for want of a Q, where the passes before it began at another angle: Q is not modal.

@@ -15,11 +15,11 @@
 
 use crate::finding::figures;
 use crate::finding::{Figures, Grade, Limit, Raise, Size};
-use crate::gcode::control::POST_8055_T;
 use crate::gcode::in_force::{InForce, Speed, Spindle};
 use crate::gcode::interpreter::{Setting, Start, ToolOffset};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::program::Program;
+use crate::kinds::impeller::blank::POST;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::proof::rules::{
@@ -60,7 +60,7 @@ pub fn setting(design: &Design) -> Setting {
         start: Start { machine, tool: blank.T_b, offset: blank.D_b },
         places: Some([blank.T_b].into()),
         tools: Some([(blank.D_b, ToolOffset::default())].into()),
-        ..Setting::new(POST_8055_T.control)
+        ..Setting::new(POST.control)
     }
 }
 

@@ -165,14 +165,20 @@ pub(super) static HOLD_ON: Field<Codes, Optional> = Field::other(
     "hold_on",
     FieldKind::Codes,
     t("Códigos que bloquean el control de altura", "Codes that hold the height control"),
-    t("Vacía: M62 P2 en linuxcnc; ninguno en los demás", "Empty: M62 P2 in linuxcnc; none in others"),
+    t(
+        "Vacía: M62 P2 si el control tiene esa salida; si no, ninguno",
+        "Empty: M62 P2 where the control has that output; else none",
+    ),
 );
 pub(super) static HOLD_OFF: Field<Codes, Optional> = Field::other(
     "hold_off",
     "hold_off",
     FieldKind::Codes,
     t("Códigos que lo liberan", "Codes that release it"),
-    t("Vacía: M63 P2 en linuxcnc; ninguno en los demás", "Empty: M63 P2 in linuxcnc; none in others"),
+    t(
+        "Vacía: M63 P2 si el control tiene esa salida; si no, ninguno",
+        "Empty: M63 P2 where the control has that output; else none",
+    ),
 );
 
 const PROGRAM: &[&Parameter] = &[

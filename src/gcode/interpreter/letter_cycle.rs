@@ -1,15 +1,14 @@
-//! Turning cycles of the Fagor 8055 T, G81 to G89: from words to the parameters of the pure cycles.
+//! Turning cycles whose letters are all their own: from words to the parameters of the pure cycles.
 //!
 //! # References
 //! Fagor Automation, CNC 8055 T programming manual, G81 to G89: X, Z, Q and R are absolute coordinates, X and Q (of G82, G85,
 //! G87 and G89 too) as the axis is programmed, on the diameter; all distances on the radius; K of G83, G88 and G89 in
 //! hundredths of a second. The cycles are not modal, and F in their blocks is theirs alone.
 
-use crate::gcode::code::Group;
+use crate::gcode::code::{Group, LetterCycle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::refused::{Refused, Result};
-use crate::gcode::letters::Letters;
 use crate::gcode::rules::words::DwellNotWhole;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::Along;
@@ -26,29 +25,25 @@ use crate::text::{Text, t};
 /// The angle of a thread's flank where A does not give it, degrees.
 const FLANK: f64 = 30.0;
 
-/// The letters that a cycle must have, and those that it may have.
-const fn letters(number: u8) -> (Letters, Letters) {
-    match number {
-        81 | 82 => (Letters::of("CQRXZ"), Letters::of("DFHLM")),
-        83 => (Letters::of("BIXZ"), Letters::of("CDHKLR")),
-        84 | 85 => (Letters::of("CIKQRXZ"), Letters::of("DFHLM")),
-        86 | 87 => (Letters::of("BCDIQRXZ"), Letters::of("AEJL")),
-        _ => (Letters::of("CQRXZ"), Letters::of("DK")),
-    }
-}
+/// The words of diameters of a cycle with one point, and of one with two.
+const FIRST: &[usize] = &[letter::X];
+const BOTH: &[usize] = &[letter::X, letter::Q];
 
 impl Reader<'_, '_> {
     /// A cycle of the block in hand.
-    pub(super) fn fagor(&mut self, number: u8) -> Result<()> {
-        self.fagor_letters(number)?;
-        let along = if matches!(number, 81 | 84 | 86 | 88) { Along::Cylinder } else { Along::Face };
-        let moves = match number {
-            81 | 82 | 84 | 85 => self.fagor_section(number, along)?,
-            83 => self.fagor_drill()?,
-            86 | 87 => self.fagor_thread(along)?,
-            _ => self.fagor_groove(number, along)?,
+    pub(super) fn letter_cycle(&mut self, cycle: LetterCycle) -> Result<()> {
+        self.letters_of_cycle(cycle)?;
+        let (moves, points) = match cycle {
+            LetterCycle::Straight(along) => (self.section(along, None)?, BOTH),
+            LetterCycle::Curved(along) => {
+                let centre = [self.length(letter::I), self.length(letter::K)];
+                (self.section(along, Some(centre))?, BOTH)
+            }
+            LetterCycle::Drilling => (self.drilling_in_axis(cycle)?, FIRST),
+            LetterCycle::Thread(along) => (self.thread_of_letters(along)?, BOTH),
+            LetterCycle::Groove(along) => (self.groove_of_letters(cycle, along)?, BOTH),
         };
-        self.remark_points(number);
+        self.remark_points(points);
         // F of the block is not the feed of the passes.
         self.block.take(letter::F);
         let feed = self.feed_of(&moves)?;
@@ -57,20 +52,20 @@ impl Reader<'_, '_> {
     }
 
     /// Refuses a cycle that lacks a word, or has one that is not followed.
-    fn fagor_letters(&self, number: u8) -> Result<()> {
-        let (needed, may) = letters(number);
+    fn letters_of_cycle(&self, cycle: LetterCycle) -> Result<()> {
+        let (number, needed, may) = (cycle.number(), cycle.needed(), cycle.optional());
         let name = |index: u8| char::from(b'A' + index);
         for index in 0..26_u8 {
             let at = usize::from(index);
             if needed.has(index) && !self.block.has(at) {
                 let (letter, at) = (name(index), [self.block.g_column(Group::NonModal)]);
-                return Err(if matches!(number, 88 | 89) && letter == 'C' {
+                return Err(if matches!(cycle, LetterCycle::Groove(_)) && letter == 'C' {
                     Refused::of(&FagorGrooveStepMissing { number }, &at)
                 } else {
                     Refused::of(&FagorLetterMissing { letter, number }, &at)
                 });
             }
-            let parameter = crate::gcode::code::TurningCycle::Fagor(number).letters().has(index);
+            let parameter = LetterCycle::LETTERS.has(index);
             if parameter && self.block.has(at) && !needed.has(index) && !may.has(index) {
                 let letter = name(index);
                 return Err(Refused::of(&FagorLetterNotSupported { letter, number }, &[self.block.column(at)]));
@@ -100,18 +95,17 @@ impl Reader<'_, '_> {
     }
 
     /// K, the dwell of a cycle, s.
-    fn dwell_of_cycle(&self, number: u8) -> Result<f64> {
+    fn dwell_of_cycle(&self, cycle: LetterCycle) -> Result<f64> {
         let (K, unit) = (self.block.get(letter::K).unwrap_or(0.0), self.memory.control.lexis.cycle_dwell);
         if K.fract() == 0.0 || !unit.whole() {
             return Ok(K * unit.seconds());
         }
-        let row = DwellNotWhole { letter: 'K', value: K, unit: unit.seconds(), number };
+        let row = DwellNotWhole { letter: 'K', value: K, unit: unit.seconds(), number: cycle.number() };
         Err(Refused::of(&row, &[self.block.column(letter::K)]))
     }
 
-    /// X and Q, the diameters of the two points, beyond the axis: the cycle goes there as a motion does.
-    fn remark_points(&mut self, number: u8) {
-        let words: &[usize] = if number == 83 { &[letter::X] } else { &[letter::X, letter::Q] };
+    /// X and Q, the diameters of the points, beyond the axis: the cycle goes there as a motion does.
+    fn remark_points(&mut self, words: &[usize]) {
         for &word in words {
             let radius = self.memory.control.axes.x.coordinate(self.length(word));
             if radius < 0.0 {
@@ -120,13 +114,12 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// G81, G82, G84, G85.
-    fn fagor_section(&self, number: u8, along: Along) -> Result<Vec<Move>> {
-        let round = matches!(number, 84 | 85);
+    /// G81, G82 and, with the centre of the arc, G84, G85.
+    fn section(&self, along: Along, centre: Option<[f64; 2]>) -> Result<Vec<Move>> {
         let parameters = Section {
             from: self.initial(),
             to: self.last_point(),
-            centre: round.then(|| [self.length(letter::I), self.length(letter::K)]),
+            centre,
             step: self.length(letter::C),
             back: self.length_given(letter::D),
             stock: [self.length(letter::L), self.length(letter::M)],
@@ -136,8 +129,8 @@ impl Reader<'_, '_> {
         self.told(section(self.here(), along, &parameters))
     }
 
-    /// G83 of the 8055 T: drilling, or tapping with B0, which is told; refused where the words of a tapping mean something else.
-    fn fagor_drill(&mut self) -> Result<Vec<Move>> {
+    /// G83: drilling, or tapping with B0, which is told; refused where the words of a tapping mean something else.
+    fn drilling_in_axis(&mut self, cycle: LetterCycle) -> Result<Vec<Move>> {
         let step = self.length(letter::B);
         if step == 0.0 {
             // Written with 0, as the examples of the control do, they say nothing. C is a distance of pecking alone.
@@ -158,7 +151,7 @@ impl Reader<'_, '_> {
             depth: self.length(letter::I),
             step,
             safety: self.length(letter::D),
-            dwell: self.dwell_of_cycle(83)?,
+            dwell: self.dwell_of_cycle(cycle)?,
             back: self.length_given(letter::H),
             near: self.length_given(letter::C),
             least: self.length(letter::L),
@@ -168,7 +161,7 @@ impl Reader<'_, '_> {
     }
 
     /// G86, G87.
-    fn fagor_thread(&self, along: Along) -> Result<Vec<Move>> {
+    fn thread_of_letters(&self, along: Along) -> Result<Vec<Move>> {
         let parameters = Threading {
             from: self.initial(),
             to: self.last_point(),
@@ -185,13 +178,14 @@ impl Reader<'_, '_> {
     }
 
     /// G88, G89.
-    fn fagor_groove(&mut self, number: u8, along: Along) -> Result<Vec<Move>> {
+    fn groove_of_letters(&mut self, cycle: LetterCycle, along: Along) -> Result<Vec<Move>> {
+        let number = cycle.number();
         let parameters = Groove {
             from: self.initial(),
             to: self.last_point(),
             step: self.length(letter::C),
             safety: self.length(letter::D),
-            dwell: self.dwell_of_cycle(number)?,
+            dwell: self.dwell_of_cycle(cycle)?,
         };
         let moves = self.told(groove(self.here(), along, &parameters))?;
         self.remark_step(number, parameters.spacing(along));
