@@ -31,7 +31,7 @@ use crate::workbook::results::Tables;
 const TYPST: &str = "RODETE_TYPST";
 
 /// What the command line asks of every workbook.
-pub(super) struct Asked<'a> {
+pub(super) struct BuildRequest<'a> {
     /// The workbooks: no output may replace one.
     pub(super) workbooks: &'a [PathBuf],
     /// The language of sheets and report, if not the workbook's.
@@ -50,7 +50,7 @@ pub(super) struct Asked<'a> {
     pub(super) tables: Tables,
 }
 
-impl<'a> From<&'a Outputs> for Asked<'a> {
+impl<'a> From<&'a Outputs> for BuildRequest<'a> {
     fn from(outputs: &'a Outputs) -> Self {
         Self {
             workbooks: &outputs.workbooks,
@@ -90,7 +90,7 @@ pub(super) struct Settings<'a> {
 impl<'a> Settings<'a> {
     /// What is asked, over a folder of all outputs.
     pub(super) fn of(
-        asked: &Asked<'a>,
+        asked: &BuildRequest<'a>,
         folder: Option<&'a Folder>,
         kinds: &'a [&'a dyn Kind],
         interrupted: Arc<AtomicBool>,
@@ -140,7 +140,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
         Err(refusal) => return refused(&refusal, of_workbooks(outputs, kinds), terminal),
     };
     let tables = if arguments.values { Tables::Values } else { Tables::Live };
-    let asked = Asked { tables, into: arguments.into, ..Asked::from(outputs) };
+    let asked = BuildRequest { tables, into: arguments.into, ..BuildRequest::from(outputs) };
     let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);
     let work = |item: &Item| made(item, &settings, &|| false).verdict;
     let mut to_open = Vec::new();

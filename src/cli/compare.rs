@@ -27,7 +27,7 @@ use crate::kind::comparison::{Comparison, Found, Input, ProgramPair, Shown};
 use crate::kind::{Kind, Wants};
 use crate::limits::LISTED_DIFFERENCES;
 use crate::machine::axis::{Axis, Pose};
-use crate::report::comparison::{self, Named};
+use crate::report::comparison::{self, ComparedWorkbook};
 use crate::store::rules::OutputIsInput;
 use crate::store::{Existing, Folder, Set, WrittenFile};
 use crate::text::{Language, Text, t};
@@ -168,7 +168,7 @@ fn write(
     }
     let names = sides.each_ref().map(|side| printable_path(&side.verdict.workbook));
     if pdf {
-        let named = [0, 1].map(|at| Named {
+        let named = [0, 1].map(|at| ComparedWorkbook {
             name: &names[at],
             sha256: sides[at].verdict.sha256.as_deref().unwrap_or_default(),
             rejected: rejected(&sides[at]),

@@ -6,7 +6,7 @@ use super::plan::beside;
 use super::rules::*;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Finding, Place, Raise};
-use crate::gcode::header::Named;
+use crate::gcode::header::NamedWorkbook;
 use crate::graft;
 use crate::limits::FOLDER_ENTRIES;
 use crate::store;
@@ -16,7 +16,7 @@ use crate::workbook::{self, Input};
 /// folder above; `None` of a program that names none. Of several with the name one that is the same counts.
 #[expect(clippy::disallowed_methods, reason = "the door to the workbook that a program was made from")]
 pub(super) fn compared(program: &Path, head: &[u8]) -> Option<Finding> {
-    let named = Named::of(head)?;
+    let named = NamedWorkbook::of(head)?;
     // Without its links and dots a folder has the folder above that it is in.
     let folder = match beside(program) {
         folder if folder.as_os_str().is_empty() => Path::new("."),

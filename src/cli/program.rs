@@ -47,13 +47,13 @@ impl Consulted {
 }
 
 /// Subprograms that stand beside the program, or in other folders.
-pub(super) struct Beside {
+pub(super) struct SubprogramFiles {
     folders: Vec<PathBuf>,
     /// Those that were read.
     read: Rc<RefCell<Vec<Consulted>>>,
 }
 
-impl Beside {
+impl SubprogramFiles {
     /// Beside a program.
     pub(super) fn of(program: &Path) -> Self {
         Self::or_in(program, &[])
@@ -66,7 +66,7 @@ impl Beside {
     }
 }
 
-impl Files for Beside {
+impl Files for SubprogramFiles {
     #[expect(clippy::disallowed_methods, reason = "the door to the files that the command names")]
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, Text> {
         for (folder, ending) in
@@ -205,8 +205,8 @@ impl<'a> Shared<'a> {
         }
         setting.keep_g92 = !self.control.no_g92_persistence;
         self.subprograms.borrow_mut().clear();
-        let beside = Beside::or_in(path, &self.control.subs);
-        setting.files = Box::new(Beside { read: Rc::clone(&self.subprograms), ..beside });
+        let beside = SubprogramFiles::or_in(path, &self.control.subs);
+        setting.files = Box::new(SubprogramFiles { read: Rc::clone(&self.subprograms), ..beside });
         setting
     }
 }

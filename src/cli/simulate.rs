@@ -9,7 +9,7 @@ use super::delivery::{self, Delivery};
 use super::locale::spoken;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
-use super::turning::{Followed, Wanted, follow};
+use super::turning::{Followed, TurningRequest, follow};
 use super::verdict::{Verdict, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
 use crate::escape::printable_path;
@@ -59,7 +59,7 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Verdict) ->
     let folder = arguments.output.as_deref().map(Folder::open).transpose()?;
     verdict.findings.extend(folder.iter().filter_map(Folder::settled).cloned());
     verdict.findings.extend(reading::settled(arguments.tools.as_deref().map(plan::beside))?);
-    let wanted = Wanted {
+    let wanted = TurningRequest {
         program: path,
         bytes: &bytes,
         control: arguments.dialect,

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::program::{Beside, PACKAGE, of_workbook, told_from, told_of, told_other};
+use super::program::{PACKAGE, SubprogramFiles, of_workbook, told_from, told_of, told_other};
 use super::rules::*;
 use super::stock::Stock;
 use super::verdict::Verdict;
@@ -47,7 +47,7 @@ const SHORTEST: f64 = 40.0;
 
 /// A program to follow, and what it is followed with.
 #[derive(Debug)]
-pub(super) struct Wanted<'a> {
+pub(super) struct TurningRequest<'a> {
     /// The program's file.
     pub(super) program: &'a Path,
     /// What stands in it.
@@ -89,7 +89,7 @@ pub(super) struct Followed {
 ///
 /// # Errors
 /// Where a file cannot be read, the workbook is refused, or its values contradict each other.
-pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -> Result<Followed, Refusal> {
+pub(super) fn follow(wanted: &TurningRequest<'_>, verdict: &mut Verdict, wants: Wants) -> Result<Followed, Refusal> {
     let path = wanted.program;
     if wanted.bytes.starts_with(PACKAGE) {
         return Err(is_workbook(path));
@@ -113,7 +113,7 @@ pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Verdict, wants: Wants) -
         control
     });
     let main = text::Lines::of_file(&decoded(wanted.bytes));
-    let subprograms = subprograms(&main.text, &mut Beside::of(path))?;
+    let subprograms = subprograms(&main.text, &mut SubprogramFiles::of(path))?;
     let program = text::SheetProgram { main, subprograms };
     let turned_over = wanted.tools.is_none() && only_left(&program.main.text);
     if turned_over {
@@ -157,7 +157,7 @@ pub(super) fn is_workbook(path: &Path) -> Refusal {
 }
 
 /// The form to start from: the workbook that was named, or the example machine and turret.
-fn given(wanted: &Wanted<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
+fn given(wanted: &TurningRequest<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
     if let Some(tools) = wanted.tools {
         let bytes = workbook::open(tools)?;
         let filled = workbook::read(&bytes, &[&FORM])?;
@@ -175,7 +175,7 @@ fn given(wanted: &Wanted<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
 /// The form with this program in place of its own.
 fn for_program(
     mut values: Values,
-    wanted: &Wanted<'_>,
+    wanted: &TurningRequest<'_>,
     control: &'static Control,
     program: &text::SheetProgram,
     turned_over: bool,
@@ -305,7 +305,7 @@ fn enclosing(values: &Values, program: &text::SheetProgram) -> Result<Stock, Ref
 }
 
 /// The subprograms that stand beside the program: those that its M98 name, and so on.
-fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::Lines>, Refusal> {
+fn subprograms(main: &str, files: &mut SubprogramFiles) -> Result<BTreeMap<String, text::Lines>, Refusal> {
     let mut found = BTreeMap::new();
     let mut texts = vec![main.to_owned()];
     while let Some(text) = texts.pop() {

@@ -408,9 +408,8 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
 
 /// What a program does, in figures: lines and motions, the reach of each axis, where it ends, way and time.
 fn summary(read: &Read, control: &Control, name: &str, language: Language) -> String {
-    let (account, lathe) = (&read.account, read.lathe());
+    let account = &read.account;
     let word = |text: Text| text.take(language);
-    let number = |value: f64| shown(value, 3);
     let mut text = format!(
         "{name}: {}, {} {}, {} {}\n",
         control.name,
@@ -433,55 +432,75 @@ fn summary(read: &Read, control: &Control, name: &str, language: Language) -> St
             ));
             text.push_str(&format!("  {told}\n"));
         }
-        for axis in Axis::ALL {
-            let (program, machine) = (program.of(axis), machine.of(axis));
-            if read.told(axis) {
-                text.push_str(&format!(
-                    "  {}  {} … {}  {}, {} … {}  {}{}{}\n",
-                    axis.letter(),
-                    number(program[0]),
-                    number(program[1]),
-                    word(t("programa", "program")),
-                    number(machine[0]),
-                    number(machine[1]),
-                    word(t("máquina", "machine")),
-                    if lathe && axis == Axis::X { word(t(" (diámetro)", " (diameter)")) } else { "".into() },
-                    mark(&account.from_start, axis).get(language),
-                ));
-            }
-        }
+        text.push_str(&reach(read, (program, machine), language));
         let turns = Axis::ALL.into_iter().any(|axis| axis.rotary() && machine.of(axis) != [0.0, 0.0]);
         if let Some(rotary) = read.rotary.filter(|_| turns) {
             text.push_str(&format!("  {}\n", rule(rotary).get(language)));
         }
-        let list = |pose: &Pose| {
-            Axis::ALL
-                .into_iter()
-                .filter(|axis| read.told(*axis))
-                .map(|axis| format!("{} {}", axis.letter(), number(pose.get(axis))))
-                .collect::<Vec<_>>()
-                .join("  ")
-        };
-        text.push_str(&format!("  {}: {}\n", word(t("final (programa)", "end (program)")), list(&account.end[0])));
-        text.push_str(&format!("  {}: {}\n", word(t("final (máquina)", "end (machine)")), list(&account.end[1])));
-        text.push_str(&format!("  {}: {}\n", word(t("recorrido neto", "net travel")), list(&Pose(read.net))));
-        text.push_str(&format!(
-            "  {}: {} mm {}, {} mm {}\n",
-            word(t("recorrido", "path")),
-            number(account.feed_path),
-            word(t("en avance", "at feed")),
-            number(account.rapid_path),
-            word(t("en rápido", "in rapid"))
-        ));
-        let time = if account.untimed {
-            word(t("desconocido", "not known")).into_owned()
-        } else {
-            format!("{} s", number(account.seconds))
-        };
-        text.push_str(&format!(
-            "  {}: {time}\n",
-            word(t("tiempo en avance y esperas, sin los rápidos", "time at feed and dwells, without rapid motions"))
-        ));
+        text.push_str(&paths(read, language));
     }
+    text
+}
+
+/// The reach of each axis that is told of, one a line: in the program, and of the machine.
+fn reach(read: &Read, (program, machine): (&Extents, &Extents), language: Language) -> String {
+    let lathe = read.lathe();
+    let word = |text: Text| text.take(language);
+    let number = |value: f64| shown(value, 3);
+    let mut text = String::new();
+    for axis in Axis::ALL {
+        let (program, machine) = (program.of(axis), machine.of(axis));
+        if read.told(axis) {
+            text.push_str(&format!(
+                "  {}  {} … {}  {}, {} … {}  {}{}{}\n",
+                axis.letter(),
+                number(program[0]),
+                number(program[1]),
+                word(t("programa", "program")),
+                number(machine[0]),
+                number(machine[1]),
+                word(t("máquina", "machine")),
+                if lathe && axis == Axis::X { word(t(" (diámetro)", " (diameter)")) } else { "".into() },
+                mark(&read.account.from_start, axis).get(language),
+            ));
+        }
+    }
+    text
+}
+
+/// Where a program ends, its way and its time.
+fn paths(read: &Read, language: Language) -> String {
+    let account = &read.account;
+    let word = |text: Text| text.take(language);
+    let number = |value: f64| shown(value, 3);
+    let mut text = String::new();
+    let list = |pose: &Pose| {
+        Axis::ALL
+            .into_iter()
+            .filter(|axis| read.told(*axis))
+            .map(|axis| format!("{} {}", axis.letter(), number(pose.get(axis))))
+            .collect::<Vec<_>>()
+            .join("  ")
+    };
+    text.push_str(&format!("  {}: {}\n", word(t("final (programa)", "end (program)")), list(&account.end[0])));
+    text.push_str(&format!("  {}: {}\n", word(t("final (máquina)", "end (machine)")), list(&account.end[1])));
+    text.push_str(&format!("  {}: {}\n", word(t("recorrido neto", "net travel")), list(&Pose(read.net))));
+    text.push_str(&format!(
+        "  {}: {} mm {}, {} mm {}\n",
+        word(t("recorrido", "path")),
+        number(account.feed_path),
+        word(t("en avance", "at feed")),
+        number(account.rapid_path),
+        word(t("en rápido", "in rapid"))
+    ));
+    let time = if account.untimed {
+        word(t("desconocido", "not known")).into_owned()
+    } else {
+        format!("{} s", number(account.seconds))
+    };
+    text.push_str(&format!(
+        "  {}: {time}\n",
+        word(t("tiempo en avance y esperas, sin los rápidos", "time at feed and dwells, without rapid motions"))
+    ));
     text
 }

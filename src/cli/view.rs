@@ -9,7 +9,7 @@ use super::locale::spoken;
 use super::program::{self, PACKAGE, Shared, told_from, told_other};
 use super::rules::*;
 use super::terminal::Terminal;
-use super::turning::{Wanted, follow};
+use super::turning::{TurningRequest, follow};
 use super::verdict::{Verdict, gravest};
 use super::{finding, interrupt, plan, reading, refused};
 use crate::escape::{printable, printable_path};
@@ -135,7 +135,7 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
 fn of_turning(arguments: &View, title: String, verdict: &mut Verdict) -> Result<Option<Scene>, Refusal> {
     let (input, control) = (&arguments.input, &arguments.control);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
-    let wanted = Wanted {
+    let wanted = TurningRequest {
         program: input,
         bytes: &bytes,
         control: control.dialect,

@@ -16,7 +16,7 @@ use anstyle::{AnsiColor, Style};
 use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 
 use super::args::Watch;
-use super::build::{self, Asked, Settings};
+use super::build::{self, BuildRequest, Settings};
 use super::locale::spoken;
 use super::made::Made;
 use super::plan::{self, Item, beside};
@@ -95,7 +95,7 @@ pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Termina
         Err(refusal) => return refused(&refusal, language, terminal),
     };
     terminal.out(&beginning(&items, arguments, language));
-    let asked = Asked { view: arguments.view, ..Asked::from(outputs) };
+    let asked = BuildRequest { view: arguments.view, ..BuildRequest::from(outputs) };
     let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);
     let fresh = |item| Watched {
         item,

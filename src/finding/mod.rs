@@ -342,16 +342,16 @@ impl Serialize for Finding {
         finding.serialize_field("limit", &self.limit)?;
         finding.serialize_field("remedy", &self.remedy)?;
         finding.serialize_field("count", &self.count())?;
-        finding.serialize_field("data", &Named(&self.data))?;
+        finding.serialize_field("data", &DataByName(&self.data))?;
         finding.serialize_field("alarm", &self.alarm.map(|(family, number)| family.shown(number)))?;
         finding.end()
     }
 }
 
 /// Values by name, as one object.
-struct Named<'a>(&'a [(&'static str, Datum)]);
+struct DataByName<'a>(&'a [(&'static str, Datum)]);
 
-impl Serialize for Named<'_> {
+impl Serialize for DataByName<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, datum)| (name, datum)))
     }

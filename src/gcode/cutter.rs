@@ -91,7 +91,7 @@ pub struct Step<T> {
 
 /// A piece of the cutter's path.
 #[derive(Clone, Copy, Debug)]
-pub struct Placed<T> {
+pub struct OffsetPiece<T> {
     /// Its way in the plane.
     pub element: Element,
     /// It leads round the corner before the piece of its tag.
@@ -163,7 +163,7 @@ impl<T: Clone> Stage<T> {
     ///
     /// # Errors
     /// What does not fit. The stage is of no use then.
-    pub fn push(&mut self, step: Step<T>, out: &mut Vec<Placed<T>>) -> Result<(), Misfit> {
+    pub fn push(&mut self, step: Step<T>, out: &mut Vec<OffsetPiece<T>>) -> Result<(), Misfit> {
         let Some(mut following) = self.following.take() else { return self.enter(step, out) };
         let (Some(start), Some(end)) = (step.element.start(), step.element.end()) else {
             if following.held.stills.len() == HELD_PIECES {
@@ -197,7 +197,7 @@ impl<T: Clone> Stage<T> {
                 let sweep = if back { PI } else { -turn };
                 Path::Arc { centre: start.at, sweep: -self.side * self.around(start.at, from, to, sweep) }
             };
-            out.push(Placed { element: Element { from, to, path }, corner: true, tag: step.tag.clone() });
+            out.push(OffsetPiece { element: Element { from, to, path }, corner: true, tag: step.tag.clone() });
             to
         } else {
             self.flush(following.held, from, out)?;
@@ -212,7 +212,7 @@ impl<T: Clone> Stage<T> {
     ///
     /// # Errors
     /// As for [`Stage::push`].
-    pub fn finish(&mut self, out: &mut Vec<Placed<T>>) -> Result<Option<Point>, Misfit> {
+    pub fn finish(&mut self, out: &mut Vec<OffsetPiece<T>>) -> Result<Option<Point>, Misfit> {
         let Some(following) = self.following.take() else { return Ok(None) };
         let end = self.beside(&following.end);
         self.flush(following.held, end, out).map(|()| Some(end))
@@ -238,7 +238,7 @@ impl<T: Clone> Stage<T> {
         Offset::Circle { centre, radius, inside, turning: 1.0_f64.copysign(end.curvature), ends }
     }
 
-    fn enter(&mut self, step: Step<T>, _: &mut Vec<Placed<T>>) -> Result<(), Misfit> {
+    fn enter(&mut self, step: Step<T>, _: &mut Vec<OffsetPiece<T>>) -> Result<(), Misfit> {
         let Element { from, to, path } = step.element;
         let (length, radius) = (distance(from, to), self.radius);
         let Some(end) = step.element.end().filter(|_| length > radius) else {
@@ -270,7 +270,7 @@ impl<T: Clone> Stage<T> {
     }
 
     /// Places what is held back, its first piece ending at a point.
-    fn flush(&self, held: PendingPieces<T>, to: Point, out: &mut Vec<Placed<T>>) -> Result<(), Misfit> {
+    fn flush(&self, held: PendingPieces<T>, to: Point, out: &mut Vec<OffsetPiece<T>>) -> Result<(), Misfit> {
         let PendingPieces { start: from, way, entry, first, stills } = held;
         let short = Misfit::Short { radius: self.radius };
         let path = match way.path {
@@ -287,9 +287,9 @@ impl<T: Clone> Stage<T> {
             _ if !entry && dot(plus(way.to, way.from, -1.0), plus(to, from, -1.0)) < 0.0 => return Err(short),
             path => path,
         };
-        out.push(Placed { element: Element { from, to, path }, corner: false, tag: first });
+        out.push(OffsetPiece { element: Element { from, to, path }, corner: false, tag: first });
         let still = Element { from: to, to, path: Path::Still };
-        out.extend(stills.into_iter().map(|tag| Placed { element: still, corner: false, tag }));
+        out.extend(stills.into_iter().map(|tag| OffsetPiece { element: still, corner: false, tag }));
         Ok(())
     }
 

@@ -77,7 +77,7 @@ impl Header {
 
 /// The workbook that a header of rodete's names.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Named {
+pub struct NamedWorkbook {
     /// The comment with its name, as the program has it.
     comment: String,
     /// Its SHA-256 in hexadecimal, lower case.
@@ -87,7 +87,7 @@ pub struct Named {
 /// The words before a workbook's name.
 const WORKBOOK: [&str; 2] = ["WORKBOOK", "LIBRO"];
 
-impl Named {
+impl NamedWorkbook {
     /// What the head of a program says of its workbook; `None` where it names none with its whole SHA-256.
     #[must_use]
     pub fn of(head: &[u8]) -> Option<Self> {
@@ -139,7 +139,7 @@ mod tests {
                         _ => String::new(),
                     };
                     let text: String = header.parts.iter().map(line).collect();
-                    let named = Named::of(text.as_bytes()).expect("a workbook");
+                    let named = NamedWorkbook::of(text.as_bytes()).expect("a workbook");
                     assert_eq!(named.sha256, sha256);
                     assert!(named.is(name) && named.is(&name.to_uppercase()), "{named:?}");
                     assert!(!named.is("b.xlsx"));
@@ -158,9 +158,9 @@ mod tests {
             format!("(WORKBOOK A.XLSX)\n(PART A)\n(SHA-256 {half})\n(        {half})\n"),
             format!("(WORKBOOK A.XLSX)\n(SHA-256 {half})\n(        {}G)\n", &half[1..]),
         ] {
-            assert_eq!(Named::of(text.as_bytes()), None, "{text}");
+            assert_eq!(NamedWorkbook::of(text.as_bytes()), None, "{text}");
         }
         let whole = format!("(WORKBOOK A.XLSX)\n(SHA-256 {half})\n(        {half})\n");
-        assert_eq!(Named::of(whole.as_bytes()).map(|named| named.name().to_owned()).as_deref(), Some("A.XLSX"));
+        assert_eq!(NamedWorkbook::of(whole.as_bytes()).map(|named| named.name().to_owned()).as_deref(), Some("A.XLSX"));
     }
 }

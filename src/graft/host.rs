@@ -14,7 +14,7 @@ use crate::workbook::names::Present;
 use crate::workbook::stamp::{self, STALE};
 
 use super::book::Book;
-use super::marks::{self, Mark};
+use super::marks::{self, SheetMark};
 use super::parts::{CONTENT_TYPES, ContentTypes, Parts, Relation, kind, normal, one, relations_of};
 use super::rules::*;
 use super::sheet::{strings, title};
@@ -144,7 +144,7 @@ impl<'a> Host<'a> {
         let strings = self.strings(marks.is_empty())?;
         let mut ours = BTreeMap::new();
         let mut seen = BTreeSet::new();
-        for Mark { slug, name, place, title: said } in marks {
+        for SheetMark { slug, name, place, title: said } in marks {
             // Of a sheet that was deleted the mark is left: the sheet is made anew.
             let Some((sheet, cell)) = place else { continue };
             let there = |one: &super::book::Sheet| one.name.to_lowercase() == sheet.to_lowercase();

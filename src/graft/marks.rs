@@ -15,7 +15,7 @@ const KEPT: usize = 200;
 
 /// A mark of a workbook.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mark {
+pub struct SheetMark {
     /// The sheet's slug.
     pub slug: String,
     /// The hidden name that leads to the sheet.
@@ -27,14 +27,14 @@ pub struct Mark {
 }
 
 /// The marks among the names of a workbook.
-pub fn marks(names: &[Name]) -> Vec<Mark> {
+pub fn marks(names: &[Name]) -> Vec<SheetMark> {
     let globals = || names.iter().filter(|one| one.sheet.is_none());
     globals()
         .filter_map(|one| {
             let slug = one.name.to_lowercase().strip_prefix(MARK)?.to_owned();
             let title = format!("{TITLE}{slug}");
             let title = globals().find(|one| one.name.eq_ignore_ascii_case(&title));
-            Some(Mark {
+            Some(SheetMark {
                 name: one.name.clone(),
                 place: cell(&one.formula),
                 title: title.map_or_else(String::new, |one| one.formula.trim_start_matches('=').to_owned()),

@@ -92,7 +92,7 @@ impl Host<'_> {
             titles.push(moved.title);
             added.part(one.part.clone(), moved.text.into_bytes(), Some(WORKSHEET));
             let mut carried =
-                Carried { opened: &mut opened, taken: &mut taken, added: &mut added, host: folder(&self.root) };
+                SheetTransfer { opened: &mut opened, taken: &mut taken, added: &mut added, host: folder(&self.root) };
             carried.relations(&part, &one.part, one.slug.as_deref().unwrap_or("form"))?;
         }
         left_out(donor, &formulas)?;
@@ -381,7 +381,7 @@ fn first_free(stem: &str, ending: &str, free: impl Fn(&str) -> bool) -> String {
 }
 
 /// What a sheet leads to, on its way.
-struct Carried<'c, 'd> {
+struct SheetTransfer<'c, 'd> {
     opened: &'c mut Opened<'d>,
     taken: &'c mut BTreeSet<String>,
     added: &'c mut Added,
@@ -389,7 +389,7 @@ struct Carried<'c, 'd> {
     host: &'c str,
 }
 
-impl Carried<'_, '_> {
+impl SheetTransfer<'_, '_> {
     /// Carries all that a part of the donor leads to; `into` is the part's new name.
     fn relations(&mut self, part: &str, into: &str, slug: &str) -> Result<(), Refusal> {
         let relations = self.opened.parts.relations(part)?;

@@ -89,7 +89,7 @@ impl Measure {
 
     /// Its value; `None` where the design has none.
     #[must_use]
-    pub fn of(&self, known: &Known<'_>) -> Option<f64> {
+    pub fn of(&self, known: &MeasuredOutcome<'_>) -> Option<f64> {
         let measured = |keys: &[&str]| {
             let of_keys: Vec<f64> =
                 known.checks.iter().filter(|one| keys.contains(&one.key())).filter_map(Check::measured).collect();
@@ -128,7 +128,7 @@ fn time<'a>(programs: impl Iterator<Item = &'a Proved>) -> Option<f64> {
 
 /// What is known of a design, as measures take it.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Known<'a> {
+pub struct MeasuredOutcome<'a> {
     /// Derived values.
     pub quantities: &'a [Quantity],
     /// The programs, with their times.
@@ -139,7 +139,7 @@ pub struct Known<'a> {
     pub findings: &'a [Finding],
 }
 
-impl<'a> Known<'a> {
+impl<'a> MeasuredOutcome<'a> {
     /// What an outcome holds.
     #[must_use]
     pub fn of(outcome: &'a Outcome) -> Self {

@@ -18,7 +18,7 @@ const WIDE: usize = 44;
 
 /// One of the two workbooks.
 #[derive(Clone, Copy, Debug)]
-pub struct Named<'a> {
+pub struct ComparedWorkbook<'a> {
     /// Its file.
     pub name: &'a str,
     /// The SHA-256 of its bytes.
@@ -67,7 +67,7 @@ struct Column {
 /// A [`ReportFailure`] where typst does not do its work.
 pub fn pdf(
     comparison: &Comparison<'_>,
-    [a, b]: [Named<'_>; 2],
+    [a, b]: [ComparedWorkbook<'_>; 2],
     language: Language,
     typst: &Typst,
 ) -> Result<Vec<u8>, ReportFailure> {

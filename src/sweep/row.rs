@@ -2,7 +2,7 @@
 
 use crate::finding::rules::BrokeOff;
 use crate::finding::{Exit, Finding, Grade, Refusal};
-use crate::kind::measure::{Known, Level};
+use crate::kind::measure::{Level, MeasuredOutcome};
 use crate::kind::{Kind, Outcome, Provenance, Wants};
 use crate::parameter::field::Fields;
 use crate::parameter::{Value, Values};
@@ -88,7 +88,11 @@ pub fn judged(kind: &dyn Kind, base: &Values, plan: &Plan, id: u64, inputs: Vec<
                 if limits.findings.iter().any(Finding::is_fault) {
                     row.fails(&limits.findings);
                 }
-                row.measured(kind, plan, &Known { quantities: &limits.quantities, ..Known::default() });
+                row.measured(
+                    kind,
+                    plan,
+                    &MeasuredOutcome { quantities: &limits.quantities, ..MeasuredOutcome::default() },
+                );
             }
             Err(refusal) => row.refused(&refusal),
         },
@@ -169,7 +173,7 @@ impl Row {
             Exit::Fault => self.fails(&outcome.findings),
             _ => self.state = State::Refused,
         }
-        self.measured(kind, plan, &Known::of(outcome));
+        self.measured(kind, plan, &MeasuredOutcome::of(outcome));
     }
 
     fn refused(&mut self, refusal: &Refusal) {
@@ -200,7 +204,7 @@ impl Row {
     }
 
     /// Takes the measures, and compares them with the constraints.
-    fn measured(&mut self, kind: &dyn Kind, plan: &Plan, known: &Known<'_>) {
+    fn measured(&mut self, kind: &dyn Kind, plan: &Plan, known: &MeasuredOutcome<'_>) {
         let within = |level: Level| level <= plan.level;
         self.measures =
             kind.measures().iter().map(|one| if within(one.level) { one.of(known) } else { None }).collect();

@@ -7,7 +7,7 @@ use rust_xlsxwriter::{
 
 use super::curves::{Curves, Range};
 use super::error::WriteError;
-use super::placed::{FIRST, Placed};
+use super::placed::{FIRST, PlacedTable};
 use super::table_sheet::TableSheet;
 use crate::kind;
 use crate::table::{Entry, Index, Table};
@@ -45,7 +45,7 @@ struct Axis<'a> {
 }
 
 impl<'a> Axis<'a> {
-    fn find(tables: &'a [Placed<'a>], (key, symbol): (&str, &str)) -> Option<Self> {
+    fn find(tables: &'a [PlacedTable<'a>], (key, symbol): (&str, &str)) -> Option<Self> {
         let placed = tables.iter().find(|placed| placed.table.key == key)?;
         let table = placed.table;
         let column = if symbol.is_empty() {
@@ -98,7 +98,7 @@ impl<'a> Axis<'a> {
 /// For a table longer than a sheet.
 pub fn draw<'a>(
     chart: &kind::Chart,
-    tables: &'a [Placed<'a>],
+    tables: &'a [PlacedTable<'a>],
     curves: &mut Curves<'a>,
     language: Language,
 ) -> Result<Option<Sized>, WriteError> {

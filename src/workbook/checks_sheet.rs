@@ -5,7 +5,7 @@ use rust_xlsxwriter::{ColNum, RowNum, Worksheet};
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
 use super::guard::Guard;
-use super::page::{Look, Page};
+use super::page::{Page, SheetStyle};
 use super::style::grade_fill;
 use crate::finding::Finding;
 use crate::kind::checks;
@@ -29,7 +29,7 @@ pub(super) fn write(
     sheet: &mut Worksheet,
     table: &Table,
     findings: &[Finding],
-    &Look { styles, page, language }: &Look<'_>,
+    &SheetStyle { styles, page, language }: &SheetStyle<'_>,
     guard: &Guard,
     live: bool,
 ) -> Result<(), WriteError> {

@@ -6,7 +6,7 @@
 use rust_xlsxwriter::{Formula, RowNum, quote_sheet_name, utility::column_number_to_name};
 
 use super::error::WriteError;
-use super::placed::{FIRST, Placed};
+use super::placed::{FIRST, PlacedTable};
 use crate::limits::LIVE_INTERVALS;
 use crate::table::{Index, Live, Print, Table};
 use crate::text::{Text, t};
@@ -30,7 +30,7 @@ pub enum Tables {
 /// The tables of a workbook whose cells refer to one another.
 #[derive(Clone, Copy, Debug)]
 pub struct LiveTables<'a> {
-    placed: &'a [Placed<'a>],
+    placed: &'a [PlacedTable<'a>],
     liveness: Liveness,
 }
 
@@ -81,7 +81,7 @@ impl Liveness {
 impl<'a> LiveTables<'a> {
     /// The tables that have a sheet, and whether they are live.
     #[must_use]
-    pub const fn new(placed: &'a [Placed<'a>], liveness: Liveness) -> Self {
+    pub const fn new(placed: &'a [PlacedTable<'a>], liveness: Liveness) -> Self {
         Self { placed, liveness }
     }
 

@@ -87,7 +87,7 @@ pub fn placed(input: &Parameter, sheet: Option<&str>) -> String {
 }
 
 /// An input that is asked for: its symbol, and the formulas of its state and of the words for it.
-struct Asked {
+struct CheckedInput {
     symbol: String,
     state: String,
     words: String,
@@ -95,7 +95,7 @@ struct Asked {
     gap: Option<Gap>,
 }
 
-impl Asked {
+impl CheckedInput {
     /// What stands in a cell with a defined name; on which sheet, where it is not the first. `empty` is the state of an empty cell.
     fn cell(parameter: &Parameter, sheet: Option<&str>, empty: &str, language: Language) -> Option<Self> {
         let name = parameter.name;
@@ -177,7 +177,7 @@ fn begun(sheet: &Sheet) -> String {
 }
 
 /// What is asked for: what the live form needs, then every other input of the form, and numbers and choices of its lists.
-fn asked(form: &Form, live: &LiveForm, language: Language) -> Vec<Asked> {
+fn asked(form: &Form, live: &LiveForm, language: Language) -> Vec<CheckedInput> {
     let other = |sheet: &'static Sheet| {
         let first = form.sheets.first().is_some_and(|first| first.name == sheet.name);
         (!first).then(|| sheet.name.get(language))
@@ -185,17 +185,16 @@ fn asked(form: &Form, live: &LiveForm, language: Language) -> Vec<Asked> {
     let missing = NO_NUMBER.to_string();
     let wanted = |name: &str| {
         let own = form.parameters().find(|(_, parameter)| parameter.name == name);
-        own.and_then(|(sheet, parameter)| Asked::cell(parameter, other(sheet), &missing, language)).unwrap_or_else(
-            || {
+        own.and_then(|(sheet, parameter)| CheckedInput::cell(parameter, other(sheet), &missing, language))
+            .unwrap_or_else(|| {
                 let symbol = live.rows.iter().find(|row| row.name == name).map_or(name, |row| row.symbol);
-                Asked {
+                CheckedInput {
                     symbol: symbol.to_owned(),
                     state: format!("IF(ISNUMBER({name}),0,{NO_NUMBER})"),
                     words: format!("\"{symbol}\""),
                     gap: None,
                 }
-            },
-        )
+            })
     };
     let others = form.parameters().filter(|(_, parameter)| !live.inputs.contains(&parameter.name));
     let others = others.filter_map(|(sheet, parameter)| {
@@ -204,14 +203,14 @@ fn asked(form: &Form, live: &LiveForm, language: Language) -> Vec<Asked> {
             (true, false) => missing.clone(),
             (true, true) => format!("IF({},{NO_NUMBER},0)", begun(sheet)),
         };
-        Asked::cell(parameter, other(sheet), &empty, language)
+        CheckedInput::cell(parameter, other(sheet), &empty, language)
     });
     let listed = form.lists.iter().flat_map(|list| {
         let sheet = match &list.naming {
             Naming::One(name) => name.get(language),
             Naming::Numbered(_) => "",
         };
-        list.columns.iter().filter_map(move |parameter| Asked::column(list, sheet, parameter, language))
+        list.columns.iter().filter_map(move |parameter| CheckedInput::column(list, sheet, parameter, language))
     });
     live.inputs.iter().map(|name| wanted(name)).chain(others).chain(listed).collect()
 }

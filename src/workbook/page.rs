@@ -27,7 +27,7 @@ pub const NOTE: usize = 90;
 pub type Area = [(RowNum, ColNum); 2];
 
 /// How sheets are written.
-pub(super) struct Look<'a> {
+pub(super) struct SheetStyle<'a> {
     /// The formats.
     pub styles: &'a Styles,
     /// How they are printed.

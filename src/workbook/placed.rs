@@ -9,7 +9,7 @@ pub const FIRST: RowNum = 4;
 
 /// A table with the name of the sheet it stands on.
 #[derive(Clone, Debug)]
-pub struct Placed<'a> {
+pub struct PlacedTable<'a> {
     /// The sheet's name.
     pub sheet: String,
     /// The table that stands on it.

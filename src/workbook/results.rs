@@ -14,8 +14,8 @@ use super::limits;
 use super::live::{self, LiveTables, Liveness};
 use super::long_rows::LongRows;
 use super::names::{Made, Present, Role, SheetNames, slug};
-use super::page::{Further, Look, Page, properties};
-use super::placed::{FIRST, Placed};
+use super::page::{Further, Page, SheetStyle, properties};
+use super::placed::{FIRST, PlacedTable};
 use super::program_sheet::{self, ProgramSheet};
 use super::save::{Additions, save};
 use super::stamp;
@@ -219,7 +219,7 @@ impl<'a> Results<'a> {
         let Self { names, sheets, made, present, guard, .. } = self;
         let lists = &outcome.fields.values().lists;
         let form = outcome.fields.form();
-        let look = Look { styles: &self.styles, page: &self.page, language };
+        let look = SheetStyle { styles: &self.styles, page: &self.page, language };
         // The lists of a workbook of one's own stand where their owner put them, and as they were written.
         let guard = match present {
             None => Some(guard),
@@ -242,7 +242,7 @@ impl<'a> Results<'a> {
     }
 
     /// The sheets of the tables that have one: that of the charts stands before them.
-    fn places(&mut self, liveness: Liveness) -> Vec<Placed<'a>> {
+    fn places(&mut self, liveness: Liveness) -> Vec<PlacedTable<'a>> {
         static CHARTS: Text = t("Gráficos de las tablas", "Charts of the tables");
         let outcome = self.outcome;
         if !outcome.charts.is_empty() {
@@ -252,12 +252,12 @@ impl<'a> Results<'a> {
             .tables
             .iter()
             .filter(|table| liveness.has(table))
-            .map(|table| Placed { sheet: self.name(table.key, &table.name, &table.title), table })
+            .map(|table| PlacedTable { sheet: self.name(table.key, &table.name, &table.title), table })
             .collect()
     }
 
     /// The charts, then the tables.
-    fn write_tables(&mut self, placed: &[Placed<'a>], live: LiveTables<'_>) -> Result<(), WriteError> {
+    fn write_tables(&mut self, placed: &[PlacedTable<'a>], live: LiveTables<'_>) -> Result<(), WriteError> {
         let (outcome, language) = (self.outcome, self.language);
         let before = self.sheets.len() - placed.len();
         let follows = live.on() && placed.iter().any(|one| live::last(one.table.index).is_some());
@@ -276,7 +276,7 @@ impl<'a> Results<'a> {
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
             chart_sheet::write(worksheet, &drawn, language, &self.styles, &self.page, &self.guard)?;
         }
-        for Placed { sheet: name, table } in placed {
+        for PlacedTable { sheet: name, table } in placed {
             let sheet = TableSheet { table, language };
             let at = self.workbook.worksheets().len();
             if sheet.long() {
@@ -330,7 +330,7 @@ impl<'a> Results<'a> {
         );
         let name = self.name(table.key, &table.name, &FOUND);
         let worksheet = self.workbook.add_worksheet().set_name(&name)?;
-        let look = Look { styles: &self.styles, page: &self.page, language: self.language };
+        let look = SheetStyle { styles: &self.styles, page: &self.page, language: self.language };
         checks_sheet::write(worksheet, &table, findings, &look, &self.guard, live)?;
         Ok(name)
     }

@@ -52,26 +52,10 @@ impl SweepBook<'_> {
     /// The charts, on a sheet before the cells that only they need.
     pub(super) fn write_charts(&self, workbook: &mut Workbook, styles: &Styles) -> Result<(), WriteError> {
         static TITLE: Text = t("Objetivos y entradas", "Objectives and inputs");
-        static COORDINATES: Text = t(
-            "Coordenadas paralelas de los mejores diseños, cada columna de su mínimo (0) a su máximo (1)",
-            "Parallel coordinates of the best designs, each column from its least (0) to its greatest (1)",
-        );
         let charts = workbook.add_worksheet();
         self.head(charts, styles, &CHARTS, &TITLE, "")?;
         let mut row = FIRST_CHART;
-        let objectives: Vec<&str> =
-            self.results.plan.objectives.iter().map(|one| one.measure.key).take(CHARTED).collect();
-        let inputs: Vec<String> = self.results.plan.inputs.iter().map(Input::column).take(CHARTED).collect();
-        let numbers = |name: &str| self.results.all.column(name).is_some_and(|cells| !matches!(cells, Cells::Text(_)));
-        let mut pairs: Vec<(String, &str)> = Vec::new();
-        for (at, x) in objectives.iter().enumerate() {
-            pairs.extend(objectives[at + 1..].iter().map(|y| ((*x).to_owned(), *y)));
-        }
-        for y in &objectives {
-            pairs.extend(inputs.iter().filter(|x| numbers(x)).map(|x| (x.clone(), *y)));
-        }
-        let mut names: Vec<String> = inputs.iter().filter(|name| numbers(name)).cloned().collect();
-        names.extend(objectives.iter().map(|name| (*name).to_owned()));
+        let (pairs, names) = self.pairs();
         let points = self.points(names);
         for (x, y) in pairs {
             if let Some(chart) = self.scatter(&points, &x, y) {
@@ -94,33 +78,7 @@ impl SweepBook<'_> {
         if count > 0 {
             let curves = workbook.add_worksheet();
             let axes = self.write_curves(curves, styles, count)?;
-            let mut chart = Chart::new(ChartType::Line);
-            let name = self.text(&CURVES_SHEET);
-            let last = ColNum::try_from(axes).unwrap_or_default();
-            // The best first: it is to lie on top.
-            for at in 0..count {
-                let line = RowNum::try_from(at).unwrap_or_default() + 1;
-                // The rank by colour: the first is red, the last is pale.
-                let part = u32::try_from(at * 150 / count).unwrap_or_default();
-                let ink = if at == 0 {
-                    Color::from(COLOURS[1])
-                } else {
-                    Color::RGB(((0x30 + part) << 16) | ((0x60 + part) << 8) | 0xB0)
-                };
-                let mut format = ChartFormat::new();
-                format.set_line(ChartLine::new().set_color(ink).set_width(if at == 0 { 2.25 } else { 1.0 }));
-                chart
-                    .add_series()
-                    .set_name((name, line, 0))
-                    .set_categories((name, 0, 1, 0, last))
-                    .set_values((name, line, 1, line, last))
-                    .set_format(&mut format);
-            }
-            chart.title().set_name(self.text(&COORDINATES)).set_font(ChartFont::new().set_size(12));
-            chart.y_axis().set_min(0.0).set_max(1.0);
-            chart.legend().set_hidden();
-            chart.set_width(SIZE[0]).set_height(SIZE[1]);
-            chart.set_alt_text(self.text(&COORDINATES));
+            let chart = self.coordinates(axes, count);
             workbook.worksheet_from_name(self.text(&CHARTS))?.insert_chart_with_offset(
                 coordinates,
                 0,
@@ -130,6 +88,60 @@ impl SweepBook<'_> {
             )?;
         }
         Ok(())
+    }
+
+    /// What is charted over what, the axis across first, and all columns of the charts.
+    fn pairs(&self) -> (Vec<(String, &str)>, Vec<String>) {
+        let objectives: Vec<&str> =
+            self.results.plan.objectives.iter().map(|one| one.measure.key).take(CHARTED).collect();
+        let inputs: Vec<String> = self.results.plan.inputs.iter().map(Input::column).take(CHARTED).collect();
+        let numbers = |name: &str| self.results.all.column(name).is_some_and(|cells| !matches!(cells, Cells::Text(_)));
+        let mut pairs: Vec<(String, &str)> = Vec::new();
+        for (at, x) in objectives.iter().enumerate() {
+            pairs.extend(objectives[at + 1..].iter().map(|y| ((*x).to_owned(), *y)));
+        }
+        for y in &objectives {
+            pairs.extend(inputs.iter().filter(|x| numbers(x)).map(|x| (x.clone(), *y)));
+        }
+        let mut names: Vec<String> = inputs.iter().filter(|name| numbers(name)).cloned().collect();
+        names.extend(objectives.iter().map(|name| (*name).to_owned()));
+        (pairs, names)
+    }
+
+    /// The chart of parallel coordinates: of `count` designs over `axes` columns.
+    fn coordinates(&self, axes: usize, count: usize) -> Chart {
+        static COORDINATES: Text = t(
+            "Coordenadas paralelas de los mejores diseños, cada columna de su mínimo (0) a su máximo (1)",
+            "Parallel coordinates of the best designs, each column from its least (0) to its greatest (1)",
+        );
+        let mut chart = Chart::new(ChartType::Line);
+        let name = self.text(&CURVES_SHEET);
+        let last = ColNum::try_from(axes).unwrap_or_default();
+        // The best first: it is to lie on top.
+        for at in 0..count {
+            let line = RowNum::try_from(at).unwrap_or_default() + 1;
+            // The rank by colour: the first is red, the last is pale.
+            let part = u32::try_from(at * 150 / count).unwrap_or_default();
+            let ink = if at == 0 {
+                Color::from(COLOURS[1])
+            } else {
+                Color::RGB(((0x30 + part) << 16) | ((0x60 + part) << 8) | 0xB0)
+            };
+            let mut format = ChartFormat::new();
+            format.set_line(ChartLine::new().set_color(ink).set_width(if at == 0 { 2.25 } else { 1.0 }));
+            chart
+                .add_series()
+                .set_name((name, line, 0))
+                .set_categories((name, 0, 1, 0, last))
+                .set_values((name, line, 1, line, last))
+                .set_format(&mut format);
+        }
+        chart.title().set_name(self.text(&COORDINATES)).set_font(ChartFont::new().set_size(12));
+        chart.y_axis().set_min(0.0).set_max(1.0);
+        chart.legend().set_hidden();
+        chart.set_width(SIZE[0]).set_height(SIZE[1]);
+        chart.set_alt_text(self.text(&COORDINATES));
+        chart
     }
 
     /// The designs that are charted, kind by kind; those that are refused have no place in a chart.

@@ -51,7 +51,21 @@ impl SweepBook<'_> {
         write_text(sheet, 2, 0, &told, &styles.note)?;
         let across = WIDTHS[0] + WIDTHS[1] * f64::from(last);
         sheet.set_row_height(2, row_height(&[(&told, across)]))?;
-        let (room, part) = (Format::new().set_num_format("0.####"), Format::new().set_num_format("0.0 %"));
+        self.write_rooms(sheet, styles)?;
+        for at in 0..self.results.plan.objectives.len() {
+            self.write_changes(sheet, styles, at)?;
+        }
+        let charts = self.draw_effects(sheet)?;
+        sheet.set_freeze_panes(HEADINGS + 1, 1)?;
+        let end = self.block(self.results.plan.objectives.len()) + charts * CHART_ROWS;
+        sheet.set_print_area(0, 0, end.saturating_sub(1), last)?;
+        Page { landscape: false, ..self.page() }.set_up_fitted(sheet, self.language);
+        Ok(())
+    }
+
+    /// The table of the inputs: value, what each may do around it, and the ends of the plan.
+    fn write_rooms(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+        let room = Format::new().set_num_format("0.####");
         let open = room.clone().set_num_format("\"≥ \"0.####");
         let value = Format::new().set_num_format("0.######");
         for (row, effect) in (HEADINGS + 1..).zip(self.results.effects) {
@@ -73,40 +87,40 @@ impl SweepBook<'_> {
             cells.extend((5..).zip(effect.ends.iter().flatten()).map(|(column, end)| (column, Some(*end), &room)));
             write_numbers(sheet, row, cells)?;
         }
-        for (at, Objective { measure, .. }) in self.results.plan.objectives.iter().enumerate() {
-            let (head, unit) = (self.block(at), measure.unit.label());
-            let change = Format::new().set_num_format(shown(measure.unit));
-            let name = if unit.is_empty() { measure.key.to_owned() } else { format!("{} [{unit}]", measure.key) };
-            write_text(sheet, head, 0, &name, &styles.header)?;
-            for (column, heading) in (1..).zip(self.what()) {
-                write_text(sheet, head, column, self.text(&heading), &styles.header)?;
-            }
-            for (row, effect) in (head + 1..).zip(self.results.effects) {
-                write_text(sheet, row, 0, &effect.symbol, &styles.symbol)?;
-                let [low, high] = effect.changes.get(at).copied().unwrap_or_default();
-                let slope = effect.slopes.get(at).copied().unwrap_or(Slope::Unknown);
-                if slope == Slope::Rounding {
-                    write_text(sheet, row, 1, Slope::ROUNDING, &styles.faint)?;
-                }
-                let mut cells: Vec<(ColNum, Option<f64>, &Format)> =
-                    vec![(1, slope.known(), &room), (2, low, &change), (3, high, &change)];
-                if self.results.triples.is_some() {
-                    let index = effect.indices.get(at).copied().flatten();
-                    let values = index.map(|index| [index.first, index.off[0], index.total, index.off[1]]);
-                    cells.extend(
-                        (4..).zip(values.into_iter().flatten()).map(|(column, value)| (column, Some(value), &part)),
-                    );
-                } else {
-                    cells.push((4, effect.shares.get(at).copied().flatten(), &part));
-                }
-                write_numbers(sheet, row, cells)?;
-            }
+        Ok(())
+    }
+
+    /// The table of one objective: what each input does to it.
+    fn write_changes(&self, sheet: &mut Worksheet, styles: &Styles, at: usize) -> Result<(), WriteError> {
+        let Some(Objective { measure, .. }) = self.results.plan.objectives.get(at) else { return Ok(()) };
+        let (room, part) = (Format::new().set_num_format("0.####"), Format::new().set_num_format("0.0 %"));
+        let (head, unit) = (self.block(at), measure.unit.label());
+        let change = Format::new().set_num_format(shown(measure.unit));
+        let name = if unit.is_empty() { measure.key.to_owned() } else { format!("{} [{unit}]", measure.key) };
+        write_text(sheet, head, 0, &name, &styles.header)?;
+        for (column, heading) in (1..).zip(self.what()) {
+            write_text(sheet, head, column, self.text(&heading), &styles.header)?;
         }
-        let charts = self.draw_effects(sheet)?;
-        sheet.set_freeze_panes(HEADINGS + 1, 1)?;
-        let end = self.block(self.results.plan.objectives.len()) + charts * CHART_ROWS;
-        sheet.set_print_area(0, 0, end.saturating_sub(1), last)?;
-        Page { landscape: false, ..self.page() }.set_up_fitted(sheet, self.language);
+        for (row, effect) in (head + 1..).zip(self.results.effects) {
+            write_text(sheet, row, 0, &effect.symbol, &styles.symbol)?;
+            let [low, high] = effect.changes.get(at).copied().unwrap_or_default();
+            let slope = effect.slopes.get(at).copied().unwrap_or(Slope::Unknown);
+            if slope == Slope::Rounding {
+                write_text(sheet, row, 1, Slope::ROUNDING, &styles.faint)?;
+            }
+            let mut cells: Vec<(ColNum, Option<f64>, &Format)> =
+                vec![(1, slope.known(), &room), (2, low, &change), (3, high, &change)];
+            if self.results.triples.is_some() {
+                let index = effect.indices.get(at).copied().flatten();
+                let values = index.map(|index| [index.first, index.off[0], index.total, index.off[1]]);
+                cells.extend(
+                    (4..).zip(values.into_iter().flatten()).map(|(column, value)| (column, Some(value), &part)),
+                );
+            } else {
+                cells.push((4, effect.shares.get(at).copied().flatten(), &part));
+            }
+            write_numbers(sheet, row, cells)?;
+        }
         Ok(())
     }
 

@@ -16,7 +16,7 @@ use super::list_rows;
 use super::list_sheet::ListSheet;
 use super::listing::SheetEntry;
 use super::names::{Made, Role};
-use super::page::{Look, Page};
+use super::page::{Page, SheetStyle};
 use super::rules::form::SymbolUnknown;
 use super::schema::{calculated, hidden, refusal, take};
 use super::sheet_cells::SheetCells;
@@ -74,8 +74,12 @@ pub fn suggested(suggested: &Suggested, language: Language) -> Values {
 ///
 /// # Errors
 /// For what a workbook cannot hold.
-pub(super) fn write(workbook: &mut Workbook, variants: &Values, look: &Look<'_>) -> Result<Option<Made>, WriteError> {
-    let Look { styles, page, language } = *look;
+pub(super) fn write(
+    workbook: &mut Workbook,
+    variants: &Values,
+    look: &SheetStyle<'_>,
+) -> Result<Option<Made>, WriteError> {
+    let SheetStyle { styles, page, language } = *look;
     let (Some(described), Some(list)) = (FORM.sheets.first(), FORM.lists.first()) else { return Ok(None) };
     let name = described.name.get(language);
     let notes = [list.note.get(language), HOW.get(language)];

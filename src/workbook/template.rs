@@ -11,7 +11,7 @@ use super::guard::Guard;
 use super::list_sheet::ListSheet;
 use super::live_form::{self, LivePart};
 use super::names::{Made, Present, Role, SheetNames};
-use super::page::{Look, Page, properties};
+use super::page::{Page, SheetStyle, properties};
 use super::save::{Additions, save};
 use super::style::Styles;
 use super::sweep_sheet;
@@ -92,7 +92,7 @@ pub fn write_variants_into<W: Write + Seek + Send>(
     let styles = Styles::default();
     let page = Page { part: "", origin: kind.form().schema, repeat: (0, 0), landscape: false, single: false };
     let mut workbook = Workbook::new();
-    let made = sweep_sheet::write(&mut workbook, variants, &Look { styles: &styles, page: &page, language })?;
+    let made = sweep_sheet::write(&mut workbook, variants, &SheetStyle { styles: &styles, page: &page, language })?;
     save(&mut workbook, Additions::default(), out)?;
     Ok(made.into_iter().collect())
 }
@@ -144,7 +144,7 @@ fn write_all<W: Write + Seek + Send>(
         }
         made.push(Made { name, role: Role::Form });
     }
-    let look = Look { styles: &styles, page: &page, language };
+    let look = SheetStyle { styles: &styles, page: &page, language };
     write_lists(&mut workbook, form, lists, &look, None, |name, _| {
         made.push(Made { name: name.to_owned(), role: Role::Form });
         name.to_owned()
@@ -187,11 +187,11 @@ pub(super) fn write_lists(
     workbook: &mut Workbook,
     form: &'static Form,
     lists: &[Rows],
-    look: &Look<'_>,
+    look: &SheetStyle<'_>,
     mut guard: Option<&mut Guard>,
     mut take: impl FnMut(&str, &List) -> String,
 ) -> Result<(), WriteError> {
-    let Look { styles, page, language } = *look;
+    let SheetStyle { styles, page, language } = *look;
     for list in form.lists {
         let filled: Vec<&Rows> = lists.iter().filter(|rows| rows.list == list.key).collect();
         match &list.naming {

@@ -7,7 +7,7 @@ use rodete::gcode::control::{
     Language as Reads, Lexis, MachineZero, OpeningLine, Percent, Post, RotaryMode, TextForm, ToolBlocks, Writing,
 };
 use rodete::gcode::feed_word::FeedWord;
-use rodete::gcode::header::{Header, Named, Origin, Work};
+use rodete::gcode::header::{Header, NamedWorkbook, Origin, Work};
 use rodete::gcode::in_force::{Compensation, InForce, Speed, Spindle};
 use rodete::gcode::interpreter::{Interpreter, Setting, ToolOffset};
 use rodete::gcode::motion::{Feed, FeedMode, Motion, MotionKind, Plane};
@@ -360,7 +360,7 @@ fn agrees(control: &'static Control, text: Text, distance: Distance, before: Opt
     let Text { program, text, axes, left, made, tool } = text;
     let spoils = before.unwrap_or("nothing");
     let wrong = |what: String| Err(format!("{} after {spoils}: {what}\n{text}", control.name));
-    let named = Named::of(text.as_bytes());
+    let named = NamedWorkbook::of(text.as_bytes());
     if !named.is_some_and(|named| named.is(ORIGIN.workbook) && named.sha256 == ORIGIN.sha256) {
         return wrong("its workbook is not found in its header".to_owned());
     }

@@ -15,7 +15,7 @@ use rodete::kinds::impeller::outside;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::kinds::impeller::proof::clear::ClearCutting;
 use rodete::kinds::impeller::proof::flanks::{self, Clearance, Clearances};
-use rodete::kinds::impeller::proof::stock::{Clear, Known};
+use rodete::kinds::impeller::proof::stock::{BoundedMove, Clear};
 use rodete::kinds::impeller::track::Track;
 use rodete::kinds::impeller::{Impeller, cases::CASES};
 use rodete::parameter::field::Fields;
@@ -64,8 +64,8 @@ fn flank(track: Track, fade: &'static str, to_splitters: bool, [lower, upper]: [
 fn stock([lower, upper]: [f64; 2]) -> Vec<Finding> {
     let (design, programs) = impeller("full", &[]);
     let program = named(&programs, "blade");
-    let mut known: Vec<Known> = Vec::new();
-    let judged = |known: &mut Vec<Known>| {
+    let mut known: Vec<BoundedMove> = Vec::new();
+    let judged = |known: &mut Vec<BoundedMove>| {
         let judges: Vec<Box<dyn Judge + '_>> = vec![Box::new(Clear::new(&design, design.d_t, known))];
         let (plan, rapids) = (proof::step::Plan::of(program), Impeller::rapids(&design, program));
         found(&proof::of(program, program.setting(), plan, judges, &[], Impeller::ANSWERED, rapids).checks)

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use rodete::kind::measure::{Known, Level};
+use rodete::kind::measure::{Level, MeasuredOutcome};
 use rodete::kinds::KINDS;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
@@ -38,7 +38,7 @@ fn every_derived_value_of_every_case_is_a_measure_with_its_unit() {
             let measure = kind.measures().iter().find(|measure| measure.key == one.symbol);
             assert_eq!(measure.map(|measure| measure.unit), Some(one.unit), "{} {}", case.name, one.symbol);
         }
-        let known = Known::of(&outcome);
+        let known = MeasuredOutcome::of(&outcome);
         for measure in kind.measures().iter().filter(|one| !one.meaning.is_empty()) {
             // A part that is cut as published has no floor to be under, one that is cut clear no path between blocks; a program
             // without feed has no time.
@@ -61,8 +61,8 @@ fn what_is_known_before_programs_are_read_back_is_what_is_known_after() {
         let outcome = common::outcome_of(kind, case, language, &[]);
         let fields = Fields::of(kind.form(), Values::of(case, language)).unwrap();
         let limits = kind.limits(&fields).unwrap();
-        let before = Known { quantities: &limits.quantities, ..Known::default() };
-        let after = Known::of(&outcome);
+        let before = MeasuredOutcome { quantities: &limits.quantities, ..MeasuredOutcome::default() };
+        let after = MeasuredOutcome::of(&outcome);
         for measure in kind.measures().iter().filter(|one| one.level == Level::Limits) {
             let [before, after] = [&before, &after].map(|known| measure.of(known).map(f64::to_bits));
             assert_eq!(before, after, "{} {}", case.name, measure.key);

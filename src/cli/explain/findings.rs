@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::markdown::{headed, plain};
 use super::row::{FOR_EXAMPLE, graded, shown};
-use super::told::{self, Told};
+use super::told::{self, ShownFinding};
 use crate::finding::Rule;
 use crate::kind::Kind;
 use crate::text::{Language, Text, t};
@@ -25,7 +25,7 @@ pub(super) fn page(rows: &[&Rule], kinds: &[&dyn Kind], language: Language) -> S
             let _ = write!(page, "\n## {room}: {}\n", room_of(letter).get(language));
         }
         let _ = write!(page, "\n### {} {}\n\n", rule.code, rule.name());
-        let Told { what, remedy, example } = told::of(rule);
+        let ShownFinding { what, remedy, example } = told::of(rule);
         let example = if example { format!(", {}", FOR_EXAMPLE.get(language)) } else { String::new() };
         let _ = writeln!(page, "**{}**{example}: {}", graded(rule, language), plain(what.get(language)));
         let _ = write!(page, "\n{}: {}\n", t("Por qué", "Why").get(language), plain(rule.why.get(language)));

@@ -12,7 +12,7 @@ mod told;
 
 use anstyle::Style;
 
-use self::told::Told;
+use self::told::ShownFinding;
 use super::args::Explain;
 use super::fault;
 use super::finding::wrapped;
@@ -139,7 +139,7 @@ pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Termi
         let bold = Style::new().bold();
         let line = |rule: &Rule| {
             let indent = rule.code.len() + 2;
-            let Told { what, .. } = told::of(rule);
+            let ShownFinding { what, .. } = told::of(rule);
             wrapped(&format!("{bold}{}{bold:#}  {}", rule.code, what.get(language)), indent, width)
         };
         let lines: String = rows(kinds).into_iter().map(line).collect();

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use anstyle::Style;
 
 use super::cells::Cells;
-use super::told::{self, Told};
+use super::told::{self, ShownFinding};
 use crate::cli::finding::wrapped;
 use crate::escape::printable;
 use crate::finding::{AlarmFamily, Example, Grade, Rule};
@@ -34,7 +34,7 @@ pub(super) fn told(rule: &Rule, kinds: &[&dyn Kind], language: Language, width: 
     let bold = Style::new().bold();
     let head = format!("{bold}{} {}{bold:#} ({})", rule.code, rule.name(), graded(rule, language));
     static NONE: Text = t("", "");
-    let Told { what, remedy, example } = told::of(rule);
+    let ShownFinding { what, remedy, example } = told::of(rule);
     let mut text = wrapped(&head, 2, width);
     let mut sentence = |name: &Text, of: &Text| {
         let name = if name.is_empty() { String::new() } else { format!("{}: ", name.get(language)) };

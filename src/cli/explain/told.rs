@@ -21,7 +21,7 @@ fn line(line: &'static str) -> Option<(&'static str, [&'static str; 4])> {
 }
 
 /// What a reader is shown of a row.
-pub(super) struct Told {
+pub(super) struct ShownFinding {
     /// The sentence.
     pub(super) what: Text,
     /// The remedy; empty where there is nothing to do.
@@ -31,12 +31,12 @@ pub(super) struct Told {
 }
 
 /// Sentence and remedy as the row's example is told them; where it has none, with an ellipsis for each field.
-pub(super) fn of(rule: &Rule) -> Told {
-    let own = |[what_es, remedy_es, what_en, remedy_en]: &[&'static str; 4]| Told {
+pub(super) fn of(rule: &Rule) -> ShownFinding {
+    let own = |[what_es, remedy_es, what_en, remedy_en]: &[&'static str; 4]| ShownFinding {
         what: t(what_es, what_en),
         remedy: t(remedy_es, remedy_en),
         example: true,
     };
-    let without = || Told { what: rule.unfilled_what(), remedy: rule.unfilled_remedy(), example: false };
+    let without = || ShownFinding { what: rule.unfilled_what(), remedy: rule.unfilled_remedy(), example: false };
     BY_CODE.get(rule.code).map_or_else(without, own)
 }

@@ -38,7 +38,7 @@ use crate::sweep::row::{of_design, says, told};
 use crate::sweep::rules::{NamesInCase, NoneDone, RejectedWhole};
 use crate::sweep::sensitivity::{Shares, around, most};
 use crate::sweep::table::{CODES, Cells, Column, FEASIBLE, FRONT, ID, MARGIN, REASON, STATE, Table, VALUE};
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 use crate::workbook::sweep_book::SweepBook;
 
 /// Takes in all chunks, one after another: what the designs come to, and what there is to know of the inputs, shares or, of a plan
@@ -158,21 +158,11 @@ pub(super) fn merge(
             failure => failed = failure,
         }
     }
-    finding::general(&in_case(&all), *language, terminal);
-    if let Some(cut) = ranked.told() {
-        finding::general(&[cut], *language, terminal);
-    }
-    if let (Some(first), (built, rejected)) = (results.rejected.first(), results.tried()) {
-        let path = printable_path(&rows.place().join(&names[0]));
-        let caution = RejectedWhole { rejected, built, code: first.code.clone(), path }.at(Place::File);
-        finding::general(&[caution], *language, terminal);
-    }
-    if let Some(failed) = &failed {
-        finding::general(std::slice::from_ref(failed), *language, terminal);
-    }
+    let book = rows.place().join(&names[0]);
+    remarks(&results, &book, [ranked.told(), failed.clone()], *language, terminal);
     if ranked.counts.done == 0 {
         let code = ranked.why.first().map_or_else(String::new, |first| first.code.clone());
-        let path = printable_path(&rows.place().join(&names[0]));
+        let path = printable_path(&book);
         let (designs, count) = (tried(plan.count, plan.whole), plan.count);
         return Err(NoneDone { designs, count, code, path }.refused(Exit::Refused, Place::File));
     }
@@ -180,6 +170,28 @@ pub(super) fn merge(
     let folder = printable_path(rows.place());
     terminal.out(&format!("{}\n{folder}: summary.parquet, {}\n", results.counted().get(*language), names.join(", ")));
     Ok(if failed.is_some() { Exit::ReportFailed } else { Exit::Done })
+}
+
+/// Says what is to be known of the results, whose workbook is `book`: of a front that is cut, too, and of a report that failed.
+fn remarks(
+    results: &Results<'_>,
+    book: &Path,
+    [cut, failed]: [Option<Finding>; 2],
+    language: Language,
+    terminal: &mut Terminal,
+) {
+    finding::general(&in_case(results.all), language, terminal);
+    if let Some(cut) = cut {
+        finding::general(&[cut], language, terminal);
+    }
+    if let (Some(first), (built, rejected)) = (results.rejected.first(), results.tried()) {
+        let path = printable_path(book);
+        let caution = RejectedWhole { rejected, built, code: first.code.clone(), path }.at(Place::File);
+        finding::general(&[caution], language, terminal);
+    }
+    if let Some(failed) = failed {
+        finding::general(&[failed], language, terminal);
+    }
 }
 
 /// What a person should know of columns whose names differ in their capitals only: to DuckDB each is one with the first of them.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::super::build::{self, Asked, Settings};
+use super::super::build::{self, BuildRequest, Settings};
 use super::super::plan::Item;
 use super::Study;
 use super::folder::Rows;
@@ -71,7 +71,7 @@ fn build_one(
     let workbook = place.join(&name);
     let item = Item { workbook: workbook.clone(), stem, folder: place.to_owned() };
     let workbooks = [workbook];
-    let asked = Asked {
+    let asked = BuildRequest {
         workbooks: &workbooks,
         language: Some(study.language),
         no_report: true,

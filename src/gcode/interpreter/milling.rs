@@ -10,7 +10,7 @@
 
 use crate::finding::{Raise, Size};
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
+use crate::gcode::cutter::{Misfit, OffsetPiece, Stage, Step};
 use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::refused::{Refused, Result};
@@ -280,8 +280,8 @@ impl Reader<'_, '_> {
         self.memory.out.queue.push_back(Ok((motion, control, number)));
     }
 
-    fn hand_placed(&mut self, placed: Vec<Placed<Carried>>) {
-        for Placed { element, corner, tag: Carried { motion: programmed, control, number } } in placed {
+    fn hand_placed(&mut self, placed: Vec<OffsetPiece<Carried>>) {
+        for OffsetPiece { element, corner, tag: Carried { motion: programmed, control, number } } in placed {
             let mut motion = programmed;
             if corner {
                 motion.to = motion.from;

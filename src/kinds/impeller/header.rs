@@ -11,6 +11,7 @@ use crate::kinds::impeller::clear::asked::Mill;
 use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::design::{Design, Style};
+use crate::machine::axis::Axis;
 use crate::number::grid::Milli;
 use crate::number::shown;
 
@@ -31,18 +32,9 @@ fn extents(header: &mut Header, program: &Program) {
     }
 }
 
-/// The header of a milling program, its opening line included. `full_from` are the points from which the ways out and
-/// back along the splitters that it cuts have their full offset, where these differ.
-#[must_use]
-pub fn header(
-    design: &Design,
-    program: &Program,
-    which: Which,
-    full_from: Option<[usize; 2]>,
-    origin: &Origin<'_>,
-) -> Vec<Part> {
-    let mut comments = identity(design, program, design.number(which), origin);
-    let Mill { T, D, d, F, S } = design.mill(which);
+/// The mill, by number, offset, kind and size.
+fn tool(comments: &mut Header, design: &Design, which: Which) {
+    let Mill { T, D, d, .. } = design.mill(which);
     let diameter = fixed(d);
     let end = design.clear.as_ref().map_or(Tool::flat(d), |asked| asked.cut.tool(which));
     let [es, en] = if end.r_c == 0.0 {
@@ -60,12 +52,10 @@ pub fn header(
         let r_c = fixed(end.r_c);
         comments.line(&format!("RADIO DE ESQUINA {r_c}"), &format!("CORNER RADIUS {r_c}"));
     }
-    if let Some([out, back]) = full_from {
-        comments.line(
-            &format!("INTERMEDIO COMPLETO DESDE PUNTO {out} IDA Y {back} VUELTA"),
-            &format!("SPLITTER IN FULL FROM POINT {out} OUT AND {back} BACK"),
-        );
-    }
+}
+
+/// The lengths for which the program is true, and where its zero is.
+fn pivot(comments: &mut Header, design: &Design) {
     let (L, R_B, H) = (fixed(design.machine.L), fixed(design.R_B), fixed(design.H));
     comments.line(
         &format!("LONGITUD DE PIVOTE L {L} DEL EJE B AL CENTRO DEL TORO"),
@@ -80,8 +70,12 @@ pub fn header(
     );
     comments
         .line("SIN RTCP - EL PROGRAMA SOLO VALE CON ESTA L", "NO TOOL CENTRE POINT CONTROL - VALID FOR THIS L ONLY");
+}
+
+/// Where the program starts and ends, and which rotary axes it is for.
+fn rotary(comments: &mut Header, design: &Design, program: &Program) {
     let by_increments = design.turns_by_increments();
-    let height = fixed(program.start.get(crate::machine::axis::Axis::Z).value());
+    let height = fixed(program.start.get(Axis::Z).value());
     comments.line(
         &format!("INICIO Y FIN EN X0 Y0 Z{height} B0 {}", if by_increments { "C0" } else { "- C EN VUELTAS ENTERAS" }),
         &format!("STARTS AND ENDS AT X0 Y0 Z{height} B0 AND C {}", if by_increments { "0" } else { "IN TURNS" }),
@@ -104,6 +98,51 @@ pub fn header(
     if design.style == Style::Full && design.distance == Distance::Absolute {
         comments.line("SOLO VALE SI B Y C NO SON EJES ROLLOVER", "VALID ONLY IF B AND C ARE NOT ROLLOVER AXES");
     }
+}
+
+/// Feed and speed, and what F is; nothing where the design gives none.
+fn feed(comments: &mut Header, design: &Design, which: Which) {
+    let Mill { F, S, .. } = design.mill(which);
+    let (Some(F), Some(S)) = (F, S) else { return };
+    let F = shown(F, 3);
+    comments.line(
+        &format!("AVANCE DE LA PUNTA {F} MM-MIN - HUSILLO {S} RPM"),
+        &format!("FEED OF THE TIP {F} MM-MIN - SPINDLE {S} RPM"),
+    );
+    match design.post.control.feed.law {
+        FeedLaw::Resultant => comments.line(
+            "F EN CADA BLOQUE - RESULTANTE DE LOS EJES EN MM Y GRADOS",
+            "F IN EACH BLOCK - RESULTANT OF THE AXES IN MM AND DEG.",
+        ),
+        FeedLaw::Seconds => {
+            comments.line("G93 - F ES EL TIEMPO DEL BLOQUE EN S", "G93 - F IS THE TIME OF THE BLOCK IN S")
+        }
+        FeedLaw::InverseTime => {
+            comments.line("G93 - F ES LA INVERSA DEL TIEMPO EN MIN", "G93 - F IS THE INVERSE OF THE TIME IN MIN");
+        }
+    }
+}
+
+/// The header of a milling program, its opening line included. `full_from` are the points from which the ways out and
+/// back along the splitters that it cuts have their full offset, where these differ.
+#[must_use]
+pub fn header(
+    design: &Design,
+    program: &Program,
+    which: Which,
+    full_from: Option<[usize; 2]>,
+    origin: &Origin<'_>,
+) -> Vec<Part> {
+    let mut comments = identity(design, program, design.number(which), origin);
+    tool(&mut comments, design, which);
+    if let Some([out, back]) = full_from {
+        comments.line(
+            &format!("INTERMEDIO COMPLETO DESDE PUNTO {out} IDA Y {back} VUELTA"),
+            &format!("SPLITTER IN FULL FROM POINT {out} OUT AND {back} BACK"),
+        );
+    }
+    pivot(&mut comments, design);
+    rotary(&mut comments, design, program);
     if design.retract.0.is_empty() {
         comments.line(
             "SIN BLOQUE DE RETIRADA - RETIRE LA HERRAMIENTA A MANO",
@@ -114,25 +153,7 @@ pub fn header(
         comments.line("COORDENADAS INCREMENTALES G91 DESDE EL INICIO", "INCREMENTAL G91 AFTER THE START");
     }
     extents(&mut comments, program);
-    if let (Some(F), Some(S)) = (F, S) {
-        let F = shown(F, 3);
-        comments.line(
-            &format!("AVANCE DE LA PUNTA {F} MM-MIN - HUSILLO {S} RPM"),
-            &format!("FEED OF THE TIP {F} MM-MIN - SPINDLE {S} RPM"),
-        );
-        match design.post.control.feed.law {
-            FeedLaw::Resultant => comments.line(
-                "F EN CADA BLOQUE - RESULTANTE DE LOS EJES EN MM Y GRADOS",
-                "F IN EACH BLOCK - RESULTANT OF THE AXES IN MM AND DEG.",
-            ),
-            FeedLaw::Seconds => {
-                comments.line("G93 - F ES EL TIEMPO DEL BLOQUE EN S", "G93 - F IS THE TIME OF THE BLOCK IN S")
-            }
-            FeedLaw::InverseTime => {
-                comments.line("G93 - F ES LA INVERSA DEL TIEMPO EN MIN", "G93 - F IS THE INVERSE OF THE TIME IN MIN");
-            }
-        }
-    }
+    feed(&mut comments, design, which);
     comments.parts
 }
 

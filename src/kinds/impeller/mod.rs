@@ -79,7 +79,7 @@ use crate::kinds::impeller::gap::Limits;
 use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::parameters::{self as form, FORM};
 use crate::kinds::impeller::programs::{Tracks, programs};
-use crate::kinds::impeller::proof::cutting::Known;
+use crate::kinds::impeller::proof::cutting::ProofMemo;
 use crate::kinds::impeller::proof::{Geometry, SOURCE};
 use crate::kinds::impeller::quantities::quantities;
 use crate::kinds::impeller::remarks::{no_calibration, no_splitter, remarks};
@@ -129,7 +129,7 @@ impl Model {
 impl Method for Impeller {
     type Design = Design;
     type Model = Model;
-    type Memo = Known;
+    type Memo = ProofMemo;
 
     const FORM: &'static Form = &FORM;
     const CASES: &'static [Case] = &cases::CASES;
@@ -272,8 +272,8 @@ impl Method for Impeller {
         findings
     }
 
-    fn memo(design: &Design, model: &Model, wants: Wants) -> Known {
-        Known::new(model.geometry(design), wants)
+    fn memo(design: &Design, model: &Model, wants: Wants) -> ProofMemo {
+        ProofMemo::new(model.geometry(design), wants)
     }
 
     fn fewer(_: &Design, program: &Program) -> Text {
@@ -301,7 +301,7 @@ impl Method for Impeller {
     fn judges<'a>(
         design: &'a Design,
         model: &'a Model,
-        known: &'a mut Known,
+        known: &'a mut ProofMemo,
         program: &'a Program,
     ) -> Vec<Box<dyn Judge + 'a>> {
         proof::judges(model.geometry(design), known, program)
@@ -330,7 +330,7 @@ impl Method for Impeller {
         charts::charts(model.splitter.is_some(), model.clear.is_some())
     }
 
-    fn figures(design: &Design, model: &Model, known: &Known) -> Vec<Figure> {
+    fn figures(design: &Design, model: &Model, known: &ProofMemo) -> Vec<Figure> {
         figures(design, model, &known.curves())
     }
 }

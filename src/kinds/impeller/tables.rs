@@ -307,6 +307,11 @@ fn safety(passes: &ToolPaths) -> Table {
 /// The paths in plan whose crossing limits the splitter, and the splitter's own paths.
 #[must_use]
 pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 2] {
+    [intersection(design, blade, splitter), splitter_paths(blade, splitter)]
+}
+
+/// The paths in plan whose crossing limits the splitter.
+fn intersection(design: &Design, blade: &Blade, splitter: &Splitter) -> Table {
     let [own, neighbour] = crate::kinds::impeller::splitter::plan_paths(blade, design.N, design.w(), design.a_p);
     let plan = |points: &[nalgebra::Vector2<f64>]| -> Vectors {
         points.iter().map(|point| Vector3::new(point.x, point.y, 0.0)).collect()
@@ -337,7 +342,7 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
             column
         })
         .collect();
-    let intersection = Table {
+    Table {
         key: "intersection",
         name: t("Intersección", "Intersection"),
         title: t("Cruce con el álabe vecino", "Crossing with the neighbouring blade"),
@@ -345,7 +350,11 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
         index: POINTS,
         print: Print::Short,
         columns,
-    };
+    }
+}
+
+/// The splitter's own paths.
+fn splitter_paths(blade: &Blade, splitter: &Splitter) -> Table {
     let fraction = |symbol, law, side: &Side, m| {
         let formula = format!("MIN(1,(([i]+1)/({m}+1))^5)");
         // m is searched for.
@@ -374,7 +383,7 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
     columns.extend(path(["x_1", "y_1", "z_1"], 0, out, '-'));
     columns.extend(path(["x_2", "y_2", "z_2"], 1, back, '+'));
     columns.extend(turns(blade));
-    let paths = Table {
+    Table {
         key: "splitter",
         name: t("Álabe intermedio", "Splitter"),
         title: t(
@@ -385,8 +394,7 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
         index: POINTS,
         print: Print::Short,
         columns,
-    };
-    [intersection, paths]
+    }
 }
 
 /// Where the paths cross, and from which points on the offset is full.

@@ -100,7 +100,8 @@ pub fn undercut(part: &Part, sweep: &Sweep, d_t: f64) -> Option<Undercut> {
         let (pace, a, sides) = (&paces[at], d_t / 2.0, [s_1 - s_0, cell.t[1] - cell.t[0]]);
         let ways = [(pace.speed + pace.turn * 2.0 * a) * sides[0] / 2.0, strip.change.speed * sides[1] / 2.0];
         let stretch = &sweep.stretches[at];
-        let beside = Beside { part, stretch, height: sweep.height, tool, rulings, pace, strip, a, ways, sides };
+        let beside =
+            ToolBesideStrip { part, stretch, height: sweep.height, tool, rulings, pace, strip, a, ways, sides };
         let bounds = beside.bounds(best + CLOSE);
         best = best.max(bounds.middle);
         bounds
@@ -168,7 +169,7 @@ impl ProjectedRuling {
 }
 
 /// A stretch of the tool's way beside a strip of a face.
-struct Beside<'a> {
+struct ToolBesideStrip<'a> {
     part: &'a Part,
     stretch: &'a Stretch,
     /// [`Sweep::height`], mm.
@@ -186,7 +187,7 @@ struct Beside<'a> {
     sides: [f64; 2],
 }
 
-impl Beside<'_> {
+impl ToolBesideStrip<'_> {
     /// Bounds of the depth; what is no more than is known already is not looked at closer.
     fn bounds(&self, known: f64) -> Bounds {
         let Strip { rulings, top, deep: h_1, end, .. } = self.strip;

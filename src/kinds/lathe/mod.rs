@@ -39,7 +39,7 @@ use crate::kind::{Chapters, Drawing, End, Kind, Outcome, Provenance, Shown, Soli
 use crate::kinds::lathe::drawn::Drawn;
 use crate::kinds::lathe::follow::{Begins, Followed, follow, late};
 use crate::kinds::lathe::parameters::{FORM, PROGRAM_KEY, SECOND_KEY};
-use crate::kinds::lathe::profile::{Comparison, Wanted, compared, wanted};
+use crate::kinds::lathe::profile::{Comparison, WantedProfile, compared, wanted};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::sketch::Clamping;
@@ -237,7 +237,7 @@ fn outcome(
     source: Provenance,
     given: &Given,
     mut followed: Vec<Followed>,
-    wanted: Option<Wanted>,
+    wanted: Option<WantedProfile>,
 ) -> Simulated {
     let on_sheet = setup_sheet::shown_on_sheet(&fields, given, &followed);
     let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();

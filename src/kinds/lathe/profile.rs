@@ -17,13 +17,13 @@ use crate::table::{Quantity, Unit};
 use crate::text::{Text, t};
 
 /// The wanted profile, and where it stands on the sheet.
-pub(super) struct Wanted {
+pub(super) struct WantedProfile {
     pub(super) profile: Profile,
     /// The cells of each span's end, X and Z.
     cells: Vec<Vec<CellPlace>>,
 }
 
-impl Wanted {
+impl WantedProfile {
     /// The cells of the span that is nearest to a point, `[z, r]` in mm.
     fn row(&self, point: [f64; 2]) -> Place {
         let cells = self.profile.nearest(point).and_then(|span| self.cells.get(span));
@@ -35,7 +35,7 @@ impl Wanted {
 ///
 /// # Errors
 /// The cells of a profile that has one point only, and of an arc without a radius or one that does not reach its end.
-pub(super) fn wanted(fields: &Fields) -> Result<Option<Wanted>, Box<Finding>> {
+pub(super) fn wanted(fields: &Fields) -> Result<Option<WantedProfile>, Box<Finding>> {
     let mut rows = fields.rows(PROFILE_KEY).peekable();
     let point = |row: &Entry<'_>| [row.get(&PROFILE_Z), row.get(&PROFILE_X) / 2.0];
     let stop =
@@ -76,7 +76,7 @@ pub(super) fn wanted(fields: &Fields) -> Result<Option<Wanted>, Box<Finding>> {
         profile.spans.push(span);
         from = to;
     }
-    Ok(Some(Wanted { profile, cells }))
+    Ok(Some(WantedProfile { profile, cells }))
 }
 
 /// The most by which what is programmed and what is written as the profile are off for being written in thousandths of a millimetre, mm.
@@ -110,7 +110,11 @@ pub(super) struct Comparison<'c> {
 }
 
 /// How the part compares with the wanted profile, as quantities and findings, and whether that was left undone for want of work.
-pub(super) fn compared(part: &Comparison<'_>, wanted: &Wanted, quantities: &mut Vec<Quantity>) -> (Vec<Finding>, bool) {
+pub(super) fn compared(
+    part: &Comparison<'_>,
+    wanted: &WantedProfile,
+    quantities: &mut Vec<Quantity>,
+) -> (Vec<Finding>, bool) {
     let (contours, profile) = (part.contours, &wanted.profile);
     let found = match deviation(contours, profile, part.grooves, part.most_work) {
         Ok(found) => found,
@@ -181,9 +185,9 @@ mod tests {
     }
 
     /// A profile of one line.
-    fn line(to: [f64; 2]) -> Wanted {
+    fn line(to: [f64; 2]) -> WantedProfile {
         let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line(to)] };
-        Wanted { profile, cells: vec![vec![cell("B6"), cell("C6")]] }
+        WantedProfile { profile, cells: vec![vec![cell("B6"), cell("C6")]] }
     }
 
     #[test]
@@ -193,7 +197,7 @@ mod tests {
         let spans = vec![Span::Line([-20.0, 10.0]), arc, Span::Line([-40.0, 8.0])];
         let rows = [["B6", "C6"], ["B7", "C7"], ["B8", "C8"]];
         let cells = rows.map(|row| row.map(cell).to_vec());
-        let wanted = Wanted { profile: Profile { start: [-1.0, 10.0], spans }, cells: cells.to_vec() };
+        let wanted = WantedProfile { profile: Profile { start: [-1.0, 10.0], spans }, cells: cells.to_vec() };
         for (at, row) in [([-10.0, 9.0], 0), ([-18.0, 10.5], 0), ([-20.6, 8.4], 1), ([-30.0, 7.0], 2)] {
             assert_eq!(wanted.row(at), Place::Cells(cells[row].clone()), "{at:?}");
         }

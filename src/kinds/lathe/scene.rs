@@ -27,14 +27,14 @@ pub struct Watching {
     /// The programs, in order.
     pub programs: Vec<Program>,
     /// What is known of each.
-    known: Vec<Known>,
+    known: Vec<ListedProgram>,
     /// The motion that parted a piece off last.
     parted: Option<usize>,
 }
 
 /// What is known of a program.
 #[derive(Debug, Default)]
-struct Known {
+struct ListedProgram {
     /// Lines of the list before those of each subprogram's file.
     before: BTreeMap<String, usize>,
     /// The number in the list of each motion: blocks without one have theirs there too.
@@ -90,7 +90,7 @@ impl Watching {
     fn begin(&mut self, title: Text, control: &'static Control, source: &SheetProgram, simulation: &Simulation) {
         // Subprograms of other sheets and files follow the program in the list of blocks.
         let mut text = source.main.text.clone();
-        let mut known = Known::default();
+        let mut known = ListedProgram::default();
         self.parted = None;
         for (name, subprogram) in &source.subprograms {
             if !text.is_empty() && !text.ends_with('\n') {
@@ -159,7 +159,7 @@ impl Watching {
     }
 }
 
-impl Known {
+impl ListedProgram {
     /// The line in the list of one of a file.
     fn line(&self, file: Option<&str>, line: usize) -> usize {
         file.and_then(|name| self.before.get(name)).copied().unwrap_or_default() + line

@@ -58,15 +58,15 @@ pub struct KnownTracks {
 
 /// What is known from the programs that were judged before.
 #[derive(Debug)]
-pub struct Known {
+pub struct ProofMemo {
     pub(super) tracks: KnownTracks,
     /// Of the moves outside the part.
-    pub(super) clear_moves: Vec<stock::Known>,
+    pub(super) clear_moves: Vec<stock::BoundedMove>,
     /// Of those of the finishing tool.
-    pub(super) finish_moves: Vec<stock::Known>,
+    pub(super) finish_moves: Vec<stock::BoundedMove>,
 }
 
-impl Known {
+impl ProofMemo {
     /// Nothing yet.
     #[must_use]
     pub fn new(geometry: Geometry<'_>, wants: Wants) -> Self {

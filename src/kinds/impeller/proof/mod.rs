@@ -35,7 +35,7 @@ use crate::kinds::impeller::clear::programs::SLOT;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::operation::Operation;
 use crate::kinds::impeller::proof::clear::ClearCutting;
-use crate::kinds::impeller::proof::cutting::{Cutting, Known};
+use crate::kinds::impeller::proof::cutting::{Cutting, ProofMemo};
 use crate::kinds::impeller::proof::passes::{PassCount, Passes};
 use crate::kinds::impeller::proof::stock::Clear;
 use crate::kinds::impeller::proof::tool_terms::ToolTerms;
@@ -147,7 +147,7 @@ fn written_feed(design: &Design) -> Option<f64> {
 /// The judges of a program, with what is known from the programs before it; none of a program that is none of an impeller's, or
 /// of a clear cut that was not planned.
 #[must_use]
-pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Program) -> Vec<Box<dyn Judge + 'a>> {
+pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut ProofMemo, program: &'a Program) -> Vec<Box<dyn Judge + 'a>> {
     let design = geometry.design;
     let (which, moves) = match Operation::of(program) {
         None => return Vec::new(),
@@ -177,11 +177,11 @@ pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Pro
 /// The judges of a program along the published paths.
 fn published<'a>(
     geometry: Geometry<'a>,
-    known: &'a mut Known,
+    known: &'a mut ProofMemo,
     program: &'a Program,
     operation: Operation,
 ) -> Vec<Box<dyn Judge + 'a>> {
-    let (design, Known { tracks, clear_moves, .. }) = (geometry.design, known);
+    let (design, ProofMemo { tracks, clear_moves, .. }) = (geometry.design, known);
     vec![
         Box::new(Agreement::of_the_tip(design.machine, program)),
         Box::new(ToolTerms::new(design, design.mill(Which::Rough))),

@@ -33,14 +33,14 @@ const ALIKE: f64 = 1e-6;
 const GLANCE: usize = 2;
 
 /// A move without C, and what is known of its distance.
-pub type Known = ([f64; 8], Bounds);
+pub type BoundedMove = ([f64; 8], Bounds);
 
 /// Watches the moves outside the part. Moves that differ in C alone are judged once, over all programs.
 #[derive(Debug)]
 pub struct Clear<'a> {
     outside: Outside,
     d_s: f64,
-    known: &'a mut Vec<Known>,
+    known: &'a mut Vec<BoundedMove>,
     safe: Option<(Bounds, At)>,
     /// The moves that differ, each where it is met first.
     moves: Vec<(RoundedMove, At)>,
@@ -67,7 +67,7 @@ impl RoundedMove {
 impl<'a> Clear<'a> {
     /// The judge of a design's programs with a tool of a diameter, with what is known from other programs.
     #[must_use]
-    pub const fn new(design: &Design, d: f64, known: &'a mut Vec<Known>) -> Self {
+    pub const fn new(design: &Design, d: f64, known: &'a mut Vec<BoundedMove>) -> Self {
         Self { outside: Outside::of(design, d), d_s: design.d_s, known, safe: None, moves: Vec::new() }
     }
 

@@ -120,7 +120,7 @@ const DRAWN: usize = 240;
 const FINE: f64 = 2e-6;
 
 #[derive(Clone, Copy, Debug)]
-struct Look {
+struct TipSample {
     /// What part of the block lies before it.
     part: f64,
     /// From the ideal point to the tip.
@@ -143,7 +143,7 @@ struct Bent {
 
 impl Bent {
     /// What distance and depth into the metal are nowhere greater than between two looks.
-    fn over(&self, one: &Look, other: &Look) -> [f64; 2] {
+    fn over(&self, one: &TipSample, other: &TipSample) -> [f64; 2] {
         let h = other.part - one.part;
         let D = one.off.norm().max(other.off.norm()) + self.off * h * h / 8.0;
         let D_1 = (other.off - one.off).norm() / h + self.off * h / 2.0;
@@ -247,7 +247,7 @@ impl Along {
             let found = deviation_of(&station, off);
             total.raise(found.total, x, block);
             metal.raise(found.into_metal(), x, block);
-            Look { part, off, slope: station.slope.norm() * steps, found }
+            TipSample { part, off, slope: station.slope.norm() * steps, found }
         };
         let looks = [0.0, 0.5, 1.0].map(&mut look);
         let out = ends.map(|pose| {

@@ -68,7 +68,7 @@ impl Groove {
 
 /// A place looked at for its height.
 #[derive(Clone, Copy)]
-struct Look {
+struct HeightSample {
     alpha: f64,
     /// sin σ_o; none where the torch's axis does not leave the header's outside.
     sine: Option<f64>,
@@ -85,21 +85,21 @@ pub fn too_high(design: &Design) -> Option<TooHigh> {
     let groove = design.groove();
     let look = |alpha: f64| {
         let station = groove.at(alpha);
-        Look {
+        HeightSample {
             alpha,
             sine: station.map(|station| sin_cos(station.sigma_o).0),
             D: station.map_or(f64::INFINITY, |station| station.D),
         }
     };
-    let over = |one: &Look, other: &Look| {
+    let over = |one: &HeightSample, other: &HeightSample| {
         let (Some(first), Some(last)) = (one.sine, other.sine) else { return [f64::INFINITY] };
         let sine = groove.sine_outside(Jet::parameter(one.alpha, other.alpha));
         [groove.height_at(first.min(last) - bow(&[sine], other.alpha - one.alpha) - 1e-12)]
     };
     let mut worst = look(0.0);
     let mut found = Enclosure::new([HEIGHT_FINE], [design.D_max], HEIGHT_LOOKS);
-    let first: Vec<Look> = (0..=64_u8).map(|at| look(TAU * f64::from(at) / 64.0)).collect();
-    let mut keep = |seen: Look| {
+    let first: Vec<HeightSample> = (0..=64_u8).map(|at| look(TAU * f64::from(at) / 64.0)).collect();
+    let mut keep = |seen: HeightSample| {
         if seen.D > worst.D {
             worst = seen;
         }

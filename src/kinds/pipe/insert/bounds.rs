@@ -132,7 +132,7 @@ impl Outline {
                     Seat::Edge(_) => wall.reach(phi) - s,
                     Seat::Envelope(_) => 0.0,
                 };
-                let look = Look { phi, line: wall.line(phi, s), grind };
+                let look = WallSample { phi, line: wall.line(phi, s), grind };
                 for (worst, value) in worst.iter_mut().zip(look.values()) {
                     // Of two angles that are as bad but for the arithmetic, the first.
                     if value > worst.seen + 1e-9 {
@@ -144,8 +144,8 @@ impl Outline {
                 }
                 look
             };
-            let looks: Vec<Look> = piece.into_iter().map(&mut look).collect();
-            let over = |one: &Look, other: &Look| {
+            let looks: Vec<WallSample> = piece.into_iter().map(&mut look).collect();
+            let over = |one: &WallSample, other: &WallSample| {
                 let (span, phi) = (other.phi - one.phi, Jet::parameter(one.phi, other.phi));
                 let [depth, _] = self.seat.depth_jets(phi, inside);
                 let s = Jet::of(level) - depth;
@@ -159,7 +159,7 @@ impl Outline {
                 let [deep, gaps @ ..] = beyond(&wall, [&one.line, &other.line], phi, s, span);
                 [deep, grind, gaps[0], gaps[1]]
             };
-            found.take(&looks, Look::values, over, |one, other| look(f64::midpoint(one.phi, other.phi)));
+            found.take(&looks, WallSample::values, over, |one, other| look(f64::midpoint(one.phi, other.phi)));
         }
         for (worst, most) in worst.iter_mut().zip(found.at_most) {
             worst.most = most + ARITHMETIC;
@@ -197,13 +197,13 @@ pub struct Rest {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Look {
+struct WallSample {
     phi: f64,
     line: WallLine,
     grind: f64,
 }
 
-impl Look {
+impl WallSample {
     /// How deep inside, how much to grind, and the gaps of bore and outside.
     const fn values(&self) -> [f64; 4] {
         [-self.line.least, self.grind, self.line.ends[0], self.line.ends[1]]

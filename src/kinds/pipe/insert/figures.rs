@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Vector3;
 
 use crate::figure::{Axes, Figure, Ink, Label, Side as Beside, Sketch, Stroke, sized};
-use crate::geometry::pipe_pair::Side;
+use crate::geometry::pipe_pair::{PipePair, Side};
 use crate::geometry::pipe_wall::Seat;
 use crate::geometry::scene::{Camera, Scene};
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
@@ -50,11 +50,45 @@ fn pipes(design: &Design) -> Figure {
     let camera = Camera::new(-62.0, 24.0);
     let mut scene = Scene::new(camera);
     let reach = pair.point(0.0).x.abs().max(pair.point(PI).x.abs()).max(r) + 1.1 * R;
+    let angles: Vec<f64> = turns(ABOUT).collect();
+    header_pipe(&mut scene, &angles, R, reach);
+    // From the curve up to a little above its highest point.
+    let top = outline.extent()[0] - design.Z - down - 1.6 * r;
+    let parts: Vec<f64> = (0..=12_u16).map(|at| f64::from(at) / 12.0).collect();
+    let branch = |phi: f64, part: f64| {
+        let depth = depth(phi);
+        pair.on_branch(phi, depth + (top - depth) * part)
+    };
+    for phi in angles.windows(2) {
+        for part in parts.windows(2) {
+            let corners =
+                [branch(phi[0], part[0]), branch(phi[1], part[0]), branch(phi[1], part[1]), branch(phi[0], part[1])];
+            let edges: &[usize] = if part[1] == 1.0 { &[2] } else { &[] };
+            scene.add(&corners, edges, Ink::Outline, 0.3 * r);
+        }
+    }
+    let rim: Vec<Vector3<f64>> = angles.iter().skip(1).map(|&phi| branch(phi, 1.0)).collect();
+    scene.add(&rim, &[], Ink::Outline, 0.3 * r);
+    let mut strokes = scene.strokes();
+    strokes.extend(seen_curve(&camera, &pair, depth));
+    Figure {
+        letters: Figure::LETTERS,
+        key: "cover",
+        height: 118.0,
+        caption: t("El injerto sobre el tubo base", "The branch on the header"),
+        axes: None,
+        strokes,
+        labels: Vec::new(),
+        legend: Vec::new(),
+    }
+}
+
+/// The header's outside, as far as `reach` mm to both sides, and its ends.
+fn header_pipe(scene: &mut Scene, angles: &[f64], R: f64, reach: f64) {
     let header = |phi: f64, x: f64| {
         let (sin, cos) = sin_cos(phi);
         Vector3::new(x, R * sin, R * cos)
     };
-    let angles: Vec<f64> = turns(ABOUT).collect();
     // In short pieces, so that what lies nearer is drawn later.
     let pieces: Vec<f64> = (0..=24_u16).map(|at| reach * (f64::from(at) / 12.0 - 1.0)).collect();
     for pair in angles.windows(2) {
@@ -83,26 +117,12 @@ fn pipes(design: &Design) -> Figure {
         }
         scene.add(&rim, &[], Ink::Outline, 0.0);
     }
-    // From the curve up to a little above its highest point.
-    let top = outline.extent()[0] - design.Z - down - 1.6 * r;
-    let parts: Vec<f64> = (0..=12_u16).map(|at| f64::from(at) / 12.0).collect();
-    let branch = |phi: f64, part: f64| {
-        let depth = depth(phi);
-        pair.on_branch(phi, depth + (top - depth) * part)
-    };
-    for phi in angles.windows(2) {
-        for part in parts.windows(2) {
-            let corners =
-                [branch(phi[0], part[0]), branch(phi[1], part[0]), branch(phi[1], part[1]), branch(phi[0], part[1])];
-            let edges: &[usize] = if part[1] == 1.0 { &[2] } else { &[] };
-            scene.add(&corners, edges, Ink::Outline, 0.3 * r);
-        }
-    }
-    let rim: Vec<Vector3<f64>> = angles.iter().skip(1).map(|&phi| branch(phi, 1.0)).collect();
-    scene.add(&rim, &[], Ink::Outline, 0.3 * r);
-    let mut strokes = scene.strokes();
+}
+
+/// The curve between the pipes where it is seen; `depth` is that of each angle of the branch.
+fn seen_curve(camera: &Camera, pair: &PipePair, depth: impl Fn(f64) -> f64) -> Vec<Stroke> {
     // The curve where it is seen: its point's outside of both pipes faces the viewer.
-    let mut run: Vec<Vector3<f64>> = Vec::new();
+    let (mut strokes, mut run) = (Vec::new(), Vec::<Vector3<f64>>::new());
     for phi in turns(FINE) {
         let point = pair.on_branch(phi, depth(phi));
         let outward = pair.on_branch(phi, 0.0) - pair.on_branch(phi + PI, 0.0);
@@ -118,16 +138,7 @@ fn pipes(design: &Design) -> Figure {
     if run.len() > 1 {
         strokes.push(camera.curve(Ink::Obverse, run));
     }
-    Figure {
-        letters: Figure::LETTERS,
-        key: "cover",
-        height: 118.0,
-        caption: t("El injerto sobre el tubo base", "The branch on the header"),
-        axes: None,
-        strokes,
-        labels: Vec::new(),
-        legend: Vec::new(),
-    }
+    strokes
 }
 
 /// The set-up on a turning pipe, from the side: zero, curve and waste, at A = 0.

@@ -224,7 +224,7 @@ impl BeamOnRoot<'_> {
                 [off(&pose, &station, beside), (pose.axis - station.pose.axis).norm()]
             });
             curve.push([alpha.to_degrees(), beam]);
-            Look { part, alpha, beam, bevel }
+            BeamSample { part, alpha, beam, bevel }
         };
         let margin = 0.5 * (to - from) + 1e-9;
         let first = [0.0, 0.5, 1.0].map(|part| {
@@ -346,7 +346,7 @@ impl CutSpeed<'_> {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Look {
+struct BeamSample {
     /// What part of the motion lies before it.
     part: f64,
     /// The angle of the place to which the beam is nearest.
@@ -358,7 +358,7 @@ struct Look {
 }
 
 /// What the errors nowhere exceed between two looks.
-fn over(groove: &Groove, motion: &Motion, one: &Look, other: &Look) -> [f64; 2] {
+fn over(groove: &Groove, motion: &Motion, one: &BeamSample, other: &BeamSample) -> [f64; 2] {
     let (from, to) = (axes(place(motion, one.part)), axes(place(motion, other.part)));
     let running = |from: f64, to: f64| Jet::running(from, to, [0.0, 1.0]);
     let (A, B, C) = (running(from.A, to.A), running(from.B, to.B), running(from.C, to.C));

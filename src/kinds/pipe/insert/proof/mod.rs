@@ -315,7 +315,7 @@ impl<'a> PathOnCurve<'a> {
                 Seat::Edge(pair) => pair.off_header(&pair.on_branch(place[0], edge.y - outline.Z)),
                 Seat::Envelope(_) => line.least,
             };
-            Look { part, phi, off: off.norm(), aside: off.dot(&across), edge: on_header.abs(), place, line }
+            EdgeSample { part, phi, off: off.norm(), aside: off.dot(&across), edge: on_header.abs(), place, line }
         };
         let margin = (to - from) * 0.5 + 1e-9;
         let looked = |part: f64| {
@@ -323,12 +323,12 @@ impl<'a> PathOnCurve<'a> {
             look(part, [(near - margin).max(from), (near + margin).min(to)], 25)
         };
         let first = [0.0, 0.5, 1.0].map(looked);
-        let between = |one: &Look, other: &Look| {
+        let between = |one: &EdgeSample, other: &EdgeSample| {
             let (low, high) = (one.phi.min(other.phi), one.phi.max(other.phi));
             let wider = 0.25 * (high - low) + 1e-9;
             look(f64::midpoint(one.part, other.part), [(low - wider).max(from), (high + wider).min(to)], 20)
         };
-        let mut drawn = |look: Look| {
+        let mut drawn = |look: EdgeSample| {
             curve.push([look.phi.to_degrees(), look.aside]);
             look
         };
@@ -381,7 +381,7 @@ fn limits(design: &Design) -> [f64; 2] {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Look {
+struct EdgeSample {
     /// What part of the motion lies before it.
     part: f64,
     /// The angle at which the torch's path is nearest.
@@ -457,7 +457,13 @@ impl SurfacePath {
 }
 
 /// The edge that is cut between two looks, on the development, and by how much the torch's path bends from its own.
-fn edge_jets(outline: &Outline, way: &SurfacePath, inside: f64, one: &Look, other: &Look) -> ([Jet; 2], f64) {
+fn edge_jets(
+    outline: &Outline,
+    way: &SurfacePath,
+    inside: f64,
+    one: &EdgeSample,
+    other: &EdgeSample,
+) -> ([Jet; 2], f64) {
     let point = way.jets([one.part, other.part]);
     let phi = Jet::running(one.phi, other.phi, [0.0, 1.0]);
     let [torch, across] = outline.torch_jets(phi, inside);
@@ -471,14 +477,14 @@ fn place_jets(outline: &Outline, edge: [Jet; 2]) -> [Jet; 2] {
 }
 
 /// What the wall's depth inside the header and its gaps nowhere exceed between two looks.
-fn over_wall(outline: &Outline, way: &SurfacePath, inside: f64, one: &Look, other: &Look) -> [f64; 3] {
+fn over_wall(outline: &Outline, way: &SurfacePath, inside: f64, one: &EdgeSample, other: &EdgeSample) -> [f64; 3] {
     let [phi, s] = place_jets(outline, edge_jets(outline, way, inside, one, other).0);
     let wall = &outline.wall;
     beyond(wall, [&one.line, &other.line], phi, s, 1.0).map(|most| most + ARITHMETIC)
 }
 
 /// What the distance of the cut face's nearest point from the header nowhere exceeds between two looks, inside or outside.
-fn over_touch(outline: &Outline, edge: [Jet; 2], one: &Look, other: &Look) -> f64 {
+fn over_touch(outline: &Outline, edge: [Jet; 2], one: &EdgeSample, other: &EdgeSample) -> f64 {
     let ([phi, s], wall) = (place_jets(outline, edge), &outline.wall);
     let [deep, ..] = beyond(wall, [&one.line, &other.line], phi, s, 1.0);
     // Nearer than any one line through the wall it is everywhere.
@@ -489,7 +495,7 @@ fn over_touch(outline: &Outline, edge: [Jet; 2], one: &Look, other: &Look) -> f6
 }
 
 /// What the errors nowhere exceed between two looks.
-fn over(outline: &Outline, way: &SurfacePath, inside: f64, one: &Look, other: &Look) -> [f64; 2] {
+fn over(outline: &Outline, way: &SurfacePath, inside: f64, one: &EdgeSample, other: &EdgeSample) -> [f64; 2] {
     let (edge, bends) = edge_jets(outline, way, inside, one, other);
     let (r, header) = match outline.seat {
         Seat::Edge(pair) => {
