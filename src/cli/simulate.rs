@@ -132,8 +132,11 @@ fn document(arguments: &Simulate, verdict: &Verdict, followed: Option<&Followed>
                 "dev_minus" => "deviation_minus_mm",
                 _ => return None,
             };
+            // Behind a rejected block nothing was measured, as in the printed table.
+            let known = followed.is_some_and(|followed| followed.whole);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count")]
             let value = if one.unit == Unit::Count { json!(one.value as u64) } else { json!(one.value) };
+            let value = if known { value } else { Value::Null };
             Some((name.to_owned(), value))
         })
         .collect();

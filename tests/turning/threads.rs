@@ -108,9 +108,43 @@ fn a_pass_deeper_than_half_a_millimetre_is_cautioned() {
         ("G0 X34. Z6. M8|G92 X29.2 Z-20. F2.|X28.4 Z-21.5|X27.6 Z-22.", vec![]),
         // Farther out along the thread, in air.
         ("G0 X34. Z6. M8|G92 X29.2 Z-20. F2.|X28.4|G0 Z16.|G92 X27.6 Z-20. F2.", vec![]),
+        // Infeed along the flank moves a pass along the thread, and not the place where all are pulled out over a lead: wherever they start.
+        ("G0 X34. Z5. M8|G76 P021060 Q100 R0.02|G76 X26.75 Z-30. P1625 Q350 F2.5", vec![]),
+        ("G0 X34. Z5.3 M8|G76 P021060 Q100 R0.02|G76 X26.75 Z-30. P1625 Q350 F2.5", vec![]),
+        ("G0 X34. Z5.7 M8|G76 P021060 Q100 R0.02|G76 X26.75 Z-30. P1625 Q350 F2.5", vec![]),
+        ("G0 X34. Z6. M8|G76 P021060 Q100 R0.05|G76 X27.546 Z-20. P1227 Q400 F2.", vec![]),
+        ("G0 X34. Z6. M8|G76 P011560 Q100 R0.05|G76 X27.546 Z-25. P1227 Q400 F2.", vec![]),
+        ("G0 X34. Z6. M8|G76 P012060 Q100 R0.05|G76 X27.546 Z-25. P1227 Q400 F2.", vec![]),
+        // Deep passes with a pull-out over a lead: the first one, and the last.
+        ("G0 X34. Z6. M8|G76 P011060 Q100 R0.05|G76 X27.546 Z-25. P1227 Q600 F2.", vec!["149@5"]),
+        ("G0 X34. Z6. M8|G76 P011060 Q100 R0.6|G76 X27.546 Z-25. P1227 Q400 F2.", vec!["149@5"]),
+        // Behind a run-in in a block of its own, and in a second block that goes deeper than the first.
+        ("G0 X29.2 Z8. M8|G32 Z4. F2.|Z-20.|G0 X34.|Z8.|X28.|G32 Z4. F2.|Z-20.|G0 X34.", vec!["149@10"]),
+        ("G0 X29.2 Z6. M8|G32 Z-10. F2.|Z-25.|G0 X34.|Z6.|X28.6|G32 Z-10. F2.|X27.2 Z-25.|G0 X34.", vec!["149@10"]),
         // In two starts, each in virgin metal.
         ("G0 X34. Z6. M8|G92 X29.2 Z-25. F2.|X28.4|G0 Z7.|G92 X29.2 Z-25. F2.|X28.4", vec![]),
     ] {
         assert_eq!(raised(blocks), expected, "{blocks}");
     }
+}
+
+#[test]
+fn a_spindle_without_a_limit_turns_no_faster_than_the_lathe_lets_it() {
+    let totals = |blocks: &str| {
+        let (document, exit) = simulated(&format!("G21 G40 G97 G99|{blocks}|G0 X150. Z100. M9|M30"));
+        assert_eq!(exit, 0, "{blocks}: {:?}", document["findings"]);
+        let total = |key: &str| document["totals"][key].as_f64().unwrap();
+        (total("cutting_time_s"), total("greatest_removal_rate_cm3_min"))
+    };
+    // A drill on the axis turns at 3000 rpm: 22 mm at 0.1 mm a revolution.
+    for limit in ["", "G50 S3000|", "G50 S4500|"] {
+        let (seconds, rate) = totals(&format!("{limit}T0505|G96 S80 M3|M8|G0 X0. Z2.|G1 Z-20. F.1|G0 Z2."));
+        assert!((seconds - 4.4).abs() < 1e-9 && rate > 10.0, "{limit}: {seconds} s, {rate} cm³/min");
+        // At X24 and X20 the S asks for 3316 and 3979 rpm.
+        let (seconds, _) =
+            totals(&format!("{limit}T0101|G96 S250 M3|M8|G0 X24. Z2.|G1 Z-20. F.3|X30.5|G0 Z2.|X20.|G1 Z-20.|X30.5"));
+        assert!(seconds > 2.0 * 22.0 / 0.3 / 3000.0 * 60.0, "{limit}: {seconds} s");
+    }
+    // A thread too: at 3000 rpm it moves at 6000 mm/min.
+    totals("T0404|G96 S3100 M3|M8|G0 X34. Z12.|G92 X29.3 Z-20. F2.|X28.9");
 }

@@ -178,7 +178,8 @@ impl Reader<'_, '_> {
             Some(G::Rpm) => {
                 if self.memory.control.spindle.turns.part() && self.state.modal.constant_surface_speed {
                     // Without S the spindle keeps the speed that it has.
-                    let pace = Pace::of(&InForce { spindle: Spindle::Clockwise, ..self.state.modal.in_force() });
+                    let turning = InForce { spindle: Spindle::Clockwise, ..self.state.modal.in_force() };
+                    let pace = Pace::of(&turning, self.memory.setting.greatest_speed);
                     self.state.modal.speed =
                         pace.and_then(|pace| pace.speed(self.state.at.get(Axis::X))).unwrap_or(0.0);
                 }

@@ -355,7 +355,7 @@ impl Reader<'_, '_> {
             }
             (kind, _) => kind,
         };
-        motion.seconds = time(&motion, &carried.control);
+        motion.seconds = time(&motion, &carried.control, self.memory.setting.greatest_speed);
         motion
     }
 }
@@ -364,8 +364,8 @@ fn radius(from: &Pose, centre: Point) -> f64 {
     crate::number::trig::hypot(from.get(Axis::Z) - centre[0], from.get(Axis::X) - centre[1])
 }
 
-/// The time that a motion takes with what is in force, s; `None` at rapid.
-fn time(motion: &Motion, control: &InForce) -> Option<f64> {
+/// The time that a motion takes with what is in force, and with the machine's greatest speed of the spindle, s; `None` at rapid.
+fn time(motion: &Motion, control: &InForce, greatest_speed: Option<f64>) -> Option<f64> {
     let by = motion.to.differences(&motion.from);
     let straight = by.iter().map(|share| share * share).sum::<f64>().sqrt();
     let (feed, length) = match motion.kind {
@@ -380,7 +380,7 @@ fn time(motion: &Motion, control: &InForce) -> Option<f64> {
         FeedMode::InverseTime => 60.0 / feed.value,
         FeedMode::Seconds => feed.value,
         FeedMode::PerRevolution => {
-            let pace = Pace::of(control)?;
+            let pace = Pace::of(control, greatest_speed)?;
             let [from, to] = [&motion.from, &motion.to].map(|pose| pose.get(Axis::X));
             match motion.kind {
                 MotionKind::Arc(arc, _) => pace.arc(&arc, [from, motion.from.get(Axis::Z)], feed.value)?,

@@ -221,8 +221,8 @@ impl Reader<'_, '_> {
         self.memory.control.spindle.turns.part() && feed.mode == FeedMode::PerRevolution
     }
 
-    fn pace(&self) -> Option<Pace> {
-        Pace::of(&self.state.modal.in_force())
+    pub(super) fn pace(&self) -> Option<Pace> {
+        Pace::of(&self.state.modal.in_force(), self.memory.setting.greatest_speed)
     }
 
     /// The time of a straight motion at a feed per revolution.

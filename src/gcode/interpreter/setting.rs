@@ -100,6 +100,8 @@ pub struct Setting {
     pub axes: Option<Letters>,
     /// Of a lathe the rapid rates of X (of the slide, so of the radius) and Z, mm/min; `None` where the machine is not known.
     pub rapid: Option<[f64; 2]>,
+    /// The maximum speed of a lathe's spindle, rpm; `None` where the machine is not known.
+    pub greatest_speed: Option<f64>,
     /// What a dimension without a decimal point is; where it is not known a lathe program that has one is refused.
     pub decimal_point: Option<DecimalPoint>,
     /// What R of a lathe's drilling cycles is; where it is not known it is taken as absolute, and said so.
@@ -132,6 +134,7 @@ impl Setting {
             places: None,
             axes: None,
             rapid: None,
+            greatest_speed: None,
             decimal_point: None,
             hole_plane: None,
             rotary: control.rotary.delivered,

@@ -11,8 +11,9 @@ use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::Thread;
 use crate::gcode::rules::turned::{
     CutsWithoutOffset, NoOffsetAnywhere, PassFarDeeper, SpindleNeverStarts, ThreadAtSurfaceSpeed, ThreadBeyondRapid,
+    ThreadWithoutSpeedLimit,
 };
-use crate::gcode::turning::pace::peak;
+use crate::gcode::turning::pace::{greatest, peak, revolutions};
 use crate::limits::EXAMPLE_RAPID;
 use crate::machine::axis::{Axis, Pose};
 use crate::text::t;
@@ -65,14 +66,22 @@ impl Reader<'_, '_> {
         if self.state.modal.constant_surface_speed {
             self.memory.remarks.row(&ThreadAtSurfaceSpeed {}, spot, None);
         }
-        let Some(seconds) = self.thread_seconds(to, thread).filter(|&seconds| seconds > 0.0) else { return };
+        // The spindle of a machine that is not known has a limit that is not known.
+        let modal = &self.state.modal;
+        let machine = self.memory.setting.greatest_speed;
+        let unlimited = modal.constant_surface_speed && greatest(&modal.in_force(), machine).is_none();
+        let seconds = self.thread_seconds(to, thread).filter(|&seconds| seconds > 0.0);
+        if self.pace().is_none() || seconds.is_none() && !unlimited {
+            return;
+        }
         let by = |axis: Axis| (to.get(axis) - self.state.at.get(axis)).abs();
-        let peak = peak(by(Axis::X).max(by(Axis::Z)), thread);
+        let distance = by(Axis::X).max(by(Axis::Z));
+        let peak = peak(distance, thread);
         let known = self.memory.setting.rapid;
         let [x, z] = known.unwrap_or(EXAMPLE_RAPID);
         let beyond = [(Axis::X, x), (Axis::Z, z)].into_iter().find_map(|(axis, rapid)| {
-            let feed = by(axis) * 60.0 / seconds * peak;
-            (feed > rapid * (1.0 + 1e-9)).then_some((axis, feed, rapid))
+            let feed = seconds.map_or(f64::INFINITY, |seconds| by(axis) * 60.0 / seconds * peak);
+            (by(axis) > 0.0 && feed > rapid * (1.0 + 1e-9)).then_some((axis, feed, rapid))
         });
         if let Some((axis, feed, rapid)) = beyond
             && self.memory.seen.turned.fast.insert(self.state.modal.tool)
@@ -81,8 +90,17 @@ impl Reader<'_, '_> {
                 Some(_) => t("del libro de torno", "of the lathe workbook"),
                 None => t("de la máquina de ejemplo", "of the example machine"),
             };
+            let turns = revolutions(distance, thread).filter(|_| unlimited);
+            let speed = turns.map(|turns| Size::rpm(rapid * turns / (by(axis) * peak)));
             let [feed, rapid] = [feed, rapid].map(|rate| Size::feed(rate, 0));
-            self.memory.remarks.row(&ThreadBeyondRapid { feed, axis: axis.letter(), rapid, whose }, spot, None);
+            let axis = axis.letter();
+            match speed {
+                Some(speed) => {
+                    let row = ThreadWithoutSpeedLimit { speed, axis, rapid, whose };
+                    self.memory.remarks.row(&row, spot, None);
+                }
+                None => self.memory.remarks.row(&ThreadBeyondRapid { feed, axis, rapid, whose }, spot, None),
+            }
         }
     }
 
@@ -261,6 +279,10 @@ mod tests {
             ("G50 S2000|G96 S200 M3|G0 X54. Z6.|G76 P010060 Q100 R.05|G76 X47.4 Z-20. P1200 Q300 F2.", &["G0581"]),
             ("G50 S2000|G96 S200 M3|G0 X49. Z6.|G32 Z-20. F2.", &["G0581"]),
             ("G50 S2000|G96 S200 M3|G0 X49. Z6.|G97 S800|G32 Z-20. F2.", &[]),
+            // Nothing that is known limits the spindle: what it would come to without a limit is no fact.
+            ("G96 S3100 M3|G0 X30. Z6.|G92 X25.3 Z-20. F2.|X24.9", &["G0581", "G0591"]),
+            ("G96 S60 M3|G0 X30. Z6.|G92 X25.3 Z-20. F2.|X24.9", &["G0581"]),
+            ("G50 S20000|G96 S3100 M3|G0 X30. Z6.|G92 X25.3 Z-20. F2.|X24.9", &["G0580", "G0581"]),
         ] {
             assert_eq!(fanuc(&format!("T0404|{blocks}")), told, "{blocks}");
         }

@@ -58,4 +58,11 @@ rules! {
         why "Toda la rosca es menos honda que su paso: una pasada así rompe la herramienta o corta la pieza.",
             "A whole thread is less deep than its lead: such a pass breaks the tool or cuts the work in two.";
         example Example::program("fanuc-lathe-a", "G21 G97 S500 M3|T0404|G0 X54. Z6.|G92 X49.5 Z-20. F2.|X49.|X4.8|M30", "6");
+    "G0591" ThreadWithoutSpeedLimit Caution { speed: Size, axis: char, rapid: Size, whose: Text }
+        es "rosca con G96 sin límite de giro: por encima de {speed} la rosca movería el eje {axis} más rápido que el avance rápido de {rapid} {whose}, y a esta S el husillo sube hasta donde puede"
+        en "thread under G96 without a speed limit: above {speed} the thread would move axis {axis} faster than the rapid rate of {rapid} {whose}, and at this S the spindle runs up as far as it can"
+        remedy "programe G97 con S antes de la rosca", "program G97 with S before the thread";
+        why "En una rosca el eje sigue al husillo: si no llega, el control se para o corta otro paso.",
+            "In a thread the axis follows the spindle: where it cannot, the control stops or cuts another lead.";
+        example Example::program("fanuc-lathe-a", "G21 T0404|G96 S3100 M3|G0 X30. Z6.|G92 X25.3 Z-20. F2.|M30", "4");
 }

@@ -3,7 +3,7 @@
 //! # Derivation
 //! Along a path s at F mm a revolution and n revolutions a minute, t = ∫ ds / (F·n). Under G97 n is constant. Under G96 with
 //! V m/min the spindle turns at n = 1000·V / (2π·|r|), r the radius of the programmed point in mm, but no faster than the limit
-//! N of the program. With r* = 1000·V / (2π·N), 0 where there is no limit, that is
+//! N, see [`greatest`]. With r* = 1000·V / (2π·N), 0 where there is no limit, that is
 //!
 //! 1/n = (2π / 1000·V) · w(r), w(r) = max(r*, |r|), so that t = (2π / 1000·V·F) · ∫ w ds.
 //!
@@ -30,18 +30,29 @@ pub struct Pace {
     corner: f64,
 }
 
+/// The greatest speed of the spindle, rpm: that of the machine, where it is known, and under G96 that of the program (G50, G92 or G96
+/// with D), whichever is less; `None` where nothing limits it that is known.
+///
+/// Fanuc Series 0i-TF, operator's manual, and Fagor 8055 T, programming manual: the program's limit is one of the constant surface speed.
+#[must_use]
+pub fn greatest(control: &InForce, machine: Option<f64>) -> Option<f64> {
+    let program = control.greatest_speed.filter(|_| matches!(control.speed, Speed::Surface(_)));
+    program.into_iter().chain(machine).reduce(f64::min)
+}
+
 impl Pace {
-    /// The pace under a control; `None` where the spindle stands still.
+    /// The pace under a control, with the machine's greatest speed in rpm where it is known; `None` where the spindle stands still.
     #[must_use]
-    pub fn of(control: &InForce) -> Option<Self> {
-        if control.spindle == Spindle::Stopped || control.greatest_speed == Some(0.0) {
+    pub fn of(control: &InForce, machine: Option<f64>) -> Option<Self> {
+        let limit = greatest(control, machine);
+        if control.spindle == Spindle::Stopped || limit == Some(0.0) {
             return None;
         }
         let pace = match control.speed {
-            Speed::Revolutions(n) => Self { share: 1.0 / n, corner: f64::INFINITY },
+            Speed::Revolutions(n) => Self { share: 1.0 / limit.map_or(n, |limit| limit.min(n)), corner: f64::INFINITY },
             Speed::Surface(V) => {
                 let share = TAU / (1000.0 * V);
-                Self { share, corner: control.greatest_speed.map_or(0.0, |limit| 1.0 / (share * limit)) }
+                Self { share, corner: limit.map_or(0.0, |limit| 1.0 / (share * limit)) }
             }
         };
         (pace.share.is_finite() && pace.share > 0.0 && !pace.corner.is_nan()).then_some(pace)
@@ -84,7 +95,8 @@ impl Pace {
             let w = |part: f64| self.weight(from + (to - from) * part);
             (end - start) * f64::midpoint(w(start), w(end))
         });
-        self.time(mean * length / feed)
+        // On the axis, where nothing is known to limit the spindle, the time is not known.
+        if mean > 0.0 { self.time(mean * length / feed) } else { None }
     }
 
     /// The time of an arc in the plane ZX that starts at a point `[X, Z]`, at a feed in mm a revolution; s.
@@ -219,7 +231,7 @@ mod tests {
                 let control = control(Speed::Surface(200.0), limit);
                 let [a, b] = radii;
                 let theirs = 60.0 * 70.0 / 0.2 * stepped(&control, |part| a + (b - a) * part, 2_000_000);
-                near(Pace::of(&control).unwrap().straight(radii, 70.0, 0.2), theirs);
+                near(Pace::of(&control, None).unwrap().straight(radii, 70.0, 0.2), theirs);
             }
         }
     }
@@ -227,7 +239,7 @@ mod tests {
     #[test]
     fn a_facing_cut_to_the_axis_at_200_m_min_takes_what_its_revolutions_say() {
         // r from 50 to 0 without limit: revolutions 50/0.2 = 250, mean of 1/n = 2π·25/(1000·200) min.
-        let pace = Pace::of(&control(Speed::Surface(200.0), None)).unwrap();
+        let pace = Pace::of(&control(Speed::Surface(200.0), None), None).unwrap();
         near(pace.straight([50.0, 0.0], 50.0, 0.2), 250.0 * TAU * 25.0 / 200_000.0 * 60.0);
         assert_eq!(pace.speed(0.0), None);
         near(pace.speed(50.0), 200_000.0 / (TAU * 50.0));
@@ -248,7 +260,7 @@ mod tests {
                 let start = [centre + R * trig::sin(first), -7.0 + R * trig::cos(first)];
                 let radius = |part: f64| centre + R * trig::sin(first + sweep * part);
                 let theirs = 60.0 * R * sweep.abs() / 0.15 * stepped(&control, radius, 2_000_000);
-                near(Pace::of(&control).unwrap().arc(&arc, start, 0.15), theirs);
+                near(Pace::of(&control, None).unwrap().arc(&arc, start, 0.15), theirs);
             }
         }
     }
@@ -259,9 +271,10 @@ mod tests {
             let thread = Thread { lead: 2.0, change, angle: 0.0 };
             let turns = revolutions(30.0, &thread).unwrap();
             assert!((2.0 * turns + change * turns * turns / 2.0 - 30.0).abs() < 1e-9);
-            near(Pace::of(&control(Speed::Revolutions(400.0), None)).unwrap().thread([20.0, 20.0], 30.0, &thread), {
-                60.0 * turns / 400.0
-            });
+            near(
+                Pace::of(&control(Speed::Revolutions(400.0), None), None).unwrap().thread([20.0, 20.0], 30.0, &thread),
+                { 60.0 * turns / 400.0 },
+            );
             for limit in [None, Some(700.0)] {
                 let control = control(Speed::Surface(100.0), limit);
                 let radius = |part: f64| {
@@ -269,19 +282,41 @@ mod tests {
                     25.0 - 10.0 * (2.0 * nu + change * nu * nu / 2.0) / 30.0
                 };
                 let theirs = 60.0 * turns * stepped(&control, radius, 2_000_000);
-                near(Pace::of(&control).unwrap().thread([25.0, 15.0], 30.0, &thread), theirs);
+                near(Pace::of(&control, None).unwrap().thread([25.0, 15.0], 30.0, &thread), theirs);
             }
         }
         assert_eq!(revolutions(50.0, &Thread { lead: 2.0, change: -0.05, angle: 0.0 }), None);
     }
 
     #[test]
+    fn the_spindle_turns_no_faster_than_the_machine_lets_it() {
+        let of = |speed, program, machine| Pace::of(&control(speed, program), machine);
+        for (program, machine, most) in [
+            (None, Some(3000.0), 3000.0),
+            (Some(5000.0), Some(3000.0), 3000.0),
+            (Some(2000.0), Some(3000.0), 2000.0),
+            (Some(2000.0), None, 2000.0),
+        ] {
+            let pace = of(Speed::Surface(80.0), program, machine).unwrap();
+            near(pace.speed(0.0), most);
+            // A drill on the axis, 22 mm at 0.1 mm a revolution.
+            near(pace.straight([0.0, 0.0], 22.0, 0.1), 60.0 * 220.0 / most);
+        }
+        // Without any limit that is known, neither is the time on the axis.
+        let pace = of(Speed::Surface(80.0), None, None).unwrap();
+        assert_eq!((pace.straight([0.0, 0.0], 22.0, 0.1), pace.speed(0.0)), (None, None));
+        // The program's limit is one of G96.
+        near(of(Speed::Revolutions(4000.0), Some(2000.0), Some(3000.0)).unwrap().speed(5.0), 3000.0);
+        near(of(Speed::Revolutions(2500.0), Some(2000.0), Some(3000.0)).unwrap().speed(5.0), 2500.0);
+    }
+
+    #[test]
     fn a_spindle_that_stands_still_gives_no_time() {
         let mut still = control(Speed::Revolutions(400.0), None);
         still.spindle = Spindle::Stopped;
-        assert_eq!(Pace::of(&still), None);
-        assert_eq!(Pace::of(&control(Speed::Revolutions(0.0), None)), None);
-        assert_eq!(Pace::of(&control(Speed::Surface(0.0), Some(1000.0))), None);
-        assert_eq!(Pace::of(&control(Speed::Surface(100.0), Some(0.0))), None);
+        assert_eq!(Pace::of(&still, None), None);
+        assert_eq!(Pace::of(&control(Speed::Revolutions(0.0), None), None), None);
+        assert_eq!(Pace::of(&control(Speed::Surface(0.0), Some(1000.0)), None), None);
+        assert_eq!(Pace::of(&control(Speed::Surface(100.0), Some(0.0)), None), None);
     }
 }

@@ -8,7 +8,7 @@ use super::drawn::Drawn;
 use super::findings::{
     Faults, Reached, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from,
 };
-use super::rules::{FeedBeyondRapid, InInches, NoMotion, NothingCut, ToolCutsNothing};
+use super::rules::{CutsBehindParting, FeedBeyondRapid, InInches, NoMotion, NothingCut, ToolCutsNothing};
 use super::setup::Given;
 use super::setup_sheet::CuttingConditions;
 use super::tables::Rows;
@@ -404,6 +404,9 @@ impl<'a> Following<'_, 'a> {
             if unjudged {
                 faults.told.push(unjudged_from(place));
             }
+        }
+        if let Some((file, line)) = one.simulation.cuts_on().filter(|_| !one.lost && !one.endless) {
+            faults.told.push(CutsBehindParting {}.at(at_line(interpreter.file(file), line)));
         }
         faults.told.extend(held);
         one.repeated = one.simulation.repeated().unwrap_or_default();

@@ -4,9 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::Place;
 use crate::gcode::control::Control;
-use crate::gcode::in_force::InForce;
+use crate::gcode::in_force::{InForce, Speed};
 use crate::gcode::interpreter::Standstill;
 use crate::gcode::motion::{Motion, MotionKind};
+use crate::gcode::turning::pace::greatest;
 use crate::kinds::lathe::SimulationEvent;
 use crate::kinds::lathe::text::SheetProgram;
 use crate::limits::SHOWN_ALARMS;
@@ -28,8 +29,9 @@ pub struct Watching {
     pub programs: Vec<Program>,
     /// What is known of each.
     known: Vec<ListedProgram>,
-    /// The motion that parted a piece off last.
+    /// The motion that parted a piece off last, and how many were before in the program in hand, with that one.
     parted: Option<usize>,
+    partings: usize,
 }
 
 /// What is known of a program.
@@ -60,9 +62,9 @@ impl Watching {
                     {
                         turning.part_off(motion, piece);
                         program.notes.push(t(
-                            "El último corte tronza la pieza: desde entonces se ve transparente, y los resultados son los \
+                            "El programa tronza la pieza: desde entonces se ve transparente, y los resultados son los \
                              suyos; en el plato queda el resto de la barra",
-                            "The last cut parts the piece off: from then on it is shown see-through, and the results are \
+                            "The program parts the piece off: from then on it is shown see-through, and the results are \
                              its own; the rest of the bar stays in the chuck",
                         ));
                     }
@@ -91,7 +93,7 @@ impl Watching {
         // Subprograms of other sheets and files follow the program in the list of blocks.
         let mut text = source.main.text.clone();
         let mut known = ListedProgram::default();
-        self.parted = None;
+        (self.parted, self.partings) = (None, simulation.partings());
         for (name, subprogram) in &source.subprograms {
             if !text.is_empty() && !text.ends_with('\n') {
                 text.push('\n');
@@ -119,7 +121,7 @@ impl Watching {
         let (Some(program), Some(known)) = (self.programs.last_mut(), self.known.last()) else { return };
         let [z, r] = simulation.point(stood.control.tool, &stood.machine);
         program.shift = [r - stood.at.get(Axis::X), 0.0, z - stood.at.get(Axis::Z)];
-        program.stand(known.line(file, stood.line), &InForce { file: 0, ..stood.control }, &stood.at);
+        program.stand(known.line(file, stood.line), &shown(&stood.control, simulation), &stood.at);
     }
 
     fn step(&mut self, step: &Step, simulation: &Simulation, file: Option<&str>) {
@@ -130,8 +132,7 @@ impl Watching {
             program.shift = [r - motion.to.get(Axis::X), 0.0, z - motion.to.get(Axis::Z)];
         }
         let index = program.motions();
-        // Lines of subprograms have been numbered on.
-        program.push(&motion, &InForce { file: 0, ..step.control });
+        program.push(&motion, &shown(&step.control, simulation));
         known.motions.push(index);
         if let (MotionKind::Rapid, &[from, bend, to]) = (motion.kind, step.way.as_slice()) {
             let mut at = motion.to;
@@ -139,8 +140,8 @@ impl Watching {
             at.set(Axis::X, bend[1] - program.shift[0]);
             program.bend(&at, bent(from, bend, to));
         }
-        if step.removed.parted > 0.0 {
-            self.parted = Some(index);
+        if simulation.partings() > self.partings {
+            (self.parted, self.partings) = (Some(index), simulation.partings());
         }
         if (step.removed.volume > 0.0 || step.removed.parted > 0.0)
             && let Some(turning) = &mut program.turning
@@ -170,6 +171,13 @@ impl ListedProgram {
             program.remarks.push(remark(alarm, line, index));
         }
     }
+}
+
+/// What is in force as it is shown: lines of subprograms have been numbered on, and a surface speed has the limit of the machine too.
+fn shown(control: &InForce, simulation: &Simulation) -> InForce {
+    let surface = matches!(control.speed, Speed::Surface(_));
+    let limit = greatest(control, Some(simulation.setup().lathe.greatest_speed)).filter(|_| surface);
+    InForce { file: 0, greatest_speed: limit.or(control.greatest_speed), ..*control }
 }
 
 /// The part of the time of a rapid motion at its bend: one axis is there already, the other has gone as much of its way.

@@ -295,6 +295,7 @@ impl Given {
         setting.places = Some(self.setup.turret.tools.keys().copied().collect());
         setting.axes = Some(Letters::of("XZ"));
         setting.rapid = Some(self.setup.lathe.rapid);
+        setting.greatest_speed = Some(self.setup.lathe.greatest_speed);
         setting.decimal_point = setting.decimal_point.or(self.decimal_point);
         setting.hole_plane = setting.hole_plane.or(self.hole_plane);
         setting.block_delete |= self.block_delete;

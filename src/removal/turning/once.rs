@@ -180,13 +180,15 @@ impl Watch {
         }
         if let Some((deep, metal)) = met {
             self.grooves.extend(ThreadGroove::new([start, end], lead, tool));
-            let pass = ThreadPass { thread, way: [start, end], turned, place, tool, begins, deep, metal };
+            let pass = ThreadPass { thread, way: [start, end], turned, place, tool, deep, metal };
             let most = DEEPEST_PASS;
-            if let Some(depth) =
+            if let Some((depth, first)) =
                 self.threads.judge(&pass, tally).filter(|_| matches!(tool.cutter, Cutter::Threader { .. }))
             {
                 let cause = Cause::ThreadPassTooDeep { depth, most };
-                if self.begins(cause, depth > most + TOUCH, place) {
+                let holds = depth > most + TOUCH;
+                // The alarm of a pass does not end with its pull-out, which is shallow.
+                if (holds || first) && self.begins(cause, holds, place) {
                     tally.raise(cause, start, None);
                 }
             }

@@ -46,8 +46,8 @@ pub struct Simulation {
     totals: Totals,
     steps: usize,
     contour: Ring,
-    /// The last cut parted a piece off, and this is it.
-    fallen: Vec<Labelled>,
+    /// Where the piece was parted off that came off last.
+    parting: Option<Parting>,
     /// The thread that the last motion cut.
     led: Option<Led>,
     /// The tool that stands where it worked last, or straight behind that, `[z, r]` on the grid.
@@ -59,6 +59,17 @@ pub struct Simulation {
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
     swept: Convex,
+}
+
+/// A piece has come off.
+#[derive(Clone, Copy, Debug)]
+struct Parting {
+    /// The tool's place.
+    tool: u32,
+    /// Where the programmed point ended, z on the grid.
+    z: f64,
+    /// See [`Simulation::cuts_on`].
+    cuts_on: Option<(usize, usize)>,
 }
 
 impl Simulation {
@@ -136,7 +147,7 @@ impl Simulation {
             totals: Totals::default(),
             steps: 0,
             contour: Ring::new(),
-            fallen: Vec::new(),
+            parting: None,
             led: None,
             stands: None,
             chain,
@@ -165,8 +176,8 @@ impl Simulation {
         rings
     }
 
-    /// What the program makes: the piece that its last cut has parted off, else what is in the chuck; see
-    /// [`super::detached::judged`].
+    /// What the program makes: the piece that it has parted off last, whatever it still cuts of the bar behind it; else what is in the
+    /// chuck; see [`super::detached::judged`].
     #[must_use]
     pub fn product(&self) -> Vec<Ring> {
         self.shifted(self.made().into_iter().map(|(ring, _)| ring).collect())
@@ -174,13 +185,27 @@ impl Simulation {
 
     /// The same on the grid, with the labels of its edges.
     fn made(&self) -> Vec<Labelled> {
-        if self.fallen.is_empty() { self.part.labelled_rings() } else { self.fallen.clone() }
+        let fallen = self.part.fallen();
+        if fallen.is_empty() { self.part.labelled_rings() } else { fallen.to_vec() }
     }
 
-    /// The piece, of one, that the last cut has parted off: a program that goes on cutting makes what is left instead.
+    /// The piece that was parted off last.
     #[must_use]
     pub fn parted(&self) -> Option<Vec<Ring>> {
-        (!self.fallen.is_empty()).then(|| self.product())
+        (!self.part.fallen().is_empty()).then(|| self.product())
+    }
+
+    /// How many pieces were parted off.
+    #[must_use]
+    pub const fn partings(&self) -> usize {
+        self.part.partings()
+    }
+
+    /// The first motion behind the last parting-off that cuts the rest of the bar elsewhere, or with another tool: the file and the line.
+    /// It may be that the program means to make another part of it.
+    #[must_use]
+    pub fn cuts_on(&self) -> Option<(usize, usize)> {
+        self.parting.and_then(|parting| parting.cuts_on)
     }
 
     /// The part's outer contour when the simulation started, or where the last recorded edit has left it.
@@ -207,9 +232,9 @@ impl Simulation {
     /// what stayed in the chuck.
     #[must_use]
     pub fn lasting_in(&self, second: Option<&Self>) -> Vec<Alarm> {
-        let rest = if self.fallen.is_empty() { self.part.fallen() } else { &self.part.labelled_rings() };
+        let rest = if self.part.fallen().is_empty() { Vec::new() } else { self.part.labelled_rings() };
         let left = second.map(Self::labels).unwrap_or_default();
-        let marks = self.chain.alarms(self.part.gone().chain(labels(rest)).chain(left));
+        let marks = self.chain.alarms(self.part.gone().chain(labels(&rest)).chain(left));
         [marks, self.watch.off_groove()].concat()
     }
 
@@ -334,6 +359,7 @@ impl Simulation {
             (leaves, leaves && straight_back(&ready.tool, &pieces))
         });
         let (leaves, back) = leaves.unwrap_or_default();
+        let partings = self.part.partings();
         let removed = if pieces.is_empty() {
             Removed::default()
         } else {
@@ -345,9 +371,15 @@ impl Simulation {
         }
         if removed.parted > 0.0 {
             tally.raise(Cause::PartedOff(removed.parted), to, None);
-            self.fallen = self.part.fallen().to_vec();
-        } else if motion.kind != MotionKind::Rapid && removed.volume > CHIP {
-            self.fallen.clear();
+            if self.part.partings() != partings {
+                self.parting = Some(Parting { tool: control.tool, z: to[0], cuts_on: None });
+            }
+        } else if let Some(parting) = &mut self.parting
+            && motion.kind != MotionKind::Rapid
+            && removed.volume > CHIP
+            && (control.tool != parting.tool || (to[0] - parting.z).abs() > TOUCH)
+        {
+            parting.cuts_on.get_or_insert((control.file, motion.line));
         }
 
         let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);

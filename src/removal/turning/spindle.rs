@@ -6,6 +6,7 @@ use super::machine::Lathe;
 use super::path::Piece;
 use crate::gcode::in_force::{InForce, Speed, Spindle};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind, Thread};
+use crate::gcode::turning::pace::greatest;
 use crate::number::trig::hypot;
 
 /// The spindle during a motion.
@@ -36,7 +37,7 @@ impl SpindleUse {
     /// What the control asks of the lathe.
     #[must_use]
     pub fn new(control: &InForce, lathe: &Lathe) -> Self {
-        let limit = control.greatest_speed.map_or(lathe.greatest_speed, |most| most.min(lathe.greatest_speed));
+        let limit = greatest(control, Some(lathe.greatest_speed)).unwrap_or(lathe.greatest_speed);
         Self { speed: control.speed, limit, stopped: control.spindle == Spindle::Stopped }
     }
 

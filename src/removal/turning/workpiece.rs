@@ -44,8 +44,10 @@ pub struct Workpiece {
     meeting: Meeting,
     /// A cut has come through, and what is loose has not fallen off yet.
     apart: bool,
-    /// What fell off last, if it is one piece, parted off.
+    /// The piece that was parted off last.
     fallen: Vec<Labelled>,
+    /// How many pieces were parted off.
+    partings: usize,
     /// The labels of all else that fell off.
     gone: BTreeSet<u32>,
     /// Kept so as not to allocate for each cut.
@@ -59,9 +61,10 @@ pub struct Workpiece {
 impl Clone for Workpiece {
     /// The part as it is; no library takes away the same beside.
     fn clone(&self) -> Self {
-        let Self { region, fallen, gone, .. } = self;
-        let (region, fallen, gone) = (region.clone(), fallen.clone(), gone.clone());
-        Self { region, fallen, gone, apart: self.apart, work: self.work, most: self.most, ..Self::default() }
+        let Self { region, fallen, gone, partings, .. } = self;
+        let (region, fallen, gone, partings) = (region.clone(), fallen.clone(), gone.clone(), *partings);
+        let (apart, work, most) = (self.apart, self.work, self.most);
+        Self { region, fallen, gone, partings, apart, work, most, ..Self::default() }
     }
 }
 
@@ -135,10 +138,16 @@ impl Workpiece {
         self.region.labelled_rings()
     }
 
-    /// The contours of the piece that fell off last, mm; none where nothing has, where it was more than one, or a core.
+    /// The contours of the piece that was parted off last, mm; none where nothing was. What fell off beside others, or as a core, is none.
     #[must_use]
     pub fn fallen(&self) -> &[Labelled] {
         &self.fallen
+    }
+
+    /// How many pieces were parted off.
+    #[must_use]
+    pub const fn partings(&self) -> usize {
+        self.partings
     }
 
     /// From now on a library of polygons takes away the same beside.
@@ -229,9 +238,10 @@ impl Workpiece {
                 removed.parted += pieces;
                 let mut parts = fallen.iter().map(|(ring, _)| ring).filter(|ring| volume(ring) >= CHIP);
                 let whole = parts.next().is_some_and(|ring| judged(ring) == Loose::Piece) && parts.next().is_none();
-                let (last, others) = if whole { (fallen, Vec::new()) } else { (Vec::new(), fallen) };
-                let before = std::mem::replace(&mut self.fallen, last);
-                self.gone.extend(before.into_iter().chain(others).flat_map(|(_, labels)| labels));
+                self.partings += usize::from(whole);
+                // A core or a ring that falls out later does not take the piece's place.
+                let gone = if whole { std::mem::replace(&mut self.fallen, fallen) } else { fallen };
+                self.gone.extend(gone.into_iter().flat_map(|(_, labels)| labels));
             }
         }
         removed

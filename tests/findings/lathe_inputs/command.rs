@@ -81,6 +81,16 @@ fn the_document_has_these_keys_and_these_units() {
 }
 
 #[test]
+fn the_totals_of_a_rejected_program_are_not_known() {
+    let folder = bench("N10 G0 X46.|N20 G1 Z-20. F.2|N30 G2 X60. Z-40. R1.|N40 G0 X54.");
+    let said = simulate(folder.path(), &["--stock", "D50xL120", "--json"]);
+    let document: Json = serde_json::from_str(&said.out).unwrap();
+    assert_eq!(document["status"], "refused");
+    let totals = document["totals"].as_object().unwrap();
+    assert!(totals.len() > 10 && totals.values().all(Json::is_null), "{totals:?}");
+}
+
+#[test]
 fn the_alarms_of_the_document_are_figures() {
     let folder = bench("N10 G0 X40. Z-10.|N20 X54.");
     let said = simulate(folder.path(), &["--stock", "D50xL120", "--json"]);

@@ -123,7 +123,7 @@ fn a_piece_that_is_parted_off_is_shown_and_said() {
         fs::write(folder.path().join("part.xlsx"), Book::new(&program(blocks)).bytes()).unwrap();
         let (page, exit) = page(folder.path(), &["view", "part.xlsx"], "part.html");
         assert_eq!(exit, 0, "{blocks}");
-        assert_eq!(page.contains("The last cut parts the piece off"), wanted, "{blocks}");
+        assert_eq!(page.contains("The program parts the piece off"), wanted, "{blocks}");
         assert_eq!(page.contains("\"parted\":{\"motion\":"), wanted, "{blocks}");
     }
 }

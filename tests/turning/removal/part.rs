@@ -98,6 +98,38 @@ fn what_is_cut_loose_beside_the_cut_is_the_part_and_a_core_inside_a_face_groove_
 }
 
 #[test]
+fn a_piece_that_was_parted_off_stays_the_part_whatever_is_cut_of_the_bar_behind_it() {
+    let made = |run: &Run| run.simulation.product().iter().map(|ring| volume(ring)).sum::<f64>();
+    let drilled = || {
+        let mut setup = Setup::new(Lathe::default(), Stock { diameter: 30.0, ..bar() }, turret());
+        setup.turret.tools.insert(5, tools::drill(10.0, 60.0));
+        Run::on(setup).tool(5).rapid(0.0, 5.0).cut(0.0, -29.0)
+    };
+    let begun = || drilled().rapid(0.0, 5.0).tool(3).rapid(54.0, -30.0);
+    // In one block, and in two: the second one takes what the drill's tip has left in the bar.
+    let whole = begun().cut(-1.0, -30.0);
+    let first = begun().cut(6.0, -30.0);
+    assert!(first.simulation.totals().all.parted > 1000.0);
+    let slower = first.cut(-1.0, -30.0);
+    assert!(slower.last().removed.volume > 1.0, "the core is cut");
+    for run in [&whole, &slower] {
+        assert!((made(run) - run.simulation.totals().all.parted).abs() < 1.0, "{}", made(run));
+        assert_eq!(run.simulation.cuts_on(), None);
+    }
+    assert!((made(&whole) - made(&slower)).abs() < 1.0);
+    // What is turned of the bar behind it may be another part: that is told, with the line.
+    let piece = made(&slower);
+    let on = slower.rapid(54.0, -30.0).tool(1).rapid(26.0, -25.0).cut(26.0, -45.0);
+    assert!(on.last().removed.volume > 100.0);
+    assert_eq!(on.simulation.cuts_on(), Some((0, on.steps.len())));
+    assert!((made(&on) - piece).abs() < 1e-9);
+    // Once that is parted off too, it is the part.
+    let both = on.rapid(54.0, -30.0).tool(3).rapid(54.0, -50.0).cut(-1.0, -50.0);
+    assert_eq!(both.simulation.cuts_on(), None);
+    assert!((made(&both) + piece - both.simulation.totals().all.parted).abs() < 1.0);
+}
+
+#[test]
 fn a_thread_has_ribs_of_its_pitch_and_depth_and_passes_meet_in_the_grooves() {
     let pass =
         |run: Run, x: f64, start: f64| run.rapid(60.0, start).rapid(x, start).thread(x, -20.0, 2.0).rapid(60.0, -20.0);
