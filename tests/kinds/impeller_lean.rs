@@ -84,10 +84,10 @@ fn a_tool_leans_only_where_its_holder_stays_clear() {
 fn the_pass_round_a_splitter_leans_no_farther_than_brings_it_to_the_floor_nor_than_b_may_go() {
     let design = Design { R: 20.0, r: 14.3, N: 3, e: 1.0, a_p: 0.3 };
     let cut = |scallop: f64, most: Option<f64>| {
-        let usual = Cut::usual(5.0, 3.0);
-        Cut { s: 0.0, scallop, partly: true, splitters: true, tilt: [None, most], ..usual }
+        let usual = CutStrategy::usual(5.0, 3.0);
+        CutStrategy { s: 0.0, scallop, partly: true, splitters: true, tilt: [None, most], ..usual }
     };
-    let highest = |cut: &Cut| {
+    let highest = |cut: &CutStrategy| {
         let plan = plan(&design, cut);
         let round = plan.of(Which::Finish).filter(|pass| matches!(pass.cutting, Cutting::SplitterFlanks { .. }));
         round.flat_map(|pass| &pass.points).map(|stand| stand.B.to_degrees()).fold(0.0, f64::max)

@@ -8,7 +8,8 @@ use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 ///
 /// The header of a program that rodete wrote names it. `.pim` is a Fagor 8055, `.pit` an 8055 T, `.ngc` LinuxCNC. A first line of a name
 /// and attributes, `%name,MX--,`, is a Fagor 8055, or 8055 T where a block has G96 with S, or where one has G95 and none as far as the end
-/// has Y; `%number-name` is a Fagor 8070, or 8055 where a block has G43, which an 8070 has not. An M code from M10 to M18 or M20 to M29, which LinuxCNC does not have and a machine's builder gives
+/// has Y; `%number-name` is a Fagor 8070, or 8055 where a block has G43 or limits the spindle by G92 with S alone, which an 8070 has not.
+/// That is an 8055 T where no block has Y, and one has G96 with S or G92 with S alone, or as above G95. An M code from M10 to M18 or M20 to M29, which LinuxCNC does not have and a machine's builder gives
 /// a Fagor (clamps of rotary axes), is a Fagor 8055, unless a line is written as for a Fanuc or a Haas, whose builders have such codes
 /// too: with an O number, a `%` alone, G43 H, G28 or G30, or a number that begins or ends with its decimal point. So is a line that is a
 /// statement in parentheses, as `(CALL 1)` or `(P100=5)`: another control would pass over it as a comment, and make another part; and so is
@@ -44,9 +45,7 @@ pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
         return fagor_8055();
     }
     if first.strip_prefix('%').is_some_and(|name| name.starts_with(|letter: char| letter.is_ascii_digit())) {
-        // An 8070 has no G43, which takes up the tool's length on an 8055.
-        let length = text.lines().any(|line| has(&code(line), "G", "43")) && !text.lines().any(hash_statement);
-        return if length { &FAGOR_8055 } else { &FAGOR_8070 };
+        return numbered(&text);
     }
     let short = || text.lines().any(short_place_and_offset) && !text.lines().any(|line| has(&code(line), "M", "6"));
     if text.lines().any(|line| place_and_offset(line) || speed_limit(line) || roughs(line) || home_or_thread(line))
@@ -61,6 +60,24 @@ pub fn guess(head: &[u8], ending: &str, turned: bool) -> &'static Control {
         return fagor_8055();
     }
     if text.lines().any(builders_code) && !text.lines().any(of_fanuc) { &FAGOR_8055 } else { &LINUXCNC }
+}
+
+/// The Fagor of a program whose first line is `%number`.
+fn numbered(text: &str) -> &'static Control {
+    // G192 limits the spindle of an 8070.
+    if text.lines().any(|line| hash_statement(line) || has(&code(line), "G", "192")) {
+        return &FAGOR_8070;
+    }
+    // An 8070 has no G43, which takes up the tool's length on an 8055.
+    if text.lines().any(|line| has(&code(line), "G", "43")) {
+        return &FAGOR_8055;
+    }
+    let limited = text.lines().any(fagor_speed_limit);
+    let without_y = !text.lines().skip_while(|line| line.trim().is_empty()).skip(1).any(|line| word(&code(line), 'Y'));
+    if without_y && (limited || text.lines().any(surface_speed)) || turns_without_y(text) {
+        return &FAGOR_8055_T;
+    }
+    if limited { &FAGOR_8055 } else { &FAGOR_8070 }
 }
 
 /// The same of a turning program. A line of a name and attributes, `%name,MX--,`, a statement in parentheses, or a tool with its offset
@@ -188,6 +205,12 @@ fn turns_without_y(text: &str) -> bool {
 fn speed_limit(line: &str) -> bool {
     let code = code(line);
     has(&code, "G", "50") && word(&code, 'S')
+}
+
+/// True where a line has G92 and S without an axis, the limit of the spindle's speed of a Fagor 8055.
+fn fagor_speed_limit(line: &str) -> bool {
+    let code = code(line);
+    has(&code, "G", "92") && word(&code, 'S') && !"XYZUVWABC".chars().any(|axis| word(&code, axis))
 }
 
 /// True where a line has the second block of a roughing cycle of a Fanuc lathe: the first and the last block of its contour, and the
@@ -330,6 +353,24 @@ mod tests {
             ("%00203\r\nN0 T1.1\r\nN10 M6\r\nN20 G0 G90 G43 Z10 F100 S1000 M3\r\n", "nc", "fagor-8055"),
             ("%0001-A\r\n#RTCP ON\r\nG43 Z10\r\n", "nc", "fagor-8070"),
             ("%0001-A\r\nG71 (G43)\r\nG430\r\n", "nc", "fagor-8070"),
+            // A lathe's: the speed limit of an 8055, or a surface speed in a program without Y.
+            (
+                "%00000\r\n;A\r\nG92 S1300\r\nG0 G90 G95 G96 X200 Z200 F0.15 S130 M3 M42\r\nM30\r\n",
+                "nc",
+                "fagor-8055-t",
+            ),
+            ("%00000\r\nN0000 G92 S1300\r\nN0010 G0 G90 G95 G96 X200 Z200 F0.15 S180 M3\r\n", "nc", "fagor-8055-t"),
+            ("%00000\r\nG92 S1300\r\nG0 X200 Z200\r\n", "nc", "fagor-8055-t"),
+            ("%00042\r\n(A)\r\nG0 G90 G96 X32 Z0 S120 T1.1 M3 M41\r\nG1 X-0.8 F0.05\r\n", "nc", "fagor-8055-t"),
+            ("%200-Y1\r\nG0 G90 G96 X32 Z0 S120\r\n", "nc", "fagor-8055-t"),
+            ("%200\r\nG0 G90 G95 X32 Z0 F.1\r\nM30\r\n", "nc", "fagor-8055-t"),
+            ("%200\r\nG0 G90 G95 X32 Z0 F.1\r\n", "nc", "fagor-8070"),
+            ("%200\r\nG92 S1300\r\nG0 X200 Y5 Z200\r\n", "nc", "fagor-8055"),
+            ("%200\r\nG92 X0 S1300\r\nG0 X200 Z200\r\n", "nc", "fagor-8070"),
+            ("%200\r\nG0 G90 G96 X32 Y0 Z0 S120\r\n", "nc", "fagor-8070"),
+            ("%200\r\nG0 G90 G95 X32 Y1 F.1\r\nM30\r\n", "nc", "fagor-8070"),
+            ("%200\r\nG192 S2000\r\nG96 S120\r\nG0 X32 Z0\r\nM30\r\n", "nc", "fagor-8070"),
+            ("%200\r\n#RTCP ON\r\nG96 S120\r\nG0 X32 Z0\r\nM30\r\n", "nc", "fagor-8070"),
             ("%0001-A,MX--,\r\n;RODETE 0.1.0 - DIALECTO FAGOR-8055-T\r\nG71\r\n", "nc", "fagor-8055-t"),
             ("(RODETE 0.1.0 - DIALECT FAGOR-8070)\nG71\n", "nc", "fagor-8070"),
             ("%0001-A,MX--,\r\nG71\r\nN40 G96 S300 M4\r\n", "nc", "fagor-8055-t"),

@@ -83,6 +83,8 @@ pub(super) struct Block {
     pub(super) present: u32,
     /// One bit for each letter whose number has no decimal point although a control may scale it for that.
     pub(super) pointless: u32,
+    /// The parts of what is in force that its words give, as a number of theirs hangs on a parameter of a rejected block: one bit each.
+    pub(super) lost: u32,
     /// How the corner behind the block is broken.
     pub(super) edge: Option<EdgeWord>,
     /// `@` and `^`: distance and angle of a polar position.
@@ -119,6 +121,7 @@ impl Block {
             side: None,
             present: 0,
             pointless: 0,
+            lost: 0,
             edge: None,
             polar: [None; 2],
             values: [0.0; 26],
@@ -146,6 +149,7 @@ impl Block {
         self.spot.n = None;
         self.present = 0;
         self.pointless = 0;
+        self.lost = 0;
         self.edge = None;
         self.polar = [None; 2];
         self.groups = 0;

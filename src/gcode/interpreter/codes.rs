@@ -217,11 +217,13 @@ impl Reader<'_, '_> {
             self.state.modal.feed_word = F;
             self.state.modal.feed_stale = false;
             self.state.modal.feed_unit = None;
+            self.state.modal.feed_earlier = None;
         }
         if let Some(S) = self.block.get(letter::S) {
             let limit = matches!(self.block.g(Group::NonModal), Some(G::SetPositionOrSpeed));
             if !limit {
                 self.state.modal.speed = self.surface(S);
+                self.see_speed();
             }
         }
         Ok(())
@@ -243,6 +245,7 @@ impl Reader<'_, '_> {
         match self.memory.control.feed.change {
             FeedChange::Forgets if mode != FeedMode::InverseTime => {
                 (self.state.modal.feed, self.state.modal.feed_word) = (0.0, 0.0);
+                self.state.modal.feed_earlier = None;
             }
             FeedChange::Forgets => {}
             FeedChange::KeepsStale => self.state.modal.feed_stale |= changes && self.state.modal.feed > 0.0,

@@ -25,7 +25,7 @@ use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::letters::Letters;
 use crate::gcode::rules::flow::ContourBlockMissing;
-use crate::gcode::rules::turned::ContourWithoutCut;
+use crate::gcode::rules::turned::{ContourLegInRapid, ContourWithoutCut};
 use crate::gcode::turning::profile::{Element, Profile};
 use crate::gcode::turning::rules::{
     BlocksBeforeContour, ContourBegins, ContourBlockNotNamed, ContourDwellAndMotion, ContourEndsBeforeItBegins,
@@ -162,6 +162,12 @@ impl Reader<'_, '_> {
         if profile.elements.iter().all(|element| element.rapid) {
             let n = blocks.first().and_then(|block| block.words.spot.n);
             self.memory.remarks.row(&ContourWithoutCut {}, Spot { text: file, line, n, ..last }, None);
+        } else {
+            for line in profile.along_in_rapid() {
+                let spot = blocks.iter().map(|block| block.words.spot).find(|spot| spot.line == line);
+                let n = spot.and_then(|spot| spot.n);
+                self.memory.remarks.row(&ContourLegInRapid {}, Spot { text: file, line, n, ..last }, None);
+            }
         }
         let kept = &self.memory.seen.contours;
         // A file of nothing but contours must not fill the memory.

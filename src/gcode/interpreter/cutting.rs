@@ -30,13 +30,58 @@ pub(super) struct SpindleSeen {
     cut_before: Option<Spot>,
     /// The first motion at feed, or along a thread, under M3 or M4 at a speed of 0.
     cut_still: Option<Spot>,
+    /// What has come since the last M3, M4 or M5.
+    run: SpindleRun,
+    /// The last S was 0.
+    zero: bool,
     /// What turns at it is a spindle, and no torch that M3 lights.
     no_torch: bool,
     /// M5 has been programmed.
     off: bool,
 }
 
+/// What a program has done since an M3, M4 or M5. A laser is on with S and off with S0 while M3 or M4 stays: in one run it is put off, on and
+/// off again, or on, off and on. The spindle of a cutter never is.
+#[derive(Clone, Copy, Debug, Default)]
+struct SpindleRun {
+    /// The first cut at a speed of 0.
+    still: Option<Spot>,
+    /// The last that was seen of S: true where a cut was made with it, false where it was 0.
+    lit: Option<bool>,
+    /// How often the one has come behind the other.
+    switched: u32,
+}
+
+impl SpindleRun {
+    fn see(&mut self, lit: bool) {
+        self.switched += u32::from(self.lit.replace(lit) == Some(!lit));
+    }
+
+    /// The first cut at a speed of 0, where the run is no laser's.
+    fn cut_still(self) -> Option<Spot> {
+        self.still.filter(|_| self.switched < 2)
+    }
+}
+
 impl Reader<'_, '_> {
+    /// Sees S in the block in hand. Beside M5 it puts out what M5 does.
+    pub(super) fn see_speed(&mut self) {
+        let zero = self.state.modal.speed <= 0.0;
+        self.memory.seen.spindle.zero = zero;
+        if zero && !matches!(self.block.m(7), Some((M::SpindleOff, _))) {
+            self.memory.seen.spindle.run.see(false);
+        }
+    }
+
+    /// A run of the spindle has ended.
+    fn end_run_of_spindle(&mut self) {
+        // A lathe is no laser.
+        let turns = self.memory.control.turns();
+        let run = std::mem::take(&mut self.memory.seen.spindle.run);
+        let still = if turns { run.still } else { run.cut_still() };
+        self.memory.seen.spindle.cut_still = self.memory.seen.spindle.cut_still.or(still);
+    }
+
     /// Sees the codes of the spindle in the block in hand.
     pub(super) fn see_spindle(&mut self) {
         let code = self.block.m(7).map(|(code, _)| code);
@@ -44,7 +89,11 @@ impl Reader<'_, '_> {
         self.memory.seen.spindle.speed |= self.state.modal.speed > 0.0;
         self.memory.seen.spindle.off |= code == Some(M::SpindleOff);
         self.memory.seen.spindle.no_torch |= self.block.has(letter::S);
-        self.memory.seen.spindle.said |= matches!(code, Some(M::Spindle(_) | M::SpindleOff));
+        if matches!(code, Some(M::Spindle(_) | M::SpindleOff)) {
+            self.memory.seen.spindle.said = true;
+            self.end_run_of_spindle();
+            self.memory.seen.spindle.run.lit = self.memory.seen.spindle.zero.then_some(false);
+        }
         if matches!(code, Some(M::Spindle(_))) {
             self.remark_cut_before_spindle();
         }
@@ -77,6 +126,7 @@ impl Reader<'_, '_> {
     /// A cut under M3 or M4 without a speed. A torch or a laser is lit by M3 for its cuts alone and put out by M5: a program without any S that
     /// makes no rapid motion with it on is one of those, and has no speed to say. No lathe is.
     fn remark_cut_still(&mut self, whole: bool) {
+        self.end_run_of_spindle();
         let cut_still = self.memory.seen.spindle.cut_still.take();
         let SpindleSeen { no_torch, off, speed, .. } = &self.memory.seen.spindle;
         if let Some(spot) = cut_still
@@ -95,7 +145,8 @@ impl Reader<'_, '_> {
             && !self.in_doubt(doubt::SPINDLE | doubt::SPEED)
     }
 
-    /// Sees a cut of a lathe that the spindle leads: before a spindle is started the control waits there for ever.
+    /// Sees a cut of a lathe before a spindle is started: the tool rams into the part at rest, or the control waits there for ever for
+    /// the revolutions that the feed is per. What a bar is drawn out by comes behind M5.
     fn see_waiting_cut(&mut self) {
         if self.state.modal.spindle == Spindle::Stopped
             && !self.in_doubt(doubt::SPINDLE)
@@ -110,7 +161,9 @@ impl Reader<'_, '_> {
     fn see_cut_still(&mut self) {
         if self.turns_without_speed() {
             let spot = self.block.spot;
-            self.memory.seen.spindle.cut_still.get_or_insert(spot);
+            self.memory.seen.spindle.run.still.get_or_insert(spot);
+        } else if self.state.modal.spindle != Spindle::Stopped && self.state.modal.speed > 0.0 {
+            self.memory.seen.spindle.run.see(true);
         }
     }
 
@@ -120,18 +173,21 @@ impl Reader<'_, '_> {
     fn see_feed_word(&mut self, to: &Pose) {
         let block = &self.block;
         let bare = block.g(Group::Motion).is_none() && block.g(Group::NonModal).is_none();
-        if !bare || !block.has(letter::F) || self.state.modal.motion != G::Rapid || self.in_doubt(doubt::MOTION) {
+        let modes = doubt::MOTION | doubt::UNIT | doubt::DISTANCE;
+        if !bare || !block.has(letter::F) || self.state.modal.motion != G::Rapid || self.in_doubt(modes) {
             return;
         }
+        // Where the tool stands is not known of an axis that a rejected block would have moved.
+        let [by_x, by_y, by_z] = [Axis::X, Axis::Y, Axis::Z].map(|axis| !self.in_doubt(doubt::axis(axis)));
         let [from, to] = [&self.state.at, to].map(|pose| [Axis::X, Axis::Y, Axis::Z].map(|axis| pose.get(axis)));
         let [[x, y, z], [X, Y, Z]] = [from, to];
         let into = if self.memory.control.turns() {
             // The part is on either side of the axis.
-            X.abs() < x.abs() || x * X < 0.0 || X.abs() > x.abs() && z.max(Z) < 0.0
+            by_x && (X.abs() < x.abs() || x * X < 0.0 || X.abs() > x.abs() && by_z && z.max(Z) < 0.0)
         } else {
-            z.min(Z) < 0.0 && (x != X || y != Y)
+            by_z && z.min(Z) < 0.0 && (by_x && x != X || by_y && y != Y)
         };
-        if Z < z || into {
+        if by_z && Z < z || into {
             self.memory.remarks.row(&FeedWordInRapid {}, self.block.spot, None);
         }
     }
@@ -196,9 +252,7 @@ impl Reader<'_, '_> {
         }
         self.see_cut_still();
         if turns {
-            if feed.mode == FeedMode::PerRevolution {
-                self.see_waiting_cut();
-            }
+            self.see_waiting_cut();
             self.see_turned();
             return;
         }
@@ -348,6 +402,16 @@ mod tests {
             ("M4 S0|G1 X1|S900|G1 X2|M5", &["G0538"]),
             ("S900 M3|G1 X1|S0|G1 X2|M5", &["G0538"]),
             ("M3|S900|G1 X1", &[]),
+            // A laser is put off by S0 while M3 or M4 stays.
+            ("M4 S0|G0 X0|G1 X1 S500|G0 X2 S0|G1 X3 S500|G1 X4 S0|M5", &[]),
+            ("M3 S0|G0 X0|G1 X1 S200|G1 X2 S0|G1 X3 S200|M5", &[]),
+            ("M3|S0|G0 X0|G1 Z-5|S900|G1 X1|S0|G0 Z6|G1 Z-5|S900|G1 X2|S0|G0 Z6", &[]),
+            ("M3 S0|G0 X0|G1 Z-5|S900|G1 X1|S0|M5", &[]),
+            ("M3 S0|G0 X0|G1 Z-5|S900|G1 X1|S0|M5|M3|G1 X2|M5", &["G0538"]),
+            ("M3 S0|G0 X0|G1 Z-5|S900|G1 X1|S0 M5", &["G0538"]),
+            ("M3|G0 X0|G1 Z-5|S900|G1 X1|S0|M5", &["G0538"]),
+            ("S900 M3|G1 X1|M5|S0 M3|G1 X2|M5|S900 M3|G1 X3|M5", &["G0538"]),
+            ("S900 M3|G1 X1|S0|G0 X2|G1 X3|M5", &["G0538"]),
             // The tool may stand in the part that turns.
             ("M3|G0 X1|G1 A90", &["G0538"]),
             ("M3|S900|G0 Z-2|G1 A90", &[]),

@@ -7,8 +7,8 @@ use crate::finding::{Finding, Raise};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Codes;
 use crate::gcode::interpreter::Reader;
-use crate::gcode::interpreter::block::AXES;
 use crate::gcode::interpreter::block::letter::{F, S, T, U, W};
+use crate::gcode::interpreter::block::{AXES, Parameter};
 use crate::gcode::interpreter::cursor::comments;
 use crate::gcode::interpreter::refused::{Refused, place};
 use crate::gcode::rules::flow::FollowingErrors;
@@ -55,6 +55,8 @@ pub(super) const fn axis(axis: Axis) -> State {
 pub(super) struct Doubts {
     state: State,
     parameters: BTreeSet<String>,
+    /// The number that is being read hangs on one of those parameters.
+    lost: bool,
     /// The file and the line of the first refused block.
     since: Option<(Option<String>, usize)>,
     /// How many refusals were left out, and what they hung on.
@@ -125,13 +127,7 @@ impl Reader<'_, '_> {
         // A feed whose unit is not known stays so until F comes again.
         let mut state = if self.state.modal.feed_unit.is_some() { FEED } else { 0 };
         for (at, &byte) in line.iter().enumerate() {
-            let index = usize::from(byte.wrapping_sub(b'A'));
             state |= match byte {
-                b'U' if self.memory.control.axes.by_letters() => axis(Axis::X),
-                b'W' if self.memory.control.axes.by_letters() => axis(Axis::Z),
-                b'F' => FEED,
-                b'S' => SPEED,
-                b'T' | b'D' | b'H' => TOOL,
                 b'G' => number(&line, at + 1).map_or(MOTION, |code| of_code(code, self.memory.control.codes)),
                 b'M' => match number(&line, at + 1) {
                     Some(code) if code == 6.0 || code == 61.0 => TOOL,
@@ -139,17 +135,72 @@ impl Reader<'_, '_> {
                 },
                 b'@' | b'^' => ALL,
                 b'#' => {
-                    let name = line.get(at + 1..).unwrap_or_default().split(|byte| *byte == b'=').next();
-                    let name = String::from_utf8_lossy(name.unwrap_or_default()).to_ascii_lowercase();
-                    self.memory.doubts.parameters.insert(name);
+                    let rest = line.get(at + 1..).unwrap_or_default();
+                    let mut parts = rest.splitn(2, |byte| *byte == b'=');
+                    let name = String::from_utf8_lossy(parts.next().unwrap_or_default()).to_ascii_lowercase();
+                    // A number that is read alone keeps its value; a name may be why the line was refused.
+                    if parts.next().is_some() || name.parse::<usize>().is_err() {
+                        self.memory.doubts.parameters.insert(name);
+                    }
                     PARAMETERS
                 }
-                _ => AXES.iter().position(|&one| one == index).map_or(0, |axis| 1 << axis),
+                _ => self.of_letter(byte),
             };
         }
         self.memory.doubts.state |= state;
         let file = self.memory.library.file(self.block.spot.text).cloned();
         self.memory.doubts.since.get_or_insert((file, refused));
+    }
+
+    /// What a word of a letter may put into force.
+    fn of_letter(&self, letter: u8) -> State {
+        let index = usize::from(letter.wrapping_sub(b'A'));
+        match letter {
+            b'U' if self.memory.control.axes.by_letters() => axis(Axis::X),
+            b'W' if self.memory.control.axes.by_letters() => axis(Axis::Z),
+            b'F' => FEED,
+            b'S' => SPEED,
+            b'T' | b'D' | b'H' => TOOL,
+            _ => AXES.iter().position(|&one| one == index).map_or(0, |axis| 1 << axis),
+        }
+    }
+
+    /// A number begins to be read.
+    pub(super) fn begin_number(&mut self) {
+        self.memory.doubts.lost = false;
+    }
+
+    /// A parameter is read: true where a rejected block would have set it, and the number hangs on that.
+    pub(super) fn see_parameter(&mut self, name: impl FnOnce() -> String) -> bool {
+        let lost = !self.memory.doubts.parameters.is_empty() && self.doubt_of(&name()) != 0;
+        self.memory.doubts.lost |= lost;
+        lost
+    }
+
+    /// The number of a word has been read: what it gives is in doubt as the parameter is that it hangs on.
+    pub(super) fn see_word(&mut self, letter: u8) {
+        if self.memory.doubts.lost {
+            let state = self.of_letter(letter.to_ascii_uppercase());
+            self.block.lost |= state;
+            self.memory.doubts.state |= state;
+        }
+    }
+
+    /// The number that a parameter gets has been read: certain again, or in doubt itself.
+    pub(super) fn see_setting(&mut self, parameter: &Parameter) {
+        let doubts = &mut self.memory.doubts;
+        if doubts.parameters.is_empty() {
+            return;
+        }
+        let name = match parameter {
+            Parameter::Number(number) => number.to_string(),
+            Parameter::Name(name) => format!("<{name}>"),
+        };
+        if doubts.lost {
+            doubts.parameters.insert(name);
+        } else {
+            doubts.parameters.remove(&name);
+        }
     }
 
     /// True where a refusal follows from what is in doubt: it is counted and not reported. What its block would have put into
@@ -194,7 +245,7 @@ impl Reader<'_, '_> {
                 known |= if block.has(letter) && !increment { 1 << index } else { 0 };
             }
         }
-        self.memory.doubts.state &= !known;
+        self.memory.doubts.state &= !known | self.block.lost;
     }
 
     /// True where a part of what is in force is in doubt: a remark that hangs on it would follow from the refused block.

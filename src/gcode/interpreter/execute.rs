@@ -396,6 +396,7 @@ impl Reader<'_, '_> {
         if !self.in_doubt(doubt::FEED) {
             self.memory.see_feed(mode, self.block.spot);
         }
+        self.remark_feed_before_unit();
         if self.state.modal.feed_stale {
             self.remark_stale_feed();
         }

@@ -279,6 +279,7 @@ impl Reader<'_, '_> {
             if OF_THE_MACHINE.contains(&name.as_str()) {
                 return Err(Refused::of(&NameOfMachine { name }, &[column]));
             }
+            self.see_parameter(|| format!("<{name}>"));
             let unset = self.memory.flow.defining.then_some(0.0);
             return self.memory.parameters.named(&name).or_else(|| self.system_name(&name)).or(unset).ok_or_else(
                 || {
@@ -301,7 +302,8 @@ impl Reader<'_, '_> {
         if self.is_input(number) {
             return Err(Refused::of(&InputUsed { number }, &[column]));
         }
-        if !self.memory.parameters.known(number) {
+        let lost = self.see_parameter(|| number.to_string());
+        if !lost && !self.memory.parameters.known(number) {
             let spot = self.block.spot;
             self.memory.remarks.row(&ParameterUnset { number }, spot, Some(column));
         }

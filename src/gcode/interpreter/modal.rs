@@ -5,6 +5,7 @@ use crate::gcode::control::Control;
 use crate::gcode::in_force::{Compensation, InForce, Speed, Spindle};
 use crate::gcode::interpreter::length::{Left, Offset};
 use crate::gcode::interpreter::turning::First;
+use crate::gcode::interpreter::units::FeedEarlier;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::length_unit::LengthUnit;
 
@@ -77,6 +78,8 @@ pub(super) struct Modal {
     pub(super) feed_stale: bool,
     /// F was given beside a code that changes the unit, and no source says in which it counts: the line, and the code.
     pub(super) feed_unit: Option<(usize, G)>,
+    /// F was given beside a code that changes the unit, and the control has taken it before that code; no motion has gone at it yet.
+    pub(super) feed_earlier: Option<FeedEarlier>,
     /// The work offset in force is shifted by its own block.
     pub(super) shifted: bool,
     /// The first blocks of turning cycles of two blocks.
@@ -122,6 +125,7 @@ impl Modal {
             lead_change: 0.0,
             feed_stale: false,
             feed_unit: None,
+            feed_earlier: None,
             shifted: false,
             first: Vec::new(),
             system,

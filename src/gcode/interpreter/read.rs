@@ -89,7 +89,9 @@ impl Reader<'_, '_> {
                 b'm' if !self.in_letter_cycle() => self.read_m(cursor)?,
                 letter @ b'a'..=b'z' => self.read_word(cursor, letter)?,
                 b'#' if self.memory.control.lexis.language.computes() => {
+                    self.begin_number();
                     let setting = self.setting(cursor)?;
+                    self.see_setting(&setting.0);
                     self.block.settings.push(setting);
                 }
                 b'@' | b'^' if self.memory.control.lexis.polar.by_signs() => self.read_polar(cursor)?,
@@ -285,7 +287,9 @@ impl Reader<'_, '_> {
         if self.memory.control.lexis.language.refuses_macros() && cursor.macro_word() {
             return Err(macros(number_column));
         }
+        self.begin_number();
         let number = self.value(cursor)?;
+        self.see_word(letter);
         let value = number.value;
         if DIMENSIONS.has(index) || self.in_letter_cycle() {
             if let Some(most) = self.beyond(letter, value) {

@@ -176,13 +176,15 @@ mod tests {
             ("S800|T0101|G98 G0 X48. Z2.|G1 Z-20. F200.|M5", &["G0583"]),
             ("S800|T0404|G0 X49. Z6.|G32 Z-20. F2.", &["G0583"]),
             ("S800 M4|T0101|G0 X48. Z2.|G1 Z-20. F.2", &[]),
-            // A bar is drawn out before the spindle is started.
-            ("S800|T0101|G98 G0 X0. Z2.|G1 Z0. F200.|M3|G0 X48.|G1 Z-20.", &[]),
+            // A bar is drawn out behind M5, not before any M3.
+            ("S800 M3|T0101|G98 G0 X48. Z2.|G1 Z-20. F200.|M5|G0 X0. Z2.|G1 Z0. F200.|M3|G0 X48.|G1 Z-20.", &[]),
+            ("S800|T0101|G98 G0 X48. Z2.|G1 Z-20. F100.|G0 X60.|M3|G0 X46. Z2.|G1 Z-20.", &["G0530"]),
+            ("S800 M43|T0101|G98 G0 X48. Z2.|G1 Z-20. F100.|G0 X60.|M3|G0 X46. Z2.|G1 Z-20.", &[]),
             // A code of the builder may start a live tool; without S the program speaks of no spindle.
             ("S800 M43|T0101|G98 G0 X48. Z2.|G1 X40. F200.", &[]),
             ("T0101|G98 G0 X48. Z2.|G1 Z-20. F200.", &[]),
             ("S800|T0101|G0 X48. Z2.", &[]),
-            // Before the spindle is started a feed per revolution waits for ever.
+            // A feed per revolution waits for ever.
             ("S800|T0101|G0 X48. Z2.|G1 Z-20. F.2|G0 X60.|M3|G0 X46.|G1 Z-20.", &["G0530"]),
             ("S800|T0404|G0 X49. Z6.|G32 Z-20. F2.|M3|G32 Z-40.", &["G0530"]),
             ("S800 M3|T0101|G0 X48. Z2.|G1 Z-20. F.2|M5|M3|G1 Z-30.", &[]),
@@ -191,6 +193,8 @@ mod tests {
             assert_eq!(fanuc(blocks), told, "{blocks}");
         }
         assert_eq!(remarked(&FAGOR_8055_T, "G71 G90 G95 S800|T1 D1|G0 X48 Z2|G1 Z-20 F0.2", None), ["G0583"]);
+        let before = "G71 G90 G94 F100 S800|T1 D1|G0 X48 Z2|G1 Z-20|G0 X60|M3|G0 X46 Z2|G1 Z-20";
+        assert_eq!(remarked(&FAGOR_8055_T, before, None), ["G0530"]);
     }
 
     /// The codes of what is remarked of a program that ends as it stands, refused or not.
@@ -213,7 +217,7 @@ mod tests {
             ("T0200|S800|G0 X48. Z2.|G1 Z-20. F.2", &["G0583", "G0585"]),
             // What would have come behind a call of nothing may start the spindle, and give offsets.
             ("T0200|S800|G0 X48. Z2.|G1 Z-20. F.2|M98 P5|M30", &["G0530", "G0584"]),
-            ("T0200|S800|G98|G0 X48. Z2.|G1 Z-20. F200.|M98 P5|M30", &["G0584"]),
+            ("T0200|S800|G98|G0 X48. Z2.|G1 Z-20. F200.|M98 P5|M30", &["G0530", "G0584"]),
             ("T0101|M3|G0 X48. Z2.|G1 Z-20. F.2|M98 P5|M30", &["G0538"]),
             ("T0200|S800|G0 X48. Z2.|G1 Z-20. F.2|M98 P5|M30\nO0005|G1 Z-21.", &["G0530", "G0584"]),
         ] {
@@ -318,5 +322,9 @@ mod tests {
         };
         assert_eq!(cycle("N10 G0 X30.|Z-20.|X40. Z-25.|Z-40.|N20 X52."), ["G0582"]);
         assert!(cycle("N10 G0 X30.|G1 Z-20.|X40. Z-25.|Z-40.|N20 X52.").is_empty());
+        // A block of it in rapid along the part: G71 and G70 tell it once.
+        assert_eq!(cycle("N10 G0 X30.|Z0.|Z-20.|G1 X40. Z-25.|Z-40.|N20 X52."), ["G0587"]);
+        assert_eq!(cycle("N10 G0 X30.|G1 Z-20.|G0 Z-25.|G1 X40. Z-30.|N20 X52."), ["G0587"]);
+        assert!(cycle("N10 G0 X30.|Z0.|G1 Z-20.|X40. Z-25.|Z-40.|N20 G0 X52.").is_empty());
     }
 }

@@ -28,6 +28,20 @@ pub(super) struct UnitsSeen {
     pub(super) feed_said: bool,
 }
 
+/// An F that the control has taken before the code beside it changed the unit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FeedEarlier {
+    /// The code.
+    code: G,
+    /// The unit before it.
+    unit: LengthUnit,
+    /// That unit is said: by an earlier code, or by the option.
+    said: bool,
+    /// The block of both, and the column of F.
+    spot: Spot,
+    column: usize,
+}
+
 impl UnitsSeen {
     /// The program tells its unit.
     pub(super) const fn tell(&mut self, spot: Spot, column: usize) {
@@ -117,21 +131,43 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    /// Sees an F that the control takes before the code beside it changes the unit.
+    /// Sees an F that the control takes before the code beside it changes the unit: told where a motion goes at it.
     fn see_feed_before_unit(&mut self, code: G) {
-        let unit = match (self.state.modal.feed_mode, self.state.modal.unit) {
-            (FeedMode::PerMinute, LengthUnit::Millimetre) => t("mm/min", "mm/min"),
-            (FeedMode::PerMinute, LengthUnit::Inch) => t("pulgadas/min", "inches/min"),
-            (FeedMode::PerRevolution, LengthUnit::Millimetre) => t("mm por vuelta", "mm per revolution"),
-            (FeedMode::PerRevolution, LengthUnit::Inch) => t("pulgadas por vuelta", "inches per revolution"),
-            // A time.
-            (FeedMode::InverseTime | FeedMode::Seconds, _) => return,
-        };
-        if self.block.has(letter::F) && !self.in_doubt(UNIT) {
-            let row = FeedInEarlierUnit { code: self.unit_code(code), unit };
+        // A time hangs on no unit.
+        let by_length = matches!(self.state.modal.feed_mode, FeedMode::PerMinute | FeedMode::PerRevolution);
+        if self.block.has(letter::F) && by_length && !self.in_doubt(UNIT) {
+            let unit = self.state.modal.unit;
+            // An option alone says that the control starts in inches.
+            let said = self.memory.seen.units.told_at.is_some() || unit == LengthUnit::Inch;
             let (spot, column) = (self.block.spot, self.block.column(letter::F));
-            self.memory.remarks.row(&row, spot, Some(column));
+            self.state.modal.feed_earlier = Some(FeedEarlier { code, unit, said, spot, column });
         }
+    }
+
+    /// A motion goes at the feed in force: told where that was taken in an earlier unit than the code's beside it.
+    pub(super) fn remark_feed_before_unit(&mut self) {
+        let Some(FeedEarlier { code, unit, said, spot, column }) = self.state.modal.feed_earlier.take() else { return };
+        let per_turn = self.state.modal.feed_mode == FeedMode::PerRevolution;
+        let unit = match (per_turn, unit) {
+            (false, LengthUnit::Millimetre) => t("mm/min", "mm/min"),
+            (false, LengthUnit::Inch) => t("pulgadas/min", "inches/min"),
+            (true, LengthUnit::Millimetre) => t("mm por vuelta", "mm per revolution"),
+            (true, LengthUnit::Inch) => t("pulgadas por vuelta", "inches per revolution"),
+        };
+        let (place, taken, option) = if said {
+            (t(", que cambia la unidad", ", which changes the unit"), t("en", "in"), t("", ""))
+        } else {
+            (
+                t(", el primero que dice la unidad", ", the first that says the unit"),
+                t(
+                    "en la unidad que tenga en vigor, que rodete no sabe; la lee en",
+                    "in the unit that is in force, which rodete does not know; it reads it in",
+                ),
+                t("; si el control empieza en pulgadas, dé --inch", "; if the control starts in inches, give --inch"),
+            )
+        };
+        let row = FeedInEarlierUnit { code: self.unit_code(code), place, taken, unit, option };
+        self.memory.remarks.row(&row, spot, Some(column));
     }
 
     /// Refuses a motion at a feed whose unit is in doubt. What comes behind it in the same feed follows from that.

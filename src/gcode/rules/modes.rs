@@ -214,8 +214,8 @@ rules! {
         es "movimiento de avance antes de que el programa ponga en marcha el husillo"
         en "feed move before the program starts the spindle"
         remedy "programe M3 o M4 antes de este bloque", "program M3 or M4 before this block";
-        why "Una fresa que no gira se rompe al entrar en el material; un torno con avance por vuelta se queda esperando al husillo.",
-            "A cutter that does not turn breaks where it meets the work; a lathe under feed per revolution waits for the spindle for ever.";
+        why "Una fresa que no gira se rompe al entrar en el material; en un torno la herramienta se clava en la pieza parada, y con avance por vuelta el control se queda esperando al husillo.",
+            "A cutter that does not turn breaks where it meets the work; on a lathe the tool rams into the work at rest, and under a feed per revolution the control waits for the spindle for ever.";
         example Example::program("linuxcnc", "G21 G90 S900|G0 Z5|G1 Z-2 F100|M3|G1 X9|M2", "3");
     "G0531" SpindleStopped Caution {}
         es "movimiento de avance con el husillo parado"
@@ -365,10 +365,10 @@ rules! {
         remedy "indique los ejes, para fijar la posición, o S, para el límite de giro", "name the axes, to set the position, or give S, the speed limit";
         why "El código solo no dice qué hay que fijar.", "The code alone does not say what to set.";
         example Example::program("fagor-8055", "G71 G90 G94 F100|G92|M30", "2:1");
-    "G0553" FeedInEarlierUnit Caution { code: String, unit: Text }
-        es "F en el bloque de {code}, que cambia la unidad: el control toma F antes, en {unit}"
-        en "F in the block of {code}, which changes the unit: the control takes F before it does, in {unit}"
-        remedy "escriba F en un bloque detrás del de {code}", "write F in a block behind the one of {code}";
+    "G0553" FeedInEarlierUnit Caution { code: String, place: Text, taken: Text, unit: Text, option: Text }
+        es "F en el bloque de {code}{place}: el control toma F antes, {taken} {unit}"
+        en "F in the block of {code}{place}: the control takes F before it, {taken} {unit}"
+        remedy "escriba F en un bloque detrás del de {code}{option}", "write F in a block behind the one of {code}{option}";
         why "El control fija el avance antes que la unidad: la F es 25.4 veces mayor o menor que en la unidad del código.",
             "The control sets the feed before the unit: the F is 25.4 times as much or as little as in the unit of the code.";
         example Example::program("linuxcnc", "G21 G90 G94 S900 M3|G20 F10|G1 X1|M2", "2:5");

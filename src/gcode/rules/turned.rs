@@ -58,6 +58,13 @@ rules! {
         why "Toda la rosca es menos honda que su paso: una pasada así rompe la herramienta o corta la pieza.",
             "A whole thread is less deep than its lead: such a pass breaks the tool or cuts the work in two.";
         example Example::program("fanuc-lathe-a", "G21 G97 S500 M3|T0404|G0 X54. Z6.|G92 X49.5 Z-20. F2.|X49.|X4.8|M30", "6");
+    "G0587" ContourLegInRapid Caution {}
+        es "este bloque del contorno va en rápido, y por la pieza: G70 lo recorrería así"
+        en "this block of the contour goes in rapid, and along the part: G70 would follow it so"
+        remedy "programe G1 en el bloque", "program G1 in the block";
+        why "G0 sigue en vigor de un bloque a otro, y vale solo para el primero, que lleva al contorno: la herramienta corta lo que ha quedado en rápido.",
+            "G0 stays in force from block to block, and is for the first one alone, which leads to the contour: the tool cuts what is left in rapid.";
+        example Example::program("fanuc-lathe-a", "G21 G99|T0101 S500 M3|G0 X50. Z2.|G71 U2. R1.|G71 P10 Q20 F.2|N10 G0 X30.|Z-10.|G1 X40. Z-15.|N20 X50.|G70 P10 Q20 F.1|M30", "7");
     "G0591" ThreadWithoutSpeedLimit Caution { speed: Size, axis: char, rapid: Size, whose: Text }
         es "rosca con G96 sin límite de giro: por encima de {speed} la rosca movería el eje {axis} más rápido que el avance rápido de {rapid} {whose}, y a esta S el husillo sube hasta donde puede"
         en "thread under G96 without a speed limit: above {speed} the thread would move axis {axis} faster than the rapid rate of {rapid} {whose}, and at this S the spindle runs up as far as it can"

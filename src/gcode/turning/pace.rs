@@ -273,7 +273,7 @@ mod tests {
             assert!((2.0 * turns + change * turns * turns / 2.0 - 30.0).abs() < 1e-9);
             near(
                 Pace::of(&control(Speed::Revolutions(400.0), None), None).unwrap().thread([20.0, 20.0], 30.0, &thread),
-                { 60.0 * turns / 400.0 },
+                60.0 * turns / 400.0,
             );
             for limit in [None, Some(700.0)] {
                 let control = control(Speed::Surface(100.0), limit);

@@ -233,6 +233,12 @@ fn feed_and_surface_speed_beside_a_code_that_changes_the_unit_are_in_doubt_on_a_
         (&LINUXCNC, "G21 G90 S900 M3\nG20 G1 X1 F10\nM2\n", &["G0553"], 1),
         (&LINUXCNC, "G21 G90 S900 M3\nG20 F10\nG1 X1\nM2\n", &["G0553"], 1),
         (&LINUXCNC, "G21 G90 G95 S900 M3\nG20 F.1\nG1 X1\nM2\n", &["G0553"], 1),
+        (&LINUXCNC, "G90 S900 M3\nG20 F10\nG0 X1\nG81 X1 Z-1 R1\nM2\n", &["G0553"], 5),
+        // No cut is made at that F.
+        (&LINUXCNC, "G90 S900 M3\nG20 F10\nF20\nG1 X1\nM2\n", &[], 1),
+        (&LINUXCNC, "G90 S900 M3\nG20 F10\nG1 X1 F20\nM2\n", &[], 1),
+        (&LINUXCNC, "G90 S900 M3\nG20 F10\nG0 X1\nM2\n", &[], 1),
+        (&LINUXCNC, "G90 S900 M3\nG20 F10\nG93 G1 X1 F20\nM2\n", &[], 1),
         // The unit is the same, F is a time, or stands behind.
         (&LINUXCNC, "G21 G90 F100 S900 M3\nG21 G1 X1 F10\nM2\n", &[], 1),
         (&LINUXCNC, "G21 G90 S900 M3\nG20 G93 G1 X1 F10\nM2\n", &[], 1),
@@ -254,14 +260,20 @@ fn a_feed_that_linuxcnc_takes_before_the_unit_is_told_with_the_unit_it_counts_in
             })
             .collect();
         let remark = interpreter.remarks().into_iter().find(|remark| remark.code() == "G0553");
+        assert!(remark.as_ref().is_none_or(|one| one.remedy.en.contains("--inch") == one.what.en.contains("first")));
         (feeds, remark.map(|remark| remark.what.en))
     };
+    // Nothing has said the unit of before.
+    let (feeds, remark) = told("G90 S900 M3\nG20 F10\nG1 X1\nM2\n", LengthUnit::Millimetre);
+    let expected = "F in the block of G20, the first that says the unit: the control takes F before it, in the unit that is in force, which rodete does not know; it reads it in mm/min";
+    assert_eq!((feeds, remark.as_deref()), (vec![10.0], Some(expected)));
+    assert_eq!(told("G90 S900 M3\nG20 F10\nG1 X1\nM2\n", LengthUnit::Inch), (vec![254.0], None));
     let (feeds, remark) = told("G21 G90 S900 M3\nG20 F10\nG1 X1\nM2\n", LengthUnit::Millimetre);
-    let expected = "F in the block of G20, which changes the unit: the control takes F before it does, in mm/min";
+    let expected = "F in the block of G20, which changes the unit: the control takes F before it, in mm/min";
     assert_eq!((feeds, remark.as_deref()), (vec![10.0], Some(expected)));
     // A machine that starts in inches.
     let (feeds, remark) = told("G21 G90 F200 S900 M3\nG1 X100\nM2\n", LengthUnit::Inch);
-    let expected = "F in the block of G21, which changes the unit: the control takes F before it does, in inches/min";
+    let expected = "F in the block of G21, which changes the unit: the control takes F before it, in inches/min";
     assert_eq!((feeds, remark.as_deref()), (vec![5080.0], Some(expected)));
     assert_eq!(told("G21 G90 F200 S900 M3\nG1 X100\nM2\n", LengthUnit::Millimetre), (vec![200.0], None));
 }
@@ -274,6 +286,43 @@ fn a_unit_in_a_rejected_block_is_not_said_to_be_missing() {
         interpreter.by_ref().for_each(drop);
         assert_eq!(interpreter.remarks().iter().any(|one| one.code() == "G0534"), told, "{first}");
     }
+}
+
+#[test]
+fn what_hangs_on_a_word_of_a_rejected_block_is_not_told() {
+    let told = |control: &'static Control, blocks: &str| {
+        let program = format!("{}\nM30\n", blocks.replace('|', "\n"));
+        let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(control));
+        interpreter.by_ref().for_each(drop);
+        let codes = interpreter.remarks().into_iter().map(|one| one.code());
+        codes.filter(|code| ["G0214", "G0538", "G0570"].contains(code)).collect::<Vec<_>>()
+    };
+    let start = "G21 G90 G94 F100";
+    for (blocks, codes) in [
+        // Where Z is, or X.
+        ("S900 M3|G0 X0 Y0 Z5|G0 Z-3|G0 Z5 Q9|G0 X1|X60 F300", &[][..]),
+        ("S900 M3|G0 X0 Y0 Z5|G0 Z-3|X5 Q9|X60 F300", &[]),
+        ("S900 M3|G0 X0 Y0 Z5|Z5 Q9|Z-3 F300", &[]),
+        ("S900 M3|G0 X0 Y0 Z5|G0 Z-3|G0 X5 Q9|G0 X6|X60 F300", &["G0570"]),
+        ("S900 M3|G0 X0 Y0 Z5|G0 Z5 Q9|G0 Z-3|X60 F300", &["G0570"]),
+        ("S900 M3|G0 X0 Y0 Z5|X5 Q9|Z-3 F300", &["G0570"]),
+        ("S900 M3|G0 X0 Y0 Z5|G91 Q9|Z-3 F300", &[]),
+        // S by a parameter that was to be set, and by what is worked out with it.
+        ("#8=900 Q9|S#8|M3|G0 X0|G1 X1", &[]),
+        ("#8=900 Q9|#9=[#8*2]|S#9|M3|G0 X0|G1 X1", &[]),
+        ("#8=900 Q9|S#8|S0|M3|G0 X0|G1 X1", &["G0538"]),
+        ("#8=900 Q9|#8=0|S#8|M3|G0 X0|G1 X1", &["G0538"]),
+        ("G1 X#8 Q9|S#8|M3|G0 X0|G1 X1", &["G0214", "G0538"]),
+        ("#8=9 Q9|S900 M3|G0 X0 Y0 Z#8|Z-3 F300", &[]),
+    ] {
+        let mut found = told(&LINUXCNC, &format!("{start}|{blocks}"));
+        found.sort_unstable();
+        assert_eq!(found, codes, "{blocks}");
+    }
+    let lathe = |blocks: &str| told(&FANUC_LATHE_A, &format!("G21 G98 F100.|S900 M3|T0101|{blocks}"));
+    assert_eq!(lathe("G0 X20. Z2.|Z-20.|X30. F9."), ["G0570"]);
+    assert!(lathe("G0 X20. Z2.|Z-20.|Z2. Q9.|X30. F9.").is_empty());
+    assert!(lathe("G0 X50. Z2.|X20. Q9.|X30. F9.").is_empty());
 }
 
 #[test]
