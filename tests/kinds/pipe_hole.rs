@@ -674,6 +674,16 @@ fn what_slows_a_cut_without_f_max_is_the_f_word_and_not_an_axis() {
     assert!(told.contains(&"V0311") && !told.contains(&"V0304"), "{told:?}");
 }
 
+#[test]
+fn rotary_axes_slower_at_rapid_than_the_cut_asks_are_told() {
+    let outcome = steep(&[real("G_lin", 3000.0), real("G_rot", 1800.0)]);
+    let told: Vec<_> = outcome.findings.iter().filter(|one| one.code() == "P2130").collect();
+    assert!(
+        told.iter().any(|one| one.what.en.contains("G_rot = 1800 °/min") && one.what.en.contains("near α = ")),
+        "{told:?}"
+    );
+}
+
 /// Neighbouring beams of a thick wall nearly cross at 16.0 mm, and cross at 16.1 mm: the row of the bevel is no pass in either.
 #[test]
 fn a_bevel_that_crossing_beams_open_is_never_passed() {
@@ -702,4 +712,11 @@ fn a_bevel_that_crossing_beams_open_is_never_passed() {
         // By beams as cylinders, computed apart from this code: 4.19° at 16.0 mm and 4.46° at 16.1 mm.
         assert!((3.5..7.0).contains(&angle), "{wall}: {angle}");
     }
+}
+
+#[test]
+fn a_lead_in_past_the_axis_is_refused_with_its_way_and_the_radius() {
+    let told = refused(&[real("lead_in", 200.0)]);
+    let [Some(way), Some(radius)] = told.figures().missed() else { panic!("{told:?}") };
+    assert!(told.code() == "P3007" && way > 200.0 && radius < 100.0, "{way} {radius}");
 }
