@@ -39,8 +39,6 @@ const PAST_THE_WORD: &[(&str, &str)] = &[
     ("Psi", "20"),
     ("F_max", ""),
     ("dialect", "fagor-8055"),
-    ("hold_on", "M101"),
-    ("hold_off", "M102"),
 ];
 
 crate::finding::rule::rules! {
