@@ -642,3 +642,81 @@ fn a_large_tolerance_of_arcs_does_not_let_the_torch_come_near() {
     let stops = stops(&[real("Z_s", 1.0), real("arc_tolerance", 5.0)]);
     assert_eq!(stops.iter().map(Finding::code).collect::<Vec<_>>(), ["V0309"]);
 }
+
+/// A branch near the header's side: the torch swings fast where its groove is steep.
+fn steep(changes: &[(&'static str, Value)]) -> Outcome {
+    let mut design = vec![
+        real("D_branch", 48.3),
+        real("t_branch", 3.68),
+        real("D_header", 219.1),
+        real("t_header", 12.7),
+        real("theta", 90.0),
+        real("e", 60.0),
+        real("gamma", 40.0),
+        real("b", 2.0),
+        real("h", 1.0),
+        real("D_max", 40.0),
+        real("R_g", 20.0),
+        real("Psi", 20.0),
+    ];
+    design.extend(changes.iter().cloned());
+    let mut values = values(&design);
+    values.values.remove("F_max");
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    kinds::run(&FORM, values, source).unwrap_or_else(|refusal| panic!("refused: {:?}", refusal.findings))
+}
+
+#[test]
+fn what_slows_a_cut_without_f_max_is_the_f_word_and_not_an_axis() {
+    let codes = [("hold_on", "M101"), ("hold_off", "M102")].map(|(key, code)| (key, Value::Line(code.to_owned())));
+    let outcome = steep(&[&[choice("dialect", "fagor-8055")][..], &codes].concat());
+    let told: Vec<&str> = outcome.findings.iter().map(Finding::code).filter(|code| code.starts_with("V03")).collect();
+    assert!(told.contains(&"V0311") && !told.contains(&"V0304"), "{told:?}");
+}
+
+#[test]
+fn rotary_axes_slower_at_rapid_than_the_cut_asks_are_told() {
+    let outcome = steep(&[real("G_lin", 3000.0), real("G_rot", 1800.0)]);
+    let told: Vec<_> = outcome.findings.iter().filter(|one| one.code() == "P2130").collect();
+    assert!(
+        told.iter().any(|one| one.what.en.contains("G_rot = 1800 °/min") && one.what.en.contains("near α = ")),
+        "{told:?}"
+    );
+}
+
+/// Neighbouring beams of a thick wall nearly cross at 16.0 mm, and cross at 16.1 mm: the row of the bevel is no pass in either.
+#[test]
+fn a_bevel_that_crossing_beams_open_is_never_passed() {
+    for wall in [15.9, 16.0, 16.1, 16.5] {
+        let outcome = outcome(&[
+            real("D_branch", 28.57),
+            real("t_branch", 1.43),
+            real("D_header", 114.3),
+            real("t_header", wall),
+            real("theta", 65.0),
+            real("e", 13.72),
+            real("gamma", 15.0),
+            real("b", 4.0),
+            real("h", 0.0),
+            real("r_g", 10.0),
+            real("R_g", 20.0),
+            real("Psi", 30.0),
+            real("d0", 2.0),
+            real("g0", 1.0),
+            real("D_max", 60.0),
+            real("lead_in", 0.0),
+            real("overcut", 0.0),
+        ]);
+        let told = outcome.findings.iter().find(|one| one.code() == "V0310").expect("told");
+        let [Some(angle), Some(_)] = told.figures().missed() else { panic!("{told:?}") };
+        // By beams as cylinders, computed apart from this code: 4.19° at 16.0 mm and 4.46° at 16.1 mm.
+        assert!((3.5..7.0).contains(&angle), "{wall}: {angle}");
+    }
+}
+
+#[test]
+fn a_lead_in_past_the_axis_is_refused_with_its_way_and_the_radius() {
+    let told = refused(&[real("lead_in", 200.0)]);
+    let [Some(way), Some(radius)] = told.figures().missed() else { panic!("{told:?}") };
+    assert!(told.code() == "P3007" && way > 200.0 && radius < 100.0, "{way} {radius}");
+}

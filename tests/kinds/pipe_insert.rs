@@ -490,3 +490,100 @@ proptest! {
         }
     }
 }
+
+/// The measures of a pipe typed in place of its nominal size.
+fn typed(changes: &[(&'static str, Value)]) -> Result<Outcome, rodete::finding::Refusal> {
+    let mut values = values(CASES[0].name, &[]);
+    for key in ["branch_size", "branch_schedule", "header_size", "header_schedule", "r", "R", "r_dev"] {
+        values.values.remove(key);
+    }
+    values.values.extend(changes.iter().cloned());
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    kinds::run(&FORM, values, source)
+}
+
+fn slanted() -> Vec<(&'static str, Value)> {
+    vec![
+        real("D_branch", 60.3),
+        real("t_branch", 4.0),
+        real("D_header", 114.3),
+        real("t_header", 6.0),
+        choice("contact", "envelope"),
+        choice("mode", "rotary"),
+        choice("dialect", "linuxcnc"),
+        choice("style", "full"),
+        real("theta", 40.0),
+        real("e", 26.0),
+        real("kerf", 6.0),
+        real("F", 2000.0),
+        real("lead_in", 20.0),
+    ]
+}
+
+/// One turn of the curve is 269.1 mm, computed apart from this code; the pipe is 189.4 mm round.
+#[test]
+fn an_overcut_is_held_against_the_curve_and_not_the_pipe_round() {
+    let with = |overcut: f64| typed(&[slanted(), vec![real("overcut", overcut)]].concat());
+    let accepted = with(200.0).unwrap_or_else(|refusal| panic!("refused: {:?}", refusal.findings));
+    assert!(!accepted.stopped(), "{:?}", accepted.findings);
+    let refusal = with(300.0).err().expect("more than once round");
+    let told = refusal.findings.iter().find(|one| one.code() == "P2119").expect("told");
+    let [Some(value), Some(limit)] = told.figures().missed() else { panic!("{told:?}") };
+    assert!((value - 300.0).abs() < 1e-9 && (limit - 269.1).abs() < 1.0, "{limit}");
+}
+
+#[test]
+fn a_rotary_axis_slower_at_rapid_than_the_cut_asks_is_told_with_its_place() {
+    let with = |rate: f64| typed(&[slanted(), vec![real("overcut", 0.0), real("G_rot", rate)]].concat());
+    let codes =
+        |outcome: Outcome| outcome.findings.iter().filter(|one| one.code() == "P2130").cloned().collect::<Vec<_>>();
+    // 2000 mm/min round 30.15 mm are 3800 °/min at most.
+    assert!(codes(with(3900.0).expect("a program")).is_empty());
+    let told = codes(with(1000.0).expect("a program"));
+    let [one] = &told[..] else { panic!("{told:?}") };
+    assert!(one.grade == Grade::Caution && one.what.en.contains("of axis A near φ = "), "{}", one.what.en);
+}
+
+/// A development typed for another radius does not roll to the pipe: that it seats without grinding is not said.
+#[test]
+fn a_branch_whose_development_does_not_roll_to_its_pipe_is_not_said_to_seat() {
+    let with = |changes: Vec<(&'static str, Value)>| {
+        let changes = [slanted(), vec![choice("mode", "flat"), real("e", 0.0), real("theta", 90.0)], changes].concat();
+        let outcome = typed(&changes).unwrap_or_else(|refusal| panic!("refused: {:?}", refusal.findings));
+        outcome.findings.iter().map(Finding::code).filter(|code| ["P2115", "P2120"].contains(code)).collect::<Vec<_>>()
+    };
+    assert_eq!(with(vec![]), ["P2115"]);
+    assert_eq!(with(vec![real("r_dev", 40.0)]), ["P2120"]);
+}
+
+/// An outside radius typed for the inside one, with a development that is the pipe's own: nothing lies 0 mm outside.
+#[test]
+fn a_development_that_fits_is_not_said_to_lie_outside() {
+    let changes = [
+        slanted(),
+        vec![
+            choice("contact", "inside"),
+            real("r", 30.15),
+            choice("mode", "flat"),
+            real("e", 0.0),
+            real("theta", 90.0),
+        ],
+    ]
+    .concat();
+    let said = |changes: &[(&'static str, Value)]| {
+        let outcome = typed(changes).unwrap_or_else(|refusal| panic!("refused: {:?}", refusal.findings));
+        let told = outcome.findings.iter().find(|one| one.code() == "P2106").expect("told");
+        told.what.en.to_string()
+    };
+    let own = said(&changes);
+    assert!(!own.contains("outside the pipe"), "{own}");
+    let other = said(&[changes, vec![real("r_dev", 32.15)]].concat());
+    assert!(other.contains("; the development is 2 mm outside the pipe"), "{other}");
+}
+
+#[test]
+fn a_branch_that_overhangs_is_refused_with_its_eccentricity_and_the_greatest() {
+    let told = refused(&[real("e", 20.0)]);
+    let one = told.iter().find(|one| one.code() == "P2102").expect("told");
+    assert_eq!(one.figures().missed(), [Some(20.0), Some(12.7)]);
+}

@@ -6,6 +6,7 @@ mod form_sketch;
 pub mod hole;
 pub mod insert;
 mod live_form;
+pub mod rates;
 pub mod rules;
 pub mod scene;
 pub mod size;

@@ -73,4 +73,11 @@ rules! {
         remedy "elija una salida más corta", "choose a shorter overcut";
         why "La salida repasa el principio del corte.", "The overcut goes over the beginning of the cut again.";
         example book!("pipe-insert", "branch_size" = "1/2 in", "overcut" = "200");
+    "P2130" FasterThanRapid Caution { axis: Text, near: Text, speed: Size, key: Key, rate: Size }
+        es "el corte pide al eje {axis}{near} {speed}, más que su rápido: {key} = {rate}"
+        en "the cut asks {speed} of axis {axis}{near}, more than its rapid rate: {key} = {rate}"
+        remedy "compruebe {key}, y elija una F menor, o una F_max si el formulario la tiene", "check {key}, and choose a smaller F, or an F_max where the form has one";
+        why "Ningún eje avanza más deprisa que en rápido: la máquina frenaría el corte o daría una alarma, y el chorro quemaría el borde.",
+            "No axis feeds faster than at rapid: the machine would slow the cut or raise an alarm, and the jet would burn the edge.";
+        example book!("pipe-insert", "mode" = "rotary", "G_rot" = "10");
 }

@@ -17,7 +17,9 @@ use nalgebra::Vector3;
 
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::height::Rule;
+use crate::kinds::pipe::hole::program::AXES;
 use crate::kinds::pipe::hole::station::{Groove, Station};
+use crate::kinds::pipe::rates::Run;
 use crate::limits::CUT_HALVINGS;
 use crate::machine::torch::{TorchAxes, TorchPose};
 use crate::number::grid::{Milli, OutOfFormat};
@@ -59,6 +61,23 @@ pub struct Cut {
     pub pierce_held: bool,
     /// The moves from there on.
     pub legs: Vec<Leg>,
+}
+
+impl Cut {
+    /// The moves with the ways of their axes and the time that each is planned to take.
+    #[must_use]
+    pub fn runs(&self) -> Vec<Run> {
+        let before = std::iter::once(self.pierce).chain(self.legs.iter().map(|leg| leg.to));
+        let run = |(from, leg): (Place, &Leg)| Run {
+            by: AXES.into_iter().zip(from).zip(leg.to).map(|((axis, from), to)| (axis, (to - from).value())).collect(),
+            seconds: leg.seconds,
+            at: match leg.follows {
+                Follows::Curve([from, _]) => Some(("α", from)),
+                Follows::WayIn => None,
+            },
+        };
+        before.zip(&self.legs).map(run).collect()
+    }
 }
 
 /// A place of the cut that the torch cannot take.

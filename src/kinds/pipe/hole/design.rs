@@ -232,7 +232,7 @@ impl Design {
         let round = self.round();
         if findings.is_empty() && self.overcut > round {
             let told = OvercutPastTurn { overcut: Size::mm(self.overcut), round: Size::mm(round) };
-            findings.push(told.at(at([OVERCUT.key()])));
+            findings.push(told.at(at([OVERCUT.key()])).measuring(self.overcut, Limit::AtMost(round)));
         }
         if self.g0 >= self.d0 {
             findings.push(against(GapBeyondHeight { g0, d0 }.at(at([G0.key(), D0.key()])), [g0, d0], Limit::AtMost));
@@ -256,8 +256,9 @@ impl Design {
             findings.push(against(told, [kerf, beam], Limit::AtLeast));
         }
         if self.kerf / 2.0 + self.lead_in >= pair.r {
-            let told = LeadInPastAxis { way: Size::mm(self.kerf / 2.0 + self.lead_in), r };
-            findings.push(told.at(at([LEAD_IN.key(), KERF.key()])));
+            let way = Size::mm(self.kerf / 2.0 + self.lead_in);
+            let told = LeadInPastAxis { way, r }.at(at([LEAD_IN.key(), KERF.key()]));
+            findings.push(against(told, [way, r], Limit::AtMost));
         }
         if self.hold_on.is_empty() != self.hold_off.is_empty() {
             let (given, missing) =

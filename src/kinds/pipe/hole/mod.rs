@@ -47,6 +47,7 @@ use crate::kinds::pipe::hole::rules::{
 };
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::live_form::{BRANCH, HEADER, diameter, thickness};
+use crate::kinds::pipe::rates::faster_than_rapid;
 use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
 use crate::kinds::pipe::{self, account, derived, scene, sizes, time};
 use crate::machine::rapids::Rapids;
@@ -154,7 +155,9 @@ impl Method for Hole {
 
     fn programs(design: &Design, Model { cut, .. }: &Model, origin: &Origin<'_>) -> Result<Unproved, Vec<Finding>> {
         let held = cut.pierce_held || cut.legs.iter().any(|leg| leg.held);
-        Ok(Unproved { programs: vec![full(design, cut, origin).map_err(no_room)?], findings: remarks(design, held) })
+        let mut findings = remarks(design, held);
+        findings.extend(faster_than_rapid(&design.rapids, &cut.runs()));
+        Ok(Unproved { programs: vec![full(design, cut, origin).map_err(no_room)?], findings })
     }
 
     fn memo(_: &Design, _: &Model, _: Wants) -> Curve {

@@ -1,6 +1,6 @@
 //! What is valid alone but not together: the checks of one parameter of the branch against another.
 
-use crate::finding::{Finding, Raise, Size};
+use crate::finding::{Finding, Limit, Raise, Size};
 use crate::gcode::machine_codes::{CodesPlace, refused_codes};
 use crate::gcode::program::Style;
 use crate::kinds::pipe::dimensions::solid;
@@ -34,10 +34,11 @@ impl Design {
             let told = FinerThanAngle { tolerance: Size::mm(tolerance), moved, finest: Size::mm(finest) };
             findings.push(told.at(at([ARC_TOLERANCE.key(), D_BRANCH.key()])));
         }
-        let round = self.outline().round();
+        // The overcut is counted along the torch's path, which the rise and fall of the curve make longer than the pipe is round.
+        let round = self.outline().path_round();
         if self.overcut > round {
             let told = OvercutPastTurn { overcut: Size::mm(self.overcut), round: Size::mm(round) };
-            findings.push(told.at(at([OVERCUT.key()])));
+            findings.push(told.at(at([OVERCUT.key()])).measuring(self.overcut, Limit::AtMost(round)));
         }
         findings
     }
@@ -59,13 +60,14 @@ impl Design {
             let most = if whole { outside.min(self.R - self.r) } else { self.R - self.r };
             let (over, most) = (Size::mm(over), Size::mm((most * 1000.0 + 1e-6).floor() / 1000.0));
             let told = BranchOverhangs { over, r, e, R: Size::mm(self.R), most };
-            findings.push(told.at(at([E.key(), D_BRANCH.key(), D_HEADER.key()])));
+            let told = told.at(at([E.key(), D_BRANCH.key(), D_HEADER.key()]));
+            findings.push(told.measuring(self.e.abs(), Limit::AtMost(most.value)));
         } else if self.style == Style::Full
             && let Some((least, phi)) = self.outline().tighter_than(self.kerf / 2.0)
         {
             let (kerf, gap) = (Size::mm(self.kerf), Size::mm(2.0 * least));
             findings.push(
-                KerfBeyondGap { kerf, phi: Size::number(phi.to_degrees(), 1), gap }.at(at([KERF.key(), THETA.key()])),
+                KerfBeyondGap { kerf, phi: Size::degrees(phi.to_degrees(), 1), gap }.at(at([KERF.key(), THETA.key()])),
             );
         }
         if findings.is_empty() && self.style == Style::Full && self.mode == Mode::Rotary {

@@ -58,7 +58,7 @@ use crate::kinds::pipe::insert::figures::{figures, template};
 use crate::kinds::pipe::insert::parameters::{
     CONTACT, EXPERT_BRANCH_R, F, FORM, KERF, LEAD_IN, MODE, R_DEV, SHEET, STYLE, Surface, Z,
 };
-use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, published};
+use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, published, runs};
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
 use crate::kinds::pipe::insert::quantities::quantities;
 use crate::kinds::pipe::insert::rules::{
@@ -66,6 +66,7 @@ use crate::kinds::pipe::insert::rules::{
     KerfOnOutside, OutsideForInside, PipeByIncrements, PipeOnLinearAxis, RadiusTyped, TemplateNotRound,
     WallInsideHeader, WallOverhangs,
 };
+use crate::kinds::pipe::rates::faster_than_rapid;
 use crate::kinds::pipe::rules::{KerfZero, NoLeadIn};
 use crate::kinds::pipe::{self, account, scene, sizes};
 use crate::machine::rapids::Rapids;
@@ -172,7 +173,11 @@ impl Method for Insert {
             None => published(design),
             Some(cut) => full(design, cut, origin),
         };
-        Ok(Unproved { programs: vec![program.map_err(no_room)?], findings: remarks(design, rest) })
+        let mut findings = remarks(design, rest);
+        if let (Some(cut), Some(speed)) = (cut, design.F) {
+            findings.extend(faster_than_rapid(&design.rapids, &runs(design, cut, speed)));
+        }
+        Ok(Unproved { programs: vec![program.map_err(no_room)?], findings })
     }
 
     fn memo(_: &Design, _: &Model, _: Wants) -> Curve {
@@ -288,7 +293,7 @@ fn gap_of(worst: &Worst) -> Text {
 
 /// How the branch comes to rest; `overhangs` where its wall passes the side of the header.
 fn seat(design: &Design, rest: &Rest, overhangs: bool) -> Option<Finding> {
-    let phi = |worst: &Worst| Size::number(worst.phi.to_degrees(), 1);
+    let phi = |worst: &Worst| Size::degrees(worst.phi.to_degrees(), 1);
     let contact = match design.contact {
         Contact::Envelope => {
             let [inner, outer] = rest.gaps.map(|gap| gap_of(&gap));
@@ -357,6 +362,14 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
         && (design.r - outside).abs() < 1e-9;
     if for_inside {
         let (r, D, off) = (Size::mm(design.r), Size::mm(design.branch.D), Size::mm(design.r_dev - outside));
+        // A development of the pipe's own outside fits round it: then only the curve is another.
+        let off = match off.value.abs() < 5e-4 {
+            true => t("", ""),
+            false => Text::new(
+                format!("; el desarrollo queda {} fuera del tubo", off.said(Language::Es)),
+                format!("; the development is {} outside the pipe", off.said(Language::En)),
+            ),
+        };
         findings.push(OutsideForInside { r, D, off }.at(at([EXPERT_BRANCH_R.key(), D_BRANCH.key(), R_DEV.key()])));
     }
     // With the outside radius typed for the inside one, the development is told there.
@@ -367,7 +380,9 @@ fn remarks(design: &Design, rest: &Rest) -> Vec<Finding> {
         RadiusTyped { key: one.key, typed, derived }.at(at([one.key]))
     }));
     let beside = wall_beside_header(design);
-    findings.extend(seat(design, rest, beside.is_some()));
+    // Rolled to another radius than that of the pipe, a development does not seat as it was computed.
+    let rolls = !design.typed.iter().any(|one| one.key == R_DEV.key() && (one.typed - one.derived).abs() > 1e-9);
+    findings.extend(seat(design, rest, beside.is_some()).filter(|one| rolls || one.grade != Grade::Note));
     findings.extend(beside);
     findings.extend(template_not_round(design));
     // A jet is wider than what a corner is rounded by.

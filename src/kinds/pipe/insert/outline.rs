@@ -37,6 +37,15 @@ impl Outline {
         TAU * self.radius
     }
 
+    /// How long the torch's path along the curve is, once round, mm, to a thousandth of it.
+    #[must_use]
+    pub fn path_round(&self) -> f64 {
+        const STEPS: u16 = 720;
+        let angle = |step: u16| TAU * f64::from(step) / f64::from(STEPS);
+        let part = |step| self.torch(angle(step + 1), Side::Before) - self.torch(angle(step), Side::After);
+        (0..STEPS).map(|step| part(step).norm()).sum()
+    }
+
     /// The point of the curve at φ (radians), mm: x = ρ·φ, y = depth + Z.
     #[must_use]
     pub fn curve(&self, phi: f64) -> Vector2<f64> {

@@ -9,12 +9,13 @@ use crate::gcode::word::{Distance, Number, NumberFormat, Word};
 use crate::gcode::writer::Writer;
 use crate::kinds::pipe::form::{D_BRANCH, DIALECT};
 use crate::kinds::pipe::insert::arcs::{Triple, triples};
-use crate::kinds::pipe::insert::cut::{Cut, Leg};
+use crate::kinds::pipe::insert::cut::{Cut, Follows, Leg};
 use crate::kinds::pipe::insert::design::{Design, Mode};
 use crate::kinds::pipe::insert::parameters::F as F_FIELD;
 use crate::kinds::pipe::insert::rules::FasterThanFWord;
+use crate::kinds::pipe::rates::Run;
 use crate::kinds::pipe::{counted, kerf_in_header};
-use crate::machine::axis::Position;
+use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
 use crate::parameter::at;
@@ -120,6 +121,26 @@ pub fn beyond_f_word(design: &Design, cut: &Cut) -> Option<Finding> {
     let most = speed((F * greatest / word).floor());
     let told = FasterThanFWord { F: speed(F), word: Size::number(word, 3), greatest: Size::number(greatest, 3), most };
     (word > greatest).then(|| told.at(at([F_FIELD.key(), D_BRANCH.key(), DIALECT.key()])))
+}
+
+/// The moves of the cut with the ways of their axes and the time that each takes at F, s.
+#[must_use]
+pub fn runs(design: &Design, cut: &Cut, F: f64) -> Vec<Run> {
+    let before = std::iter::once(cut.pierce).chain(cut.legs.iter().map(|leg| leg.to));
+    let axes = match design.mode {
+        Mode::Flat => [Axis::X, Axis::Y],
+        Mode::Rotary => [Axis::A, Axis::X],
+    };
+    let run = |(from, leg): ([Milli; 2], &Leg)| Run {
+        by: (0..2).map(|axis| (axes[axis], (leg.to[axis] - from[axis]).value())).collect(),
+        seconds: way(design, from, leg) * 60.0 / F,
+        at: match leg.follows {
+            Follows::Curve([from, _]) => Some(("φ", from)),
+            Follows::Corner(at) => Some(("φ", at)),
+            Follows::WayIn | Follows::Beyond => None,
+        },
+    };
+    before.zip(&cut.legs).map(run).collect()
 }
 
 /// The way of a leg over both axes, degrees taken as mm, from where the last one ended.

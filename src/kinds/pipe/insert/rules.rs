@@ -20,8 +20,8 @@ rules! {
         why "La parte que sobresale no apoya en el tubo base.", "The part that overhangs does not rest on the header.";
         example book!("pipe-insert", "e" = "30");
     "P2103" KerfBeyondGap Stop { kerf: Size, phi: Size, gap: Size }
-        es "el corte de {kerf} es más ancho que el hueco de la curva en φ = {phi}°: {gap}"
-        en "the kerf of {kerf} is wider than the gap of the curve at φ = {phi}°: {gap}"
+        es "el corte de {kerf} es más ancho que el hueco de la curva en φ = {phi}: {gap}"
+        en "the kerf of {kerf} is wider than the gap of the curve at φ = {phi}: {gap}"
         remedy "elija un corte más fino, un ángulo θ más cerca de 90° u otros tubos", "choose a finer kerf, an angle θ nearer to 90°, or other pipes";
         why "La trayectoria paralela a la curva se cruzaría consigo misma y cortaría la pieza.",
             "The path parallel to the curve would cross itself and cut into the part.";
@@ -39,9 +39,9 @@ rules! {
         why "En G94 la palabra F cuenta los grados de A como milímetros, y en un tubo delgado cada milímetro son muchos grados.",
             "In G94 the F word counts degrees of A as millimetres, and on a small pipe one millimetre is many degrees.";
         example book!("pipe-insert", "branch_size" = "1/8 in", "F" = "50000", "dialect" = "fagor-8055");
-    "P2106" OutsideForInside Caution { r: Size, D: Size, off: Size }
-        es "r = {r} es el radio exterior (D = {D}), pero debe ser el interior; el desarrollo queda {off} fuera del tubo"
-        en "r = {r} is the outside radius (D = {D}), but the inside radius is needed; the development is {off} outside the pipe"
+    "P2106" OutsideForInside Caution { r: Size, D: Size, off: Text }
+        es "r = {r} es el radio exterior (D = {D}), pero debe ser el interior{off}"
+        en "r = {r} is the outside radius (D = {D}), but the inside radius is needed{off}"
         remedy "deje vacíos r y r_dev, o elija contact = exterior", "leave r and r_dev empty, or choose contact = outside";
         why "La plantilla sería la de un tubo más grueso y no ajustaría alrededor de este.",
             "The template would be for a thicker pipe and would not fit round this one.";
@@ -82,8 +82,8 @@ rules! {
             "The same absolute number takes a rollover axis to another angle.";
         example book!("pipe-insert", "dialect" = "linuxcnc");
     "P2113" WallInsideHeader Caution { contact: Text, edge: Text, deep: Size, phi: Size, grind: Size }
-        es "con contact = {contact} el injerto no asienta: {edge} de su pared queda hasta {deep} dentro del tubo base, en φ = {phi}°"
-        en "with contact = {contact} the branch does not seat: {edge} of its wall is up to {deep} inside the header, at φ = {phi}°"
+        es "con contact = {contact} el injerto no asienta: {edge} de su pared queda hasta {deep} dentro del tubo base, en φ = {phi}"
+        en "with contact = {contact} the branch does not seat: {edge} of its wall is up to {deep} inside the header, at φ = {phi}"
         remedy "elija contact = envolvente, o esmerile la pared donde la tabla del asiento da una cantidad, hasta {grind} a lo largo del injerto",
             "choose contact = envelope, or grind the wall where the seat table gives an amount, by up to {grind} along the branch";
         why "La antorcha corta la pared a escuadra con el eje del injerto: si solo un borde sigue su curva, el resto de la pared choca con el tubo base.",

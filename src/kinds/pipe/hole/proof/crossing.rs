@@ -10,9 +10,27 @@
 //! Neighbouring lines cross at λ/k from the root. Where that is within the wall, k ≥ 1, they stand in the wrong order from
 //! there on, and each cuts into what its neighbour should leave.
 //!
-//! Square to the face, towards the waste w, v is λ a′·w. The beam's axis runs half a kerf m beside the line. So the beams beside
-//! pass a place of the line at m cos ψ, with tan ψ = λ a′·w / (|r′|(1 − k)): they cut m(1 − cos ψ), no more than m tan² ψ / 2,
-//! beyond the face, and open it by that over λ. k and ψ grow with λ: the header's outside is where both are greatest.
+//! Square to the face, towards the waste w, v is λ a′·w. The beam's axis runs half a kerf m beside the line, through X = r + m w: with
+//! e along the curve it moves by
+//!
+//! c = (X′ + λ a′)·e along the curve, and q = λ a′·w square to it.
+//!
+//! Seen along the beams, with the frame of e and w kept from turning, the axes draw a line from that of the place itself: at each of
+//! its places it goes at the angle ψ, tan ψ = q/c, turned towards the waste by what the curve has bent to there. Where the curve
+//! bends away from the waste, X′·e > r′·e, it turns the other way, by no more than G = (X′·e − r′·e)/c over a way of m, and half as
+//! much again where the line is slanted. So while c > 0 that line stays within Ψ = ψ + G of the direction along the curve, and
+//! what is d behind the face, m + d from the axis of its own place, is (m + d) cos Ψ from all of it at least: the beams cut no
+//! deeper than
+//!
+//! d = m (1/cos Ψ − 1).
+//!
+//! At the header's outside that opens the bevel, in the section square to the root, by atan(d/λ). The bound is told up to Ψ = 45°,
+//! d = 0.41 m. Beyond that, and where lines cross, an axis may come near from the other side of its neighbours, and nothing is
+//! told but the greatest opening seen, which is no bound.
+//!
+//! λ counts on the neighbour's line, where the place behind the face lies within 1.5 m of it both along e and along w and within
+//! the header: by convexity no more than (1.5 m (|N·e| + |N·w|) + 4.5 m²/R_o)/(N·a) beyond where that line leaves the header,
+//! N being the direction out of it there. ψ grows with λ: so much is added to it.
 //!
 //! Only neighbours are compared. Lines that stand farther apart are tangent to the grown branch at different sides of it, or
 //! lean away from it.
@@ -20,16 +38,20 @@
 //! # Units
 //! Millimetres and radians.
 
+use std::f64::consts::TAU;
+
+use nalgebra::Vector3;
+
 use crate::finding::{Figures, Limit, Raise, Said, Size};
 use crate::gcode::program::Program;
 use crate::kinds::pipe::form::E;
 use crate::kinds::pipe::hole::parameters::GAMMA;
 use crate::kinds::pipe::hole::proof::rules::BeamsCross;
-use crate::kinds::pipe::hole::station::Groove;
+use crate::kinds::pipe::hole::station::{Groove, Station};
 use crate::limits::CUT_LOOKS;
 use crate::number::interval::Interval;
-use crate::number::jet::{Jet, dot};
-use crate::number::trig::asin;
+use crate::number::jet::{Jet, Vector, dot};
+use crate::number::trig::{atan, cos};
 use crate::proof::check::{At, Check, Question};
 use crate::proof::enclosed::Enclosed;
 use crate::text::{Language, Text, t};
@@ -75,10 +97,40 @@ impl Crossing {
         );
     }
 
-    /// The angle by which the face opens at most, radians; none where its lines cross.
+    /// The angle by which the face opens at most, radians; `None` where that is not bounded.
     #[must_use]
-    pub fn opening(&self) -> f64 {
-        if self.found.at_most(0) < 1.0 { self.found.at_most(1) } else { 0.0 }
+    pub fn opening(&self) -> Option<f64> {
+        let most = self.found.at_most(1);
+        (self.found.at_most(0) < 1.0 && most < UNBOUNDED).then_some(most)
+    }
+
+    /// The greatest angle, radians, by which the beams open the face of the places looked at, and α of that place: it may be greater
+    /// between them. Zero where no place can be looked at.
+    #[must_use]
+    pub fn seen(&self) -> [f64; 2] {
+        let groove = &self.groove;
+        let count = (TAU * groove.pair.r / (0.25 * groove.beside)).clamp(720.0, 7200.0).ceil();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
+        let count = count as usize;
+        let bare = Groove { beside: 0.0, ..*groove };
+        let station = |i: usize| bare.at(TAU * i as f64 / count as f64);
+        let Some(stations) = (0..count).map(station).collect::<Option<Vec<_>>>() else { return [0.0; 2] };
+        let opened = stations.iter().enumerate().step_by(count.div_ceil(720)).map(|(i, own)| {
+            let lambda = (own.face - own.root).dot(&own.pose.axis);
+            let mut deep = 0.0_f64;
+            // What is cut behind the face is one stretch from it on, found from the nearest beams outwards.
+            for by in 1..count / 5 {
+                for other in [&stations[(i + by) % count], &stations[(i + count - by) % count]] {
+                    if let Some([from, to]) = behind(own, other, groove.beside)
+                        && from <= deep + 1e-9
+                    {
+                        deep = deep.max(to);
+                    }
+                }
+            }
+            [atan(deep / lambda), own.alpha]
+        });
+        opened.fold([0.0; 2], |most, one| if one[0] > most[0] { one } else { most })
     }
 
     /// The check that no neighbouring lines cross within the wall.
@@ -109,6 +161,23 @@ fn rounded(lambda: f64, k: f64) -> [f64; 2] {
     [(lambda / k * 1e3).floor() / 1e3, (lambda * 1e3).ceil() / 1e3]
 }
 
+/// From where to where the beam of one place cuts what lies behind the face of another at the header's outside, mm; `None` where it
+/// does not come there.
+fn behind(own: &Station, other: &Station, m: f64) -> Option<[f64; 2]> {
+    let axis = other.pose.axis;
+    let across = |way: Vector3<f64>| way - axis * way.dot(&axis);
+    let (from, by) = (across(own.face - other.root - other.waste * m), across(-own.waste));
+    let (a, b, c) = (by.norm_squared(), from.dot(&by), from.norm_squared() - m * m);
+    let inside = b * b - a * c;
+    (a > 1e-12 && inside >= 0.0).then(|| [-b - inside.sqrt(), -b + inside.sqrt()].map(|end| end / a))
+}
+
+/// An opening that is not bounded, radians: more than any is.
+const UNBOUNDED: f64 = std::f64::consts::FRAC_PI_2;
+
+/// The greatest Ψ for which the opening is bounded, radians.
+const SLANTED: f64 = std::f64::consts::FRAC_PI_4;
+
 /// k, the angle by which the face opens, and λ, none of them less than anywhere between two angles.
 fn lines(groove: &Groove, from: f64, to: f64) -> [f64; 3] {
     let beam = Groove { beside: 0.0, ..*groove }.beam(Jet::parameter(from, to));
@@ -118,28 +187,39 @@ fn lines(groove: &Groove, from: f64, to: f64) -> [f64; 3] {
     let b = root[1] * axis[1] + root[2] * axis[2];
     let c = root[1].square() + root[2].square() - Jet::of(groove.R_o * groove.R_o);
     let lambda = (((b.square() - a * c).sqrt() - b) * a.inverse()).value;
-    let turns = axis.map(|part| Jet { value: part.first, ..Jet::of(0.0) });
-    let along = root.map(|part| Jet { value: part.first, ..Jet::of(0.0) });
+    let moves = |place: Vector| place.map(|part| Jet { value: part.first, ..Jet::of(0.0) });
+    let (turns, along) = (moves(axis), moves(root));
+    let beams = moves(groove.beam(Jet::parameter(from, to)).root);
     let across: [Jet; 3] = std::array::from_fn(|part| waste[part] - root[part]);
     let value = |one, other| dot(one, other).value;
     let (square, turned) = (value(along, along), value(turns, along));
     let k = -(lambda * turned * square.inverse());
-    let opens = lambda * value(turns, across);
-    let order = Interval::of(1.0) - k;
-    if order.low.is_nan() || order.low <= 0.0 {
-        return [k.high, std::f64::consts::FRAC_PI_2, lambda.high];
+    // R_o N·a, R_o N·e and R_o N·w.
+    let leaves = (b.square() - a * c).sqrt().value;
+    let out: Vector = std::array::from_fn(|part| {
+        if part == 0 {
+            Jet::of(0.0)
+        } else {
+            Jet { value: root[part].value + lambda * axis[part].value, ..Jet::of(0.0) }
+        }
+    });
+    let (m, length) = (groove.beside, square.sqrt());
+    let slope = (value(out, along) * length.inverse()).size() + value(out, across).size();
+    let reach = lambda.high + (1.5 * m * slope + 4.5 * m * m) / leaves.low;
+    let lambda_over = lambda.hull(Interval::of(reach));
+    let order = value(beams, along) + lambda_over * turned;
+    if !(leaves.low > 0.0 && order.low > 0.0 && k.high < 1.0 && lambda.low > 0.0) {
+        return [k.high, UNBOUNDED, lambda.high];
     }
-    // m tan² ψ / (2 λ).
-    let tan_square = opens.square() * (square * order.square()).inverse();
-    let beyond = tan_square * lambda.inverse() * (0.5 * groove.beside);
-    [k.high, asin(beyond.high.clamp(0.0, 1.0)), lambda.high]
+    let slant = (lambda_over * value(turns, across) * length * order.inverse()).size();
+    let bends = ((value(beams, along) - square) * order.inverse()).high.max(0.0);
+    let psi = atan(slant) + 1.5 * bends;
+    let opening = if psi <= SLANTED { atan(m * (1.0 / cos(psi) - 1.0) / lambda.low) } else { UNBOUNDED };
+    [k.high, opening, lambda.high]
 }
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::TAU;
-
-    use nalgebra::Vector3;
     use proptest::prelude::*;
 
     use super::*;
@@ -179,11 +259,16 @@ mod tests {
             let [most, opening, lambda] = lines(&groove, alpha, alpha + wide);
             let slack = 1e-4 * (1.0 + k.abs());
             prop_assert!(k <= most + slack && here.2 <= lambda + 1e-6 * R, "{k} {most}");
-            // Where they come nearest the half kerf reaches farther than the face by no more than the opening.
-            if k < 0.9 {
-                let by = along + turns * here.2;
-                let cos = by.dot(&along) / (along.norm() * by.norm());
-                prop_assert!(asin((groove.beside * (1.0 - cos) / here.2).min(1.0)) <= opening + slack, "{cos} {opening}");
+            // The beams of neighbours cut no more than the opening.
+            if opening < UNBOUNDED {
+                let bare = Groove { beside: 0.0, ..groove };
+                let own = bare.at(at).expect("a place");
+                for by in [-0.3, -0.1, -0.03, -0.01, -0.003, -0.001, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3] {
+                    let Some(other) = bare.at(at + by) else { continue };
+                    let [_, there, _] = lines(&groove, at.min(at + by), at.max(at + by));
+                    let deep = behind(&own, &other, groove.beside).map_or(0.0, |[_, to]| to);
+                    prop_assert!(atan(deep / here.2) <= there.max(opening) + 1e-6, "{by} {deep} {opening} {there}");
+                }
             }
             let [exact, ..] = lines(&groove, at, at);
             prop_assert!((exact - k).abs() <= slack, "{exact} {k}");
@@ -201,8 +286,32 @@ mod tests {
         let [alpha, lambda, k] = crossing.nearest;
         assert!((alpha.to_degrees() - 270.0).abs() < 0.5 && (lambda - 17.128).abs() < 0.01, "{alpha} {lambda}");
         assert!((k - 2.991).abs() < 2e-3 && crossing.found.at_most(0) - k <= 2e-3, "{k}");
-        assert!(crossing.opening() == 0.0);
+        assert!(crossing.opening().is_none() && crossing.seen()[0] > 0.1, "{:?}", crossing.seen());
     }
+
+    /// Neighbouring beams that come near to crossing and then cross, as the wall grows: what they open was computed apart from this code,
+    /// with beams as cylinders.
+    #[test]
+    fn the_opening_goes_on_where_beams_cross() {
+        let opened = |wall: f64| {
+            let pair = PipePair::new(18.285, 57.15 - wall, 65.0, 13.72);
+            let groove = Groove { R_i: pair.R, ..groove(pair, 57.15, 15.0_f64.to_radians()) };
+            let mut crossing = Crossing::new(groove, 1.0_f64.to_radians());
+            for piece in 0..32_u8 {
+                crossing.take(At::line(1), [f64::from(piece), f64::from(piece + 1)].map(|at| TAU * at / 32.0));
+            }
+            (crossing.opening().map(f64::to_degrees), crossing.seen()[0].to_degrees())
+        };
+        for (wall, due) in [(16.0, 4.19), (16.1, 4.46)] {
+            let (most, seen) = opened(wall);
+            assert!(most.is_none() && (seen - due).abs() < 0.05, "{wall}: {most:?} {seen}");
+        }
+        for wall in [6.0, 8.0, 10.0, 12.0, 14.0, 15.0] {
+            let (most, seen) = opened(wall);
+            assert!(most.is_none_or(|most| seen <= most + 1e-6 && most < 2.0), "{wall}: {most:?} {seen}");
+        }
+    }
+
     /// A height that is nearer to the hundredth above than to the one below.
     #[test]
     fn the_height_of_a_crossing_is_told_once_and_no_higher_than_it_may_be() {

@@ -18,6 +18,7 @@ mod clearance;
 mod crossing;
 pub mod rules;
 
+use crate::kinds::pipe::form::E;
 use crate::kinds::pipe::hole::parameters::{self, ARC_TOLERANCE, F_MAX, GAMMA, H};
 use crate::limits::CUT_LOOKS;
 
@@ -31,7 +32,9 @@ use crate::kinds::pipe::hole::program::{AXES, distance};
 use crate::kinds::pipe::hole::proof::clearance::Clearance;
 pub use crate::kinds::pipe::hole::proof::clearance::clearance;
 use crate::kinds::pipe::hole::proof::crossing::Crossing;
-use crate::kinds::pipe::hole::proof::rules::{BevelOff, BevelOffOverLand, CutSlows, NotItsTime, SwingsAtOnce};
+use crate::kinds::pipe::hole::proof::rules::{
+    BeamsOpen, BevelOff, BevelOffOverLand, CutSlows, NotItsTime, SwingsAtOnce, WordSlows,
+};
 use crate::kinds::pipe::hole::rules::GapWithinTolerance;
 use crate::kinds::pipe::hole::station::Groove;
 use crate::machine::axis::{Axis, Pose};
@@ -178,7 +181,9 @@ impl Judge for BeamOnRoot<'_> {
             ),
         };
         let name = t("Bisel: error máximo de ángulo", "Bevel: maximum angle error");
-        let opening = self.crossing.opening().to_degrees();
+        let Some(opening) = self.crossing.opening().map(f64::to_degrees) else {
+            return vec![beam, branch, self.opened(program, name), self.crossing.check(program)];
+        };
         let angle = degrees(errors.at_most(1)) + opening;
         // Over a land nearly as high as the wall a groove is hardly there, and every angle opens it.
         let design = self.design;
@@ -198,6 +203,19 @@ impl Judge for BeamOnRoot<'_> {
 }
 
 impl BeamOnRoot<'_> {
+    /// The check of the bevel where what neighbouring beams open it is not bounded: never passed.
+    fn opened(&self, program: &Program, name: Text) -> Check {
+        let [opening, alpha] = self.crossing.seen();
+        let angle = opening.to_degrees().max(degrees(self.errors.reached(1)));
+        let least = (angle * 1e3).floor() / 1e3;
+        let value = Text::same(format!("≥ {}°", shown(least, 3)));
+        let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
+        let asked = asked.comparing(Figures::of(angle, Some(Limit::AtMost(BEVEL))));
+        let asked = self.errors.put(asked.of_parameters([GAMMA.key(), E.key()]), 1);
+        let told = BeamsOpen { alpha: Size::degrees(alpha.to_degrees(), 0), angle: Size::degrees(least, 3) };
+        asked.holds(false, |place| told.at(place))
+    }
+
     /// What is told of a gap that is smaller than what a cut within its tolerance is off.
     fn gap(&self) -> Option<GapWithinTolerance> {
         let (b, tolerance, off) = (self.design.b, tolerance(self.design), self.errors.at_most(0));
@@ -285,7 +303,8 @@ struct CutSpeed<'a> {
     cut: &'a Cut,
     speed: [f64; 2],
     off: Option<(f64, At)>,
-    slowed: Option<(f64, At)>,
+    /// The slowest move that is planned slower than F, and whether its F word is what slows it.
+    slowed: Option<(f64, At, bool)>,
     rounded: Extreme,
     length: f64,
     seen: usize,
@@ -310,8 +329,11 @@ impl Judge for CutSpeed<'_> {
         }
         self.rounded.take(seconds / leg.seconds - 1.0, at);
         let wanted = way * 60.0 / self.design.F;
-        if leg.seconds > wanted * 1.01 && self.slowed.is_none_or(|(least, _)| speed < least) {
-            self.slowed = Some((speed, at));
+        if leg.seconds > wanted * 1.01 && self.slowed.is_none_or(|(least, ..)| speed < least) {
+            let by = motion.to.differences(&motion.from);
+            let greatest = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
+            let by_axis = self.design.F_max.is_some_and(|F_max| leg.seconds <= greatest * 60.0 / F_max * (1.0 + 1e-6));
+            self.slowed = Some((speed, at, !by_axis));
         }
     }
 
@@ -338,9 +360,16 @@ impl CutSpeed<'_> {
             let speed = Size::feed(speed, 1);
             return asked.at(Some(at)).holds(false, |place| NotItsTime { line: at.line, speed }.at(place));
         }
-        let Some((speed, at)) = self.slowed else { return asked.passes() };
-        let asked = asked.at(Some(at)).of_parameters([F_MAX.key(), GAMMA.key()]);
+        let Some((speed, at, by_word)) = self.slowed else { return asked.passes() };
         let speed = Size::feed(speed, 0);
+        if by_word {
+            let control = self.design.post.control;
+            let word = Size::number(control.feed.law.fastest(), 4);
+            let asked = asked.at(Some(at)).of_parameters([parameters::F.key(), GAMMA.key()]);
+            let told = WordSlows { speed, line: at.line, control: control.name, word };
+            return asked.holds(false, |place| told.at(place));
+        }
+        let asked = asked.at(Some(at)).of_parameters([F_MAX.key(), GAMMA.key()]);
         asked.holds(false, |place| CutSlows { speed, line: at.line }.at(place))
     }
 }

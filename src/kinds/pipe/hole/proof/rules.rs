@@ -18,6 +18,29 @@ const LONG_WAY_IN: &[(&str, &str)] = &[
     ("gamma", "20"),
 ];
 
+/// The cells of a branch beside the header's axis, at whose steep places the torch swings fast, on a control whose F word adds degrees
+/// to millimetres.
+const PAST_THE_WORD: &[(&str, &str)] = &[
+    ("branch_size", ""),
+    ("branch_schedule", ""),
+    ("header_size", ""),
+    ("header_schedule", ""),
+    ("D_branch", "48.3"),
+    ("t_branch", "3.68"),
+    ("D_header", "219.1"),
+    ("t_header", "12.7"),
+    ("theta", "90"),
+    ("e", "60"),
+    ("gamma", "40"),
+    ("b", "2"),
+    ("h", "1"),
+    ("D_max", "40"),
+    ("R_g", "20"),
+    ("Psi", "20"),
+    ("F_max", ""),
+    ("dialect", "fagor-8055"),
+];
+
 crate::finding::rule::rules! {
     /// The rows of this room.
     RULES;
@@ -84,4 +107,18 @@ crate::finding::rule::rules! {
         why "Si la antorcha toca el tubo, se dobla y pierde el arco.",
             "A torch that touches the pipe bends and loses its arc.";
         example Example::Slip { kind: "pipe-hole", cells: &[("Z_s", "1")], program: "hole", from: "", to: "" };
+    "V0310" BeamsOpen Caution { alpha: Size, angle: Size }
+        es "los chorros vecinos se cruzan o casi: abren el bisel en su borde exterior, cerca de α = {alpha}, {angle} o más"
+        en "neighbouring beams cross or nearly cross: at its outer edge, near α = {alpha}, they open the bevel by {angle} or more"
+        remedy "elija un ángulo de bisel mayor, o acerque el injerto al eje del tubo base", "choose a larger groove angle, or move the branch closer to the header's axis";
+        why "El ancho de corte de los vecinos entra detrás de la cara. Donde casi se cruzan, lo que quitan depende de muchos chorros a la vez y no se acota: el ángulo es el mayor que se ha visto.",
+            "The kerf of the neighbours reaches behind the face. Where they nearly cross, what they take off depends on many beams at once and is not bounded: the angle is the greatest that was seen.";
+        example Example::Slip { kind: "pipe-hole", cells: &[("gamma", "0"), ("h", "0"), ("e", "28"), ("D_max", "20")], program: "hole", from: "", to: "" };
+    "V0311" WordSlows Caution { speed: Size, line: usize, control: &'static str, word: Size }
+        es "el corte baja a {speed} en la línea {line}: a la velocidad pedida no habría palabra F; la más rápida de {control} es F{word}"
+        en "the cut slows to {speed} in line {line}: at the full speed there would be no F word; the fastest of {control} is F{word}"
+        remedy "elija una F menor, u otro bisel", "choose a smaller F, or another groove";
+        why "Donde los ejes giran mucho en un tramo corto, la palabra F pasa del número que el control admite. Si va más despacio, el chorro quema el borde.",
+            "Where the axes turn far within a short move, the F word passes the number that the control takes. If it moves more slowly, the jet burns the edge.";
+        example Example::Slip { kind: "pipe-hole", cells: PAST_THE_WORD, program: "hole", from: "", to: "" };
 }
