@@ -3,12 +3,12 @@
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
-    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
-    FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, Increments, Language, LengthWord, Lexis, LoneDwell,
-    LoneReturn, MachineMove, Mark, MissingFeed, NamesWithDigit, NegativeRadius, NumberBehind, OffsetRule, OpeningLine,
-    Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule, Source,
-    SpeedLimit, SpindleRule, Start, TextForm, ThreadAngle, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed,
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, ByteOrderMarkRule, CallBy, Calls, Cancel,
+    Class, Codes, CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord,
+    EmptyBlock, FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, Increments, Language, LengthWord,
+    Lexis, LoneDwell, LoneReturn, MachineMove, MissingFeed, NamesWithDigit, NegativeRadius, NumberBehind, OffsetRule,
+    OpeningLine, Order, Percent, PolarWords, Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, RotaryRule,
+    Source, SpeedLimit, SpindleRule, Start, TextForm, ThreadAngle, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed,
     WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
@@ -100,7 +100,7 @@ pub(super) const LEXIS: Lexis = Lexis {
     comments: Comments::Semicolon,
     delete: BlockDelete::Three,
     percent: Percent::Named,
-    mark: Mark::Skipped,
+    mark: ByteOrderMarkRule::Skipped,
     lone_return: LoneReturn::EndsLine,
     words: WordOrder::Ranked,
     empty: EmptyBlock::Rejected,

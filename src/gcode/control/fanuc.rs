@@ -10,10 +10,10 @@ use crate::finding::AlarmFamily;
 use crate::gcode::code::{Cycle, G, Group, M, SinglePassCycle, TurningCycle};
 use crate::gcode::control::codes::{COMMON, common_machine_code};
 use crate::gcode::control::{
-    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, CountedFeed, Counting, Decimals, DimensionPoint, Drilling, DwellUnit,
-    DwellWord, EmptyBlock, FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, Increments, Language,
-    LeastIncrement, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, Mark, MissingFeed, NamesWithDigit,
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, ByteOrderMarkRule, CallBy, Calls, Cancel,
+    Class, Codes, CommentForm, Comments, Control, Corners, CountedFeed, Counting, Decimals, DimensionPoint, Drilling,
+    DwellUnit, DwellWord, EmptyBlock, FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, Increments,
+    Language, LeastIncrement, LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, MissingFeed, NamesWithDigit,
     NegativeRadius, NoseCorner, NumberBehind, OffsetRule, Order, Percent, PolarWords, Radii, RadiusRule, Reference,
     Retract, Rollover, RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ThreadAngle, ToolCall,
     ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
@@ -70,7 +70,7 @@ pub static FANUC_LATHE_A: Control = Control {
         comments: Comments::Parentheses,
         delete: BlockDelete::Numbered,
         percent: Percent::Leader,
-        mark: Mark::Skipped,
+        mark: ByteOrderMarkRule::Skipped,
         lone_dwell: LoneDwell::Rejected,
         lone_return: LoneReturn::EndsLine,
         words: WordOrder::Free,

@@ -151,14 +151,14 @@ impl Percent {
 
 /// What a byte order mark at the beginning of a file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mark {
+pub enum ByteOrderMarkRule {
     /// Passed over, with a remark.
     Skipped,
     /// Characters that the control does not know.
     Rejected,
 }
 
-impl Mark {
+impl ByteOrderMarkRule {
     /// True where the control does not read a file with it.
     #[must_use]
     pub const fn rejected(self) -> bool {
@@ -359,7 +359,7 @@ pub struct Lexis {
     /// `%`
     pub percent: Percent,
     /// A byte order mark.
-    pub mark: Mark,
+    pub mark: ByteOrderMarkRule,
     /// A carriage return without a line feed behind it.
     pub lone_return: LoneReturn,
     /// The order of the words of a block, as read and as written.

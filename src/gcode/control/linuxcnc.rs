@@ -3,10 +3,10 @@
 use crate::gcode::code::{Cycle, G, Group, M};
 use crate::gcode::control::codes::{BY_MODE, COMMON, common_machine_code};
 use crate::gcode::control::{
-    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord, EmptyBlock,
-    FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, HeightHold, Increments, Language, LengthWord,
-    Lexis, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NamesWithDigit, NegativeRadius,
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, ByteOrderMarkRule, CallBy, Calls, Cancel,
+    Class, Codes, CommentForm, Comments, Control, Corners, Decimals, DimensionPoint, Drilling, DwellUnit, DwellWord,
+    EmptyBlock, FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, FileName, HeightHold, Increments, Language,
+    LengthWord, Lexis, LoneDwell, LoneReturn, MachineMove, MachineZero, MissingFeed, NamesWithDigit, NegativeRadius,
     NumberBehind, OffsetRule, Order, Percent, PolarWords, Post, Radii, RadiusRule, Reference, Retract, Rollover,
     RotaryMode, RotaryRule, Source, SpeedLimit, SpindleRule, Start, TextForm, ThreadAngle, ToolBlocks, ToolCall,
     ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder, Writing,
@@ -45,7 +45,7 @@ pub static LINUXCNC: Control = Control {
         comments: Comments::ParenthesesAndSemicolon,
         delete: BlockDelete::Plain,
         percent: Percent::Pair,
-        mark: Mark::Rejected,
+        mark: ByteOrderMarkRule::Rejected,
         lone_dwell: LoneDwell::Rejected,
         lone_return: LoneReturn::Rejected,
         words: WordOrder::Free,

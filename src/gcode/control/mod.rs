@@ -38,8 +38,8 @@ pub use self::fagor_8070::FAGOR_8070;
 pub use self::fanuc::FANUC_LATHE_A;
 pub use self::feed::{FeedChange, FeedCodes, FeedLimit, FeedPath, FeedRule, MissingFeed, UnsaidFeed};
 pub use self::lexis::{
-    BlockDelete, BuilderCodes, Comments, Decimals, EmptyBlock, Language, Lexis, LoneReturn, Mark, NamesWithDigit,
-    NumberBehind, Percent, PolarWords,
+    BlockDelete, BuilderCodes, ByteOrderMarkRule, Comments, Decimals, EmptyBlock, Language, Lexis, LoneReturn,
+    NamesWithDigit, NumberBehind, Percent, PolarWords,
 };
 pub use self::linuxcnc::{LINUXCNC, POST_LINUXCNC};
 pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Reference};

@@ -28,6 +28,7 @@ use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::library::Spot;
+use crate::gcode::interpreter::out::NumberedMotion;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::{Arc, FeedMode, Motion, MotionKind, Plane};
 use crate::gcode::turning::nose::{Element, Misfit, Nose, Path, Point, STRAIGHT, Stage, Step};
@@ -44,24 +45,9 @@ use crate::machine::axis::{Axis, Pose};
 /// The sharpest outer corner that a Fagor goes round straight: 300 degrees between the paths, a turn of 120.
 const STRAIGHT_TO_120: f64 = PI * 2.0 / 3.0;
 
-/// A motion on its way through the stage.
-#[derive(Clone)]
-struct Carried {
-    motion: Motion,
-    control: InForce,
-    /// Its number among the motions that the program has made.
-    number: u64,
-}
-
-impl Carried {
-    fn spot(&self) -> Spot {
-        Spot { text: self.control.file, line: self.motion.line, n: self.motion.n, again: false }
-    }
-}
-
 /// The compensation of an interpreter.
 pub(super) struct Compensator {
-    stage: Stage<Carried>,
+    stage: Stage<NumberedMotion>,
     straight: f64,
     /// From the programmed point to the tip, `[Z, X]`; mm.
     aside: Point,
@@ -236,7 +222,7 @@ impl Reader<'_, '_> {
             }
             _ => Path::Line,
         };
-        let tag = Carried { motion, control, number };
+        let tag = NumberedMotion { motion, control, number };
         let rapid = motion.kind == MotionKind::Rapid;
         let mut placed = Vec::new();
         let step = Step { element: Element { from, to, path }, side, nose, rapid, tag };
@@ -301,7 +287,7 @@ impl Reader<'_, '_> {
         })
     }
 
-    fn take_placed(&mut self, placed: Vec<(Element, Carried)>, result: Result<(), (Misfit, Carried)>) {
+    fn take_placed(&mut self, placed: Vec<(Element, NumberedMotion)>, result: Result<(), (Misfit, NumberedMotion)>) {
         let mut last = 0;
         for (element, carried) in placed {
             let first = std::mem::replace(&mut last, carried.number) != carried.number;
@@ -329,7 +315,7 @@ impl Reader<'_, '_> {
     }
 
     /// A motion along a piece of the compensated path; the first of its block makes the way of the other axes.
-    fn placed(&self, element: &Element, carried: &Carried, first: bool) -> Motion {
+    fn placed(&self, element: &Element, carried: &NumberedMotion, first: bool) -> Motion {
         let programmed = carried.motion;
         let shift = [0, 1].map(|axis| point(&programmed.to)[axis] - point(&programmed.machine)[axis]);
         let element_in_program = element.shifted(shift);

@@ -19,7 +19,7 @@ use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, Block, EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::library::{Mark, Spot};
+use crate::gcode::interpreter::library::{LineStart, Spot};
 use crate::gcode::interpreter::numbers::Numbered;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
@@ -199,7 +199,7 @@ impl Reader<'_, '_> {
             behind: ends.last.at,
         };
         let mut line = Vec::new();
-        let mut next = Mark { line: ends.first.at, ..self.memory.flow.next };
+        let mut next = LineStart { line: ends.first.at, ..self.memory.flow.next };
         while next.line.lines < ends.last.line() {
             let Some(behind) = self.memory.library.line(next, &mut line)? else { break };
             next = behind;
@@ -397,7 +397,7 @@ impl Reader<'_, '_> {
             self.state.modal.refused.push(contour);
         }
         if ends.last.line() > next.line.lines {
-            let last = Mark { line: ends.last.at, ..next };
+            let last = LineStart { line: ends.last.at, ..next };
             // A last block that cannot be read is refused where it stands.
             let behind = self.memory.library.line(last, &mut Vec::new());
             self.memory.flow.next = behind.ok().flatten().unwrap_or(last);

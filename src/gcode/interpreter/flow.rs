@@ -8,7 +8,7 @@ use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::context::Context;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::library::Mark;
+use crate::gcode::interpreter::library::LineStart;
 use crate::gcode::interpreter::parameters::LOCAL;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::round::Rounds;
@@ -29,24 +29,24 @@ pub(super) const VALUES: [&str; 2] = ["_value", "_value_returned"];
 #[derive(Debug)]
 pub(super) struct Call {
     label: String,
-    back: Mark,
+    back: LineStart,
     /// It has #1 to #30 of its own; M98 shares the caller's.
     own: bool,
     /// How often M98 still runs it, and where it begins.
     again: i64,
-    start: Mark,
+    start: LineStart,
     /// What M70 or M73 has kept in it.
     context: Context,
 }
 
 impl Call {
     /// A call that shares its parameters with the caller and runs some times.
-    pub(super) fn of(label: String, back: Mark, times: i64, start: Mark) -> Self {
+    pub(super) fn of(label: String, back: LineStart, times: i64, start: LineStart) -> Self {
         Self { label, back, own: false, again: times - 1, start, context: Context::default() }
     }
 
     /// Where it begins once more, if it does; that is counted.
-    pub(super) fn repeat(&mut self) -> Option<Mark> {
+    pub(super) fn repeat(&mut self) -> Option<LineStart> {
         self.again -= 1;
         (self.again >= 0).then_some(self.start)
     }
@@ -65,7 +65,7 @@ pub(super) struct Flow {
     /// What is watched of loops, so that each comes to an end.
     pub(super) loops: Rounds,
     /// Where the next line begins.
-    pub(super) next: Mark,
+    pub(super) next: LineStart,
     pub(super) frames: Vec<Call>,
     /// How many rounds are left to a REPEAT that has begun, by text and O-word: whatever call it stands in, one left by RETURN
     /// goes on where it was.
@@ -110,7 +110,7 @@ impl Reader<'_, '_> {
     }
 
     /// Goes on with a line of any text.
-    pub(super) const fn open(&mut self, mark: Mark) {
+    pub(super) const fn open(&mut self, mark: LineStart) {
         self.memory.flow.next = mark;
     }
 
@@ -355,7 +355,7 @@ impl Reader<'_, '_> {
     }
 
     /// Where the subprogram or the program of a file of its own begins, if there is one.
-    fn file_of(&mut self, name: &str, sought: fn(&Structure, &str) -> Option<usize>) -> Result<Option<Mark>> {
+    fn file_of(&mut self, name: &str, sought: fn(&Structure, &str) -> Option<usize>) -> Result<Option<LineStart>> {
         let plain =
             !name.starts_with('.') && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"_-.".contains(&byte));
         if !plain {
@@ -381,7 +381,7 @@ impl Reader<'_, '_> {
         let sub = sought(structure, name).and_then(|index| Some((index, structure.o_word(index)?.after)));
         let Some((index, line)) = sub else { return Ok(None) };
         self.memory.flow.met.insert((text, index));
-        Ok(Some(Mark { text, line }))
+        Ok(Some(LineStart { text, line }))
     }
 
     /// ENDSUB and RETURN, with their value.
@@ -456,7 +456,7 @@ impl Reader<'_, '_> {
 
     /// Where the SUB or program at an O-word begins, as a call finds it from the line behind its own: where the control has met
     /// it, or from the call on.
-    fn sought(&mut self, index: usize, back: Mark) -> Result<Mark> {
+    fn sought(&mut self, index: usize, back: LineStart) -> Result<LineStart> {
         let mark = self.mark(Some(index))?;
         if mark.at.lines < back.line.lines && !self.memory.flow.met.contains(&(back.text, index)) {
             return Err(Refused::of(&SubprogramBefore { label: shown(&mark.label), line: mark.at.lines + 1 }, &[]));
@@ -464,7 +464,7 @@ impl Reader<'_, '_> {
         if self.memory.flow.met.insert((back.text, index)) {
             self.read_passed(back, mark.after)?;
         }
-        Ok(Mark { line: mark.after, ..back })
+        Ok(LineStart { line: mark.after, ..back })
     }
 
     fn return_from_program(&mut self) -> Result<()> {

@@ -2,7 +2,7 @@
 
 use crate::finding::Exit;
 use crate::gcode::control::foreign::sign;
-use crate::gcode::interpreter::library::Mark;
+use crate::gcode::interpreter::library::LineStart;
 use crate::gcode::interpreter::refused::Refused;
 use crate::gcode::interpreter::{Reader, Stage};
 use crate::gcode::rules::lexis::OtherControl;
@@ -15,7 +15,7 @@ impl Reader<'_, '_> {
         if std::mem::replace(&mut self.memory.seen.foreign_sought, true) || fault.exit == Exit::Limit {
             return fault;
         }
-        let (mut line, mut at) = (Vec::new(), Mark::default());
+        let (mut line, mut at) = (Vec::new(), LineStart::default());
         while at.line.lines < LEADER_LINES
             && let Ok(Some(behind)) = self.memory.library.line(at, &mut line)
         {

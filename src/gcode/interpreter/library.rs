@@ -9,7 +9,7 @@ use crate::gcode::interpreter::structure::Structure;
 
 /// Where a line begins, in one of the texts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Mark {
+pub(super) struct LineStart {
     /// The text, 0 for the program's own.
     pub(super) text: usize,
     /// Where the line begins in that text.
@@ -79,8 +79,8 @@ impl<'a> Library<'a> {
     }
 
     /// Reads the line at a mark into `line`, without its end; gives the mark behind it, `None` where there is none.
-    pub(super) fn line(&mut self, at: Mark, line: &mut Vec<u8>) -> Result<Option<Mark>> {
-        Ok(self.text(at.text).line(at.line, line)?.map(|behind| Mark { line: behind, ..at }))
+    pub(super) fn line(&mut self, at: LineStart, line: &mut Vec<u8>) -> Result<Option<LineStart>> {
+        Ok(self.text(at.text).line(at.line, line)?.map(|behind| LineStart { line: behind, ..at }))
     }
 
     /// The O-words of a text.

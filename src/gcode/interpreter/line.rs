@@ -3,7 +3,7 @@
 use crate::escape::excerpt;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, comments};
-use crate::gcode::interpreter::library::{Mark, Spot};
+use crate::gcode::interpreter::library::{LineStart, Spot};
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::interpreter::tape::{has_code, numbers_program, titled};
@@ -21,7 +21,7 @@ const LONGEST_NAME: usize = 20;
 
 impl Reader<'_, '_> {
     /// Counts the line that has just been read, behind which a mark lies; it is the block in hand.
-    pub(super) fn count_line(&mut self, behind: Mark) -> Result<()> {
+    pub(super) fn count_line(&mut self, behind: LineStart) -> Result<()> {
         let number = behind.line.lines;
         let again = !self.memory.library.text(behind.text).first_time(number);
         (self.block.spot.text, self.block.spot.line) = (behind.text, number);
@@ -170,7 +170,7 @@ impl Reader<'_, '_> {
 
     /// True where no comment stands before the line in hand, which is the first with more than one.
     fn only_blank_lines_before(&mut self) -> Result<bool> {
-        let (mut line, mut at) = (Vec::new(), Mark { line: Position::START, ..self.memory.flow.next });
+        let (mut line, mut at) = (Vec::new(), LineStart { line: Position::START, ..self.memory.flow.next });
         while let Some(behind) = self.memory.library.line(at, &mut line)?
             && behind.line.lines < self.block.spot.line
         {
@@ -214,7 +214,7 @@ impl Reader<'_, '_> {
     }
 
     /// True where the next line behind a place that is not blank is no `%`.
-    fn goes_on(&mut self, mut at: Mark) -> Result<bool> {
+    fn goes_on(&mut self, mut at: LineStart) -> Result<bool> {
         let mut line = Vec::new();
         while at.line.lines < LEADER_LINES {
             let Some(behind) = self.memory.library.line(at, &mut line)? else { break };

@@ -11,8 +11,9 @@
 use crate::finding::{Raise, Size};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::cutter::{Misfit, OffsetPiece, Stage, Step};
-use crate::gcode::in_force::{Compensation, InForce};
+use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::out::NumberedMotion;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, State};
 use crate::gcode::motion::{Arc, Feed, FeedMode, Motion, MotionKind, Plane};
@@ -28,19 +29,10 @@ use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
 use crate::number::trig;
 
-/// A motion on its way through the stage.
-#[derive(Clone)]
-struct Carried {
-    motion: Motion,
-    control: InForce,
-    /// Its number among the motions that the program has made.
-    number: u64,
-}
-
 /// The compensation of a milling program.
 #[derive(Default)]
 pub(super) struct Milling {
-    stage: Option<Stage<Carried>>,
+    stage: Option<Stage<NumberedMotion>>,
     /// Where G40 has left the centre of the cutter, aside of where the program stands; machine coordinates.
     left: Option<Pose>,
     /// No G0 or G1 has come since then: LinuxCNC makes no arc before.
@@ -217,7 +209,7 @@ impl Reader<'_, '_> {
     /// Hands a motion out by way of the compensation.
     pub(super) fn mill(&mut self, motion: Motion) {
         let (control, number) = (self.state.modal.in_force(), self.made());
-        let carried = Carried { motion, control, number };
+        let carried = NumberedMotion { motion, control, number };
         let dwell = matches!(motion.kind, MotionKind::Dwell(_));
         let Some(mut stage) = self.memory.out.milling.stage.take() else { return self.lead_back(carried) };
         if dwell && stage.aside().is_none() {
@@ -258,8 +250,8 @@ impl Reader<'_, '_> {
     }
 
     /// A motion without compensation: the first behind G40 leads from where the cutter is.
-    fn lead_back(&mut self, carried: Carried) {
-        let Carried { mut motion, control, number } = carried;
+    fn lead_back(&mut self, carried: NumberedMotion) {
+        let NumberedMotion { mut motion, control, number } = carried;
         if let Some(machine) = self.memory.out.milling.left {
             let tip = point(&self.state.frame.to_program(&machine));
             match motion.kind {
@@ -280,8 +272,8 @@ impl Reader<'_, '_> {
         self.memory.out.queue.push_back(Ok((motion, control, number)));
     }
 
-    fn hand_placed(&mut self, placed: Vec<OffsetPiece<Carried>>) {
-        for OffsetPiece { element, corner, tag: Carried { motion: programmed, control, number } } in placed {
+    fn hand_placed(&mut self, placed: Vec<OffsetPiece<NumberedMotion>>) {
+        for OffsetPiece { element, corner, tag: NumberedMotion { motion: programmed, control, number } } in placed {
             let mut motion = programmed;
             if corner {
                 motion.to = motion.from;

@@ -7,12 +7,30 @@ use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::State;
 use crate::gcode::interpreter::compensation::Compensator;
 use crate::gcode::interpreter::corner::Corner;
+use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::milling::Milling;
 use crate::gcode::interpreter::refused::Result;
 use crate::gcode::interpreter::run::Pending;
 use crate::gcode::interpreter::standstill::Standing;
 use crate::gcode::motion::Motion;
 use crate::machine::axis::Pose;
+
+/// A motion on its way through a stage that leads it aside.
+#[derive(Clone)]
+pub(super) struct NumberedMotion {
+    pub(super) motion: Motion,
+    /// What was in force.
+    pub(super) control: InForce,
+    /// Its number among the motions that the program has made.
+    pub(super) number: u64,
+}
+
+impl NumberedMotion {
+    /// The block that made it.
+    pub(super) const fn spot(&self) -> Spot {
+        Spot { text: self.control.file, line: self.motion.line, n: self.motion.n, again: false }
+    }
+}
 
 /// The motions between the block that makes them and whoever asks for them.
 pub(super) struct Out {

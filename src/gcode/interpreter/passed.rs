@@ -8,7 +8,7 @@ use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::cursor::{Cursor, comments};
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::library::Mark;
+use crate::gcode::interpreter::library::LineStart;
 use crate::gcode::interpreter::pass_fraction;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
@@ -28,12 +28,12 @@ impl Reader<'_, '_> {
     }
 
     /// Reads the lines between two places as the control does that passes over them.
-    pub(super) fn read_passed(&mut self, from: Mark, to: Position) -> Result<()> {
+    pub(super) fn read_passed(&mut self, from: LineStart, to: Position) -> Result<()> {
         let structure = self.memory.library.structure(from.text, &self.memory.control.lexis)?;
         let unread = structure.unread_between(from.line, to).to_vec();
         let mut line = Vec::new();
         for at in unread {
-            if let Some(behind) = self.memory.library.line(Mark { line: at, ..from }, &mut line)? {
+            if let Some(behind) = self.memory.library.line(LineStart { line: at, ..from }, &mut line)? {
                 self.pass_line(&line).map_err(|mut fault| {
                     fault.line = behind.line.lines;
                     fault.fatal()

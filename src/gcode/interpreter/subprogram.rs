@@ -14,7 +14,7 @@ use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::flow::Call;
-use crate::gcode::interpreter::library::Mark;
+use crate::gcode::interpreter::library::LineStart;
 use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::rules::flow::{
@@ -66,7 +66,7 @@ impl Reader<'_, '_> {
             return Ok(());
         }
         let back = self.memory.flow.next;
-        let start = Mark { line: block.at, ..back };
+        let start = LineStart { line: block.at, ..back };
         self.enter(Call::of(format!("N{number}"), back, repeats, start))?;
         self.open(start);
         Ok(())
@@ -103,7 +103,7 @@ impl Reader<'_, '_> {
     }
 
     /// Where a program begins: behind the line of its number.
-    fn program_numbered(&mut self, number: u32) -> Result<Mark> {
+    fn program_numbered(&mut self, number: u32) -> Result<LineStart> {
         let column = self.block.column(letter::P);
         let twice = |places: String| Refused::of(&ProgramTwice { number: format!("{number:04}"), places }, &[column]);
         // The file in hand, then the program's own file.
@@ -112,7 +112,7 @@ impl Reader<'_, '_> {
                 self.memory.library.numbers(text, &self.memory.control.lexis)?.programs(number).collect();
             match *found.as_slice() {
                 [] => {}
-                [line] => return Ok(Mark { text, line }),
+                [line] => return Ok(LineStart { text, line }),
                 [one, two, ..] => return Err(twice(format!("{}, {}", one.lines, two.lines))),
             }
         }
@@ -150,10 +150,10 @@ impl Reader<'_, '_> {
     }
 
     /// Where the program of a file of its own begins: behind its number, or behind `%`, or with its first line.
-    fn beginning(&mut self, text: usize, number: u32) -> Result<Mark> {
+    fn beginning(&mut self, text: usize, number: u32) -> Result<LineStart> {
         let numbers = self.memory.library.numbers(text, &self.memory.control.lexis)?;
         if let Some(line) = numbers.programs(number).next() {
-            return Ok(Mark { text, line });
+            return Ok(LineStart { text, line });
         }
         if let Some(other) = numbers.first_program() {
             let name = self.memory.library.file(text).cloned().unwrap_or_default();
@@ -163,7 +163,7 @@ impl Reader<'_, '_> {
             ));
         }
         let mut line = Vec::new();
-        let start = Mark { text, line: Position::START };
+        let start = LineStart { text, line: Position::START };
         let behind = self.memory.library.line(start, &mut line)?;
         Ok(behind.filter(|_| line.trim_ascii() == b"%").unwrap_or(start))
     }

@@ -7,7 +7,7 @@ pub use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Retract, Word};
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::blank::BlankTurning;
-use crate::kinds::impeller::clear::asked::{Asked, Mill};
+use crate::kinds::impeller::clear::asked::{ClearCells, Mill};
 use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::clear::fields as cut;
 use crate::kinds::impeller::fade::Fade;
@@ -94,7 +94,7 @@ pub struct Design {
     /// The workbook says by which method it is cut.
     pub method_given: bool,
     /// What the clear cut is asked for; `None` where the part is cut as published.
-    pub clear: Option<Asked>,
+    pub clear: Option<ClearCells>,
     /// The calibration, if asked for.
     pub calibration: Option<Slots>,
 }
@@ -209,7 +209,7 @@ impl Design {
             clear: None,
             calibration: Self::slots(fields),
         };
-        Self { clear: Asked::of(fields, &plain), ..plain }
+        Self { clear: ClearCells::of(fields, &plain), ..plain }
     }
 
     fn slots(fields: &Fields) -> Option<Slots> {

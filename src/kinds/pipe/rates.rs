@@ -18,7 +18,7 @@ use crate::text::{Text, t};
 
 /// One move of a cut.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
+pub struct CutMove {
     /// How far each axis goes, mm or degrees.
     pub by: Vec<(Axis, f64)>,
     /// How long that takes, s.
@@ -30,7 +30,7 @@ pub struct Run {
 /// What is told of moves that ask more of an axis than its rapid rate: once for linear and once for rotary axes, with the fastest
 /// and its place. Nothing is told where the form says no rate.
 #[must_use]
-pub fn faster_than_rapid(rapids: &Rapids, runs: &[Run]) -> Vec<Finding> {
+pub fn faster_than_rapid(rapids: &Rapids, runs: &[CutMove]) -> Vec<Finding> {
     let kinds = [(false, rapids.linear, RAPID_LINEAR.key()), (true, rapids.rotary, RAPID_ROTARY.key())];
     let told = kinds.into_iter().filter_map(|(rotary, rate, key)| {
         let rate = rate?;
@@ -59,8 +59,11 @@ mod tests {
 
     #[test]
     fn an_axis_that_would_feed_faster_than_at_rapid_is_told_with_its_place() {
-        let run =
-            |turn: f64, angle| Run { by: vec![(Axis::A, turn), (Axis::X, 1.0)], seconds: 0.5, at: Some(("φ", angle)) };
+        let run = |turn: f64, angle| CutMove {
+            by: vec![(Axis::A, turn), (Axis::X, 1.0)],
+            seconds: 0.5,
+            at: Some(("φ", angle)),
+        };
         let runs = [run(1.0, 0.0), run(-20.0, 1.0), run(3.0, 2.0)];
         let rapids = |rotary| Rapids { linear: Some(120.0), rotary, tool_change: None };
         assert!(

@@ -1,11 +1,12 @@
 //! A text for every value of the enums of a control, and of those of other places that it is made of.
 
 use crate::gcode::control::{
-    Across, AcrossWord, BlockDelete, BuilderCodes, CallBy, Cancel, Class, CommentForm, Comments, Corners, CountedFeed,
-    Decimals, DimensionPoint, Drilling, DwellUnit, EmptyBlock, FeedChange, FeedLimit, FeedPath, Increments, Language,
-    LeastIncrement, LengthWord, LoneDwell, LoneReturn, MachineMove, MachineZero, Mark, MissingFeed, NamesWithDigit,
-    NegativeRadius, NoseCorner, NumberBehind, OffsetRule, OpeningLine, Order, Percent, PolarWords, Radii, RadiusRule,
-    Reference, Retract, Rollover, RotaryMode, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed, WordOrder,
+    Across, AcrossWord, BlockDelete, BuilderCodes, ByteOrderMarkRule, CallBy, Cancel, Class, CommentForm, Comments,
+    Corners, CountedFeed, Decimals, DimensionPoint, Drilling, DwellUnit, EmptyBlock, FeedChange, FeedLimit, FeedPath,
+    Increments, Language, LeastIncrement, LengthWord, LoneDwell, LoneReturn, MachineMove, MachineZero, MissingFeed,
+    NamesWithDigit, NegativeRadius, NoseCorner, NumberBehind, OffsetRule, OpeningLine, Order, Percent, PolarWords,
+    Radii, RadiusRule, Reference, Retract, Rollover, RotaryMode, ToolCall, ToolChange, Turns, UnitChange, UnsaidFeed,
+    WordOrder,
 };
 use crate::gcode::feed_law::FeedLaw;
 use crate::text::{Text, t};
@@ -61,7 +62,7 @@ told! {
         Self::Pair => "% solo en su línea, y sin comentario antes, abre el texto y, si lo abre, también lo termina; sin % el programa necesita M2 o M30", "% alone on its line, with no comment before it, opens the text and, if it opens it, ends it; without % the program needs M2 or M30";
         Self::Leader => "el texto antes del primer % se pasa por alto; el siguiente %, el fin del archivo u otro número de programa lo terminan", "text before the first % is passed over; the next %, the end of the file or another program number ends it";
     }
-    Mark {
+    ByteOrderMarkRule {
         Self::Skipped => "se omite, con una nota", "skipped, with a note";
         Self::Rejected => "se rechaza", "rejected";
     }

@@ -33,7 +33,7 @@ pub struct Mill {
 
 /// The cells of the clear cut, with defaults filled in. Lengths in mm.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct ClearCells {
     /// The cut. Its tolerance is what is left of ε beside what rounding to the output grid takes.
     pub cut: CutStrategy,
     /// ε as the form has it, mm: [`TOLERANCE`] where its cell is empty.
@@ -48,7 +48,7 @@ pub struct Asked {
     pub root: Option<f64>,
 }
 
-impl Asked {
+impl ClearCells {
     /// What a workbook asks; `None` where the part is cut as published. `plain` is the rest of the design.
     #[must_use]
     pub(in crate::kinds::impeller) fn of(fields: &Fields, plain: &Design) -> Option<Self> {

@@ -41,7 +41,7 @@ const TABLE: f64 = 3e-5;
 
 /// A tool beside the faces of a part's blades.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Beside {
+pub struct ToolBesideFaces {
     part: Part,
     lane: OwnNormal,
     /// s, what is left on the faces.
@@ -49,7 +49,7 @@ pub struct Beside {
     wall: Wall,
 }
 
-impl Beside {
+impl ToolBesideFaces {
     /// The tool of a lane beside faces on which s is to be left.
     #[must_use]
     pub fn new(part: &Part, lane: OwnNormal, s: f64) -> Self {
@@ -222,7 +222,7 @@ impl Contacts {
     /// Those of a tool in a part with N blades, with s left on the faces.
     #[must_use]
     pub fn new(part: &Part, N: u32, lane: OwnNormal, s: f64) -> Self {
-        let (beside, pitch) = (Beside::new(part, lane, s), TAU / f64::from(N));
+        let (beside, pitch) = (ToolBesideFaces::new(part, lane, s), TAU / f64::from(N));
         let a = lane.tool.a();
         let close = TABLE / part.circle.torus.R;
         // Between two stations the tool touches nearly where it does half-way between.
@@ -327,11 +327,11 @@ mod tests {
     const DESIGNS: [(f64, f64, u32, f64, f64); 3] =
         [(25.0, 15.0, 4, 2.0, 2.0), (25.0, 17.0, 2, 1.0, 4.0), (50.0, 30.0, 5, 2.0, 3.0)];
 
-    fn beside(at: usize, tool: Tool, s: f64) -> (Beside, f64) {
+    fn beside(at: usize, tool: Tool, s: f64) -> (ToolBesideFaces, f64) {
         let (R, r, N, e, a_p) = DESIGNS[at];
         // The check values were found on rulings that all end alike.
         let part = Part::with(Torus { R, r }, e, a_p).ending_at(a_p + e * e / 8.0 / (R - r - a_p));
-        (Beside::new(&part, OwnNormal::new(part.circle.torus, tool, r + a_p).unwrap(), s), TAU / f64::from(N))
+        (ToolBesideFaces::new(&part, OwnNormal::new(part.circle.torus, tool, r + a_p).unwrap(), s), TAU / f64::from(N))
     }
 
     #[test]
@@ -371,7 +371,7 @@ mod tests {
         let gap = gap(&part, N, 6.0);
         let room = |d: f64, s: f64| {
             let lane = OwnNormal::new(part.circle.torus, Tool::flat(d), r + a_p).unwrap();
-            let beside = Beside::new(&part, lane, s);
+            let beside = ToolBesideFaces::new(&part, lane, s);
             beside.psi(Face::Obverse, gap.station) - beside.psi(Face::Reverse, gap.station) + TAU / f64::from(N)
         };
         assert!(room(gap.width - 0.01, 0.0) > 0.0 && room(gap.width + 0.01, 0.0) < 0.0);
@@ -385,7 +385,7 @@ mod tests {
         let part = Part::with(Torus { R, r }, e, a_p);
         let lane = OwnNormal::new(part.circle.torus, Tool::flat(6.0), r + a_p).unwrap();
         let contacts = Contacts::new(&part, N, lane, 0.0);
-        let beside = Beside::new(&part, lane, 0.0);
+        let beside = ToolBesideFaces::new(&part, lane, 0.0);
         for q in [-2.7, -1.1, -0.02, 0.013, 0.21, 0.49, 0.777, 0.99, 1.4, 3.2] {
             let [obverse, reverse] = contacts.at(q);
             assert!((obverse - beside.psi(Face::Obverse, q)).abs() * R < 2e-4, "{q}");
@@ -409,7 +409,7 @@ mod tests {
             let torus = Torus { R, r };
             let part = Part::with(torus, e, a_p);
             let lane = OwnNormal::new(torus, Tool::flat(d), r + a_p).unwrap();
-            let beside = Beside::new(&part, lane, 0.0);
+            let beside = ToolBesideFaces::new(&part, lane, 0.0);
             let walls = Walls::new(part, machine, d / 2.0, vec![0.0], f64::MIN);
             for step in 0..240_u8 {
                 let q = from + f64::from(step) * 8.1e-5;
@@ -429,7 +429,7 @@ mod tests {
         let part = Part::with(torus, e, a_p);
         for d in [0.9, 1.8, 2.6] {
             let lane = OwnNormal::new(torus, Tool::flat(d), r + a_p).unwrap();
-            let beside = Beside::new(&part, lane, 0.0);
+            let beside = ToolBesideFaces::new(&part, lane, 0.0);
             for q in [-1.0, -0.5, 0.0, 0.01, 0.02, 0.05, 0.1, 0.5] {
                 for face in Face::ALL {
                     let axis = lane.axis(q, beside.psi(face, q), d / 2.0 + part.overhang());

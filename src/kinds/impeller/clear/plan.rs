@@ -15,7 +15,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::kinds::impeller::clear::contact::{Beside, Contacts};
+use crate::kinds::impeller::clear::contact::{Contacts, ToolBesideFaces};
 use crate::kinds::impeller::clear::contour;
 use crate::kinds::impeller::clear::cut::{CutStrategy, DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::draft::{Draft, SAMPLES, begin, ridge, steps};
@@ -29,7 +29,7 @@ use crate::kinds::impeller::clear::pass::{Cutting, Pass};
 use crate::kinds::impeller::clear::poses::Poses;
 use crate::kinds::impeller::clear::rests::Rests;
 use crate::kinds::impeller::clear::round::Round;
-use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, NoSplitter, Told};
+use crate::kinds::impeller::clear::told::{By, Dropped, FaceError, NoSplitter, PlanResults};
 use crate::kinds::impeller::clear::tool::Tool;
 use crate::kinds::impeller::clear::uncut;
 use crate::kinds::impeller::gap::{RUN_OUT, gap};
@@ -64,7 +64,7 @@ pub struct Plan {
     /// Above this height of Z no point of the part comes, d_s included.
     pub Z_r: f64,
     /// What it leaves, and what it does not run.
-    pub told: Told,
+    pub told: PlanResults,
 }
 
 impl Plan {
@@ -151,7 +151,7 @@ impl Plan {
         // Where nothing but ridges is left of the floor, the lanes beside have cut what one did not come to.
         let ridges = cut.scallop + cut.tolerance;
         let is_cut = |v: [f64; 2]| finish_from == 0.0 && look.as_ref().is_some_and(|look| look.is_cut(v, ridges));
-        let told = Told {
+        let told = PlanResults {
             gap: gap(part, job.N, cut.finish.d).width,
             rough: draft.tool(Which::Rough, &rough.lane, rough_lanes + 1, levels),
             finish: draft.tool(Which::Finish, &finish.lane, floor_lanes + 1, 1),
@@ -315,7 +315,7 @@ fn estimate(job: &Job, tool: Tool, depth: f64, s: f64) -> Option<f64> {
     let width = gap(part, job.N, tool.d).width - 2.0 * s;
     let fits = |d: f64| {
         OwnNormal::new(torus, Tool { d, r_c: corner(tool, d) }, torus.r + depth).is_some_and(|lane| {
-            let beside = Beside::new(part, lane, s);
+            let beside = ToolBesideFaces::new(part, lane, s);
             TRIED.iter().all(|&q| {
                 let q = if q < 0.0 { q * d / 2.0 } else { q };
                 beside.psi(Face::Obverse, q) - beside.psi(Face::Reverse, q) + TAU / f64::from(job.N) >= TRIED_ROOM

@@ -2,7 +2,7 @@
 
 use crate::finding::{Figures, Finding, Key, Limit, Place, Raise, Said, Size};
 use crate::kind::Shown;
-use crate::kinds::impeller::clear::asked::Asked;
+use crate::kinds::impeller::clear::asked::ClearCells;
 use crate::kinds::impeller::clear::cut::{DoesNotFit, Job, Which};
 use crate::kinds::impeller::clear::fields;
 use crate::kinds::impeller::clear::largest::{Largest as LargestTool, largest};
@@ -10,7 +10,7 @@ use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::programs::title;
 use crate::kinds::impeller::clear::rules::*;
 use crate::kinds::impeller::clear::tables::tool_name;
-use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, Told, ToolTold, Unfinished};
+use crate::kinds::impeller::clear::told::{By, Dropped, NoSplitter, PlanResults, ToolTold, Unfinished};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::parameters::{self as form, NUMBERS};
 use crate::kinds::impeller::part::{HUB, RIM};
@@ -34,7 +34,7 @@ fn missed(found: Finding, value: impl Said, limit: impl Said, held: fn(f64) -> L
 }
 
 /// What is valid alone but not together.
-pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &Asked) -> Vec<Finding> {
+pub(in crate::kinds::impeller) fn contradictions(design: &Design, asked: &ClearCells) -> Vec<Finding> {
     let mut findings = Vec::new();
     if design.style == Style::Annex {
         findings.push(ClearNeedsFull {}.at(at([fields::METHOD.key(), form::STYLE.key()])));
@@ -165,7 +165,7 @@ pub(in crate::kinds::impeller) fn too_long(program: Text, blocks: u64) -> Option
 }
 
 /// What of the finishing tool stands in the form without its diameter.
-fn not_read(asked: &Asked) -> Option<Finding> {
+fn not_read(asked: &ClearCells) -> Option<Finding> {
     let (d_f, T_f, D_f) = asked.given;
     let cells = [
         (fields::CORNER_F.key(), asked.given_corner.is_some_and(|r_cf| r_cf != asked.cut.rough.r_c)),
@@ -188,7 +188,7 @@ fn stick_outs() -> [(Which, Key); 2] {
 }
 
 /// What stops a plan that was made.
-pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Finding> {
+pub(in crate::kinds::impeller) fn stops(design: &Design, asked: &ClearCells, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
     if let Some(NoSplitter { largest }) = plan.told.no_splitter {
         let largest = Largest(largest.map(|d| Size::length(d, 2)));
@@ -247,7 +247,7 @@ pub(in crate::kinds::impeller) fn enough(stick_out: f64) -> Size {
 }
 
 /// The stick-outs that are enough for any holder, of the tools whose holder the form does not give; for the set-up sheet.
-pub(in crate::kinds::impeller) fn enough_stick_outs(asked: &Asked, plan: &Plan) -> Vec<(&'static str, Shown)> {
+pub(in crate::kinds::impeller) fn enough_stick_outs(asked: &ClearCells, plan: &Plan) -> Vec<(&'static str, Shown)> {
     let open = |which: Which| asked.cut.stage(which).is_none() && plan.of(which).next().is_some();
     let two = asked.given.0.is_some();
     let of = |which: Which| tenths(of(plan, which).stick_out);
@@ -270,7 +270,7 @@ fn finely(value: f64) -> Size {
 }
 
 /// What a person should know of a plan.
-pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan) -> Vec<Finding> {
+pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &ClearCells, plan: &Plan) -> Vec<Finding> {
     let mut findings = of_tools(asked, plan);
     findings.extend(not_read(asked));
     findings.extend(at_the_root(job, asked, &plan.told));
@@ -281,7 +281,7 @@ pub(in crate::kinds::impeller) fn remarks(job: &Job, asked: &Asked, plan: &Plan)
 }
 
 /// Of the tools: their holders, how far they must stick out, and how their feed changes.
-fn of_tools(asked: &Asked, plan: &Plan) -> Vec<Finding> {
+fn of_tools(asked: &ClearCells, plan: &Plan) -> Vec<Finding> {
     let mut findings = Vec::new();
     // One tool for both is told of once: its greater stick-out, its greater change.
     let two = asked.given.0.is_some();
@@ -316,7 +316,7 @@ fn share(v: f64) -> Size {
 }
 
 /// Of what is left in the corners and of the faces above them.
-fn at_the_root(job: &Job, asked: &Asked, told: &Told) -> Vec<Finding> {
+fn at_the_root(job: &Job, asked: &ClearCells, told: &PlanResults) -> Vec<Finding> {
     let mut findings = Vec::new();
     // Of a rounded end the radius of its corner counts, too.
     let corners = [(asked.cut.rough, fields::CORNER.key()), (asked.cut.finish, fields::CORNER_F.key())];
@@ -389,7 +389,7 @@ fn percent(part: f64) -> Size {
 }
 
 /// Of a cut that does not begin at the hub.
-fn cut_partly(told: &Told) -> Vec<Finding> {
+fn cut_partly(told: &PlanResults) -> Vec<Finding> {
     let mut findings = Vec::new();
     if told.finish_from > 0.0 {
         let (from, uncut) = (percent(told.finish_from), percent(told.uncut));
@@ -403,7 +403,7 @@ fn cut_partly(told: &Told) -> Vec<Finding> {
 }
 
 /// Of what is left on the floor.
-fn on_the_floor(asked: &Asked, told: &Told) -> Option<Finding> {
+fn on_the_floor(asked: &ClearCells, told: &PlanResults) -> Option<Finding> {
     let (most, beside, share) = (finely(told.floor.most), at_most(told.floor.beside), share(told.floor.v));
     let floor = at([fields::SCALLOP.key(), fields::D_F.key()]);
     if told.floor.most > asked.cut.scallop + asked.tolerance {
@@ -416,7 +416,7 @@ fn on_the_floor(asked: &Asked, told: &Told) -> Option<Finding> {
 }
 
 /// Of the stretches of passes that are not run.
-fn left_out(told: &Told) -> Vec<Finding> {
+fn left_out(told: &PlanResults) -> Vec<Finding> {
     let place = || at([form::D_T.key(), fields::D_F.key(), form::SPLITTERS.key()]);
     let passes =
         longest(told, By::Blade).map(|(count, what, [from, to])| PassesLeftOut { count, what, from, to }.at(place()));
@@ -426,7 +426,7 @@ fn left_out(told: &Told) -> Vec<Finding> {
 }
 
 /// How many stretches are not run for one cause, what the longest of them would cut, and from where to where it lies.
-fn longest(told: &Told, by: By) -> Option<(usize, Text, [Size; 2])> {
+fn longest(told: &PlanResults, by: By) -> Option<(usize, Text, [Size; 2])> {
     let left: Vec<&Dropped> = told.dropped.iter().filter(|one| one.by == by).collect();
     let longest = left.iter().max_by(|one, two| (one.v[1] - one.v[0]).total_cmp(&(two.v[1] - two.v[0])))?;
     Some((left.len(), longest.cutting.name(), longest.v.map(share)))

@@ -26,7 +26,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::Vector3;
 
 use crate::kinds::impeller::clear::body::turn;
-use crate::kinds::impeller::clear::contact::Beside;
+use crate::kinds::impeller::clear::contact::ToolBesideFaces;
 use crate::kinds::impeller::clear::cut::Job;
 use crate::kinds::impeller::clear::flank::FlankWay;
 use crate::kinds::impeller::clear::lane::OwnNormal;
@@ -276,7 +276,7 @@ fn left(job: &Job, tool: Tool, over: f64) -> Option<f64> {
     let part = &job.part;
     let torus = part.circle.torus;
     let lane = OwnNormal::new(torus, tool, torus.r + part.a_p)?;
-    let beside = Beside::new(part, lane, 0.0);
+    let beside = ToolBesideFaces::new(part, lane, 0.0);
     // Between two of its places s apart a tool leaves s²/(4 d): a quarter of what counts at most, on the longest way there is.
     let apart = (tool.d * over).sqrt();
     let count = ((torus.R + part.a_p) * 2.0 / apart).clamp(STATIONS[0], STATIONS[1]).ceil();

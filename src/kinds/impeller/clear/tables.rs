@@ -1,6 +1,6 @@
 //! The tables of a clear cut: its passes in order, and where the axes stand along each.
 
-use crate::kinds::impeller::clear::asked::Asked;
+use crate::kinds::impeller::clear::asked::ClearCells;
 use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::clear::pass::{Cutting, Direction, Mode, Pass};
 use crate::kinds::impeller::clear::plan::Plan;
@@ -160,7 +160,7 @@ pub const fn tool_name(which: Which) -> Text {
 /// What a plan comes to, its blocks being within the tolerance that is asked for.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-pub(in crate::kinds::impeller) fn quantities(design: &Design, asked: &Asked, plan: &Plan) -> Vec<Quantity> {
+pub(in crate::kinds::impeller) fn quantities(design: &Design, asked: &ClearCells, plan: &Plan) -> Vec<Quantity> {
     let (mm, count, told) = (Unit::Millimetre, Unit::Count, &plan.told);
     // The end of each tool stays in the ball of the floor: see `OwnNormal::below`.
     let one_tool = asked.cut.rough == asked.cut.finish;

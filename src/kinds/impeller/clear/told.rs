@@ -70,7 +70,7 @@ pub struct NoSplitter {
     pub largest: Option<f64>,
 }
 
-impl Told {
+impl PlanResults {
     /// What is said of one of the tools.
     #[must_use]
     pub const fn tool(&self, which: Which) -> &ToolTold {
@@ -92,7 +92,7 @@ pub struct Unfinished {
 
 /// What a plan says.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Told {
+pub struct PlanResults {
     /// The true gap at full depth: the largest tool that passes.
     pub gap: f64,
     /// The roughing tool.

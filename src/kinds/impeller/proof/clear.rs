@@ -18,7 +18,7 @@ use std::f64::consts::{PI, TAU};
 use crate::finding::figures::count;
 use crate::finding::{Figures, Finding, Limit, Place, Raise, Size};
 use crate::gcode::program::{Program, Role};
-use crate::kinds::impeller::clear::asked::Asked;
+use crate::kinds::impeller::clear::asked::ClearCells;
 use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::clear::plan::Plan;
 use crate::kinds::impeller::clear::programs::BACK;
@@ -60,7 +60,7 @@ struct RunPass {
 #[derive(Debug)]
 pub struct ClearCutting<'a> {
     design: &'a Design,
-    asked: &'a Asked,
+    asked: &'a ClearCells,
     which: Which,
     /// Where splitters begin.
     splitter: Option<f64>,
@@ -77,7 +77,7 @@ pub struct ClearCutting<'a> {
 impl<'a> ClearCutting<'a> {
     /// The judge of the program of one tool.
     #[must_use]
-    pub fn new(design: &'a Design, asked: &'a Asked, plan: &Plan, which: Which) -> Self {
+    pub fn new(design: &'a Design, asked: &'a ClearCells, plan: &Plan, which: Which) -> Self {
         let due = plan.of(which).count() * plan.channels as usize;
         let splitter = plan.told.splitter_from;
         let stick_out = plan.told.tool(which).stick_out;

@@ -9,7 +9,7 @@
 
 use crate::finding::{Limit, Raise, Size};
 use crate::gcode::program::Program;
-use crate::kinds::impeller::clear::asked::Asked;
+use crate::kinds::impeller::clear::asked::ClearCells;
 use crate::kinds::impeller::clear::cut::Which;
 use crate::kinds::impeller::clear::fields;
 use crate::kinds::impeller::clear::holder::Blank;
@@ -25,7 +25,7 @@ use crate::text::{Text, t};
 
 /// The row of the tool's holder; `None` where the form does not give it. `stick_out` is enough for any holder.
 pub(super) fn check<'w>(
-    (design, asked, which): (&Design, &Asked, Which),
+    (design, asked, which): (&Design, &ClearCells, Which),
     stick_out: f64,
     ways: impl ExactSizeIterator<Item = &'w [Stand]>,
     program: &Program,

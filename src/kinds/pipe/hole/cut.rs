@@ -19,7 +19,7 @@ use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::height::Rule;
 use crate::kinds::pipe::hole::program::AXES;
 use crate::kinds::pipe::hole::station::{Groove, Station};
-use crate::kinds::pipe::rates::Run;
+use crate::kinds::pipe::rates::CutMove;
 use crate::limits::CUT_HALVINGS;
 use crate::machine::torch::{TorchAxes, TorchPose};
 use crate::number::grid::{Milli, OutOfFormat};
@@ -66,9 +66,9 @@ pub struct Cut {
 impl Cut {
     /// The moves with the ways of their axes and the time that each is planned to take.
     #[must_use]
-    pub fn runs(&self) -> Vec<Run> {
+    pub fn runs(&self) -> Vec<CutMove> {
         let before = std::iter::once(self.pierce).chain(self.legs.iter().map(|leg| leg.to));
-        let run = |(from, leg): (Place, &Leg)| Run {
+        let run = |(from, leg): (Place, &Leg)| CutMove {
             by: AXES.into_iter().zip(from).zip(leg.to).map(|((axis, from), to)| (axis, (to - from).value())).collect(),
             seconds: leg.seconds,
             at: match leg.follows {

@@ -13,7 +13,7 @@ use crate::kinds::pipe::insert::cut::{Cut, Follows, Leg};
 use crate::kinds::pipe::insert::design::{Design, Mode};
 use crate::kinds::pipe::insert::parameters::F as F_FIELD;
 use crate::kinds::pipe::insert::rules::FasterThanFWord;
-use crate::kinds::pipe::rates::Run;
+use crate::kinds::pipe::rates::CutMove;
 use crate::kinds::pipe::{counted, kerf_in_header};
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
@@ -125,13 +125,13 @@ pub fn beyond_f_word(design: &Design, cut: &Cut) -> Option<Finding> {
 
 /// The moves of the cut with the ways of their axes and the time that each takes at F, s.
 #[must_use]
-pub fn runs(design: &Design, cut: &Cut, F: f64) -> Vec<Run> {
+pub fn runs(design: &Design, cut: &Cut, F: f64) -> Vec<CutMove> {
     let before = std::iter::once(cut.pierce).chain(cut.legs.iter().map(|leg| leg.to));
     let axes = match design.mode {
         Mode::Flat => [Axis::X, Axis::Y],
         Mode::Rotary => [Axis::A, Axis::X],
     };
-    let run = |(from, leg): ([Milli; 2], &Leg)| Run {
+    let run = |(from, leg): ([Milli; 2], &Leg)| CutMove {
         by: (0..2).map(|axis| (axes[axis], (leg.to[axis] - from[axis]).value())).collect(),
         seconds: way(design, from, leg) * 60.0 / F,
         at: match leg.follows {
