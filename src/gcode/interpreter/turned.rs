@@ -286,7 +286,7 @@ mod tests {
             // Nothing that is known limits the spindle: what it would come to without a limit is no fact.
             ("G96 S3100 M3|G0 X30. Z6.|G92 X25.3 Z-20. F2.|X24.9", &["G0581", "G0591"]),
             ("G96 S60 M3|G0 X30. Z6.|G92 X25.3 Z-20. F2.|X24.9", &["G0581"]),
-            ("G50 S20000|G96 S3100 M3|G0 X30. Z6.|G92 X25.3 Z-20. F2.|X24.9", &["G0580", "G0581"]),
+            ("G50 S20000|G96 S3100 M3|G0 X30. Z6.|G92 X25.3 Z-20. F2.|X24.9", &["G0581", "G0580"]),
         ] {
             assert_eq!(fanuc(&format!("T0404|{blocks}")), told, "{blocks}");
         }

@@ -349,12 +349,12 @@ rules! {
         example Example::Turning { control: "fanuc-lathe-a", stock: "D50xL120",
             program: "G21 G99 G50 S2500|T0101|G97 S900 M3|M8|G0 X64. Z2.|G71 U2. R.5|G71 P10 Q20 U.5 W.1 F.25|N10 G0 X44.|G1 Z-20. F.1|X60.|Z-40.|N20 X64.|G70 P10 Q20|G0 X100. Z50.|M30", machine: &[] };
     "L0253" CutsBehindParting Caution {}
-        es "tras tronzar la pieza el programa sigue cortando en la barra: los resultados son los de la última pieza tronzada, no los de lo que queda en el plato"
-        en "after parting the piece off the program goes on cutting the bar: the results are those of the piece parted off last, not of what stays in the chuck"
-        remedy "si la pieza es la que queda en el plato, simule lo que sigue al tronzado como otro programa, con su bruto",
-            "if the part is what stays in the chuck, simulate what follows the parting-off as another program, with its own stock";
+        es "tras tronzar una pieza el programa sigue cortando en la barra: los resultados son los de lo que queda en el plato, no los de la pieza tronzada"
+        en "after parting a piece off the program goes on cutting the bar: the results are those of what stays in the chuck, not of the piece that was parted off"
+        remedy "si la pieza es la tronzada, simule lo que sigue al tronzado como otro programa, con su bruto",
+            "if the part is the piece that was parted off, simulate what follows the parting-off as another program, with its own stock";
         why "rodete da una sola pieza de cada programa, y aquí puede ser una u otra.",
             "rodete gives one part for each program, and here it may be either.";
         example Example::Turning { control: "fanuc-lathe-a", stock: "D26xL120",
-            program: "G50 S2500|T0303|G97 S600 M3|M8|G0 X30. Z-10.|G1 X-0.5 F0.06|G0 X30.|X100. Z50.|T0101|G97 S900 M3|G0 X22. Z-8.|G1 Z-20. F0.2|X30.|G0 X100. Z50.|M30", machine: &[("tailstock", "no")] };
+            program: "G50 S2500|T0303|G97 S600 M3|M8|G0 X30. Z-10.|G1 X-0.5 F0.06|G0 X30.|X100. Z50.|T0101|G97 S900 M3|G0 X22. Z-8.|G1 Z-20. F0.2|X30.|G0 X100. Z50.|M30", machine: &[("D", "26"), ("tailstock", "no")] };
 }

@@ -176,8 +176,8 @@ impl Simulation {
         rings
     }
 
-    /// What the program makes: the piece that it has parted off last, whatever it still cuts of the bar behind it; else what is in the
-    /// chuck; see [`super::detached::judged`].
+    /// What the program makes: the piece that it has parted off last, also where it still cuts the stub there; else, and where it goes on
+    /// cutting elsewhere, what is in the chuck; see [`super::detached::judged`].
     #[must_use]
     pub fn product(&self) -> Vec<Ring> {
         self.shifted(self.made().into_iter().map(|(ring, _)| ring).collect())
@@ -185,14 +185,19 @@ impl Simulation {
 
     /// The same on the grid, with the labels of its edges.
     fn made(&self) -> Vec<Labelled> {
-        let fallen = self.part.fallen();
-        if fallen.is_empty() { self.part.labelled_rings() } else { fallen.to_vec() }
+        let piece = self.piece();
+        if piece.is_empty() { self.part.labelled_rings() } else { piece.to_vec() }
     }
 
-    /// The piece that was parted off last.
+    /// The piece that was parted off last, where it is what the program makes.
+    fn piece(&self) -> &[Labelled] {
+        if self.cuts_on().is_some() { &[] } else { self.part.fallen() }
+    }
+
+    /// The same; `None` where there is none, and of a program that goes on cutting the bar: it makes what is left.
     #[must_use]
     pub fn parted(&self) -> Option<Vec<Ring>> {
-        (!self.part.fallen().is_empty()).then(|| self.product())
+        (!self.piece().is_empty()).then(|| self.product())
     }
 
     /// How many pieces were parted off.
@@ -202,7 +207,7 @@ impl Simulation {
     }
 
     /// The first motion behind the last parting-off that cuts the rest of the bar elsewhere, or with another tool: the file and the line.
-    /// It may be that the program means to make another part of it.
+    /// It may be that the program means to make another part of it, and that is taken as what it makes.
     #[must_use]
     pub fn cuts_on(&self) -> Option<(usize, usize)> {
         self.parting.and_then(|parting| parting.cuts_on)
@@ -232,9 +237,9 @@ impl Simulation {
     /// what stayed in the chuck.
     #[must_use]
     pub fn lasting_in(&self, second: Option<&Self>) -> Vec<Alarm> {
-        let rest = if self.part.fallen().is_empty() { Vec::new() } else { self.part.labelled_rings() };
+        let rest = if self.piece().is_empty() { self.part.fallen() } else { &self.part.labelled_rings() };
         let left = second.map(Self::labels).unwrap_or_default();
-        let marks = self.chain.alarms(self.part.gone().chain(labels(&rest)).chain(left));
+        let marks = self.chain.alarms(self.part.gone().chain(labels(rest)).chain(left));
         [marks, self.watch.off_groove()].concat()
     }
 

@@ -7,8 +7,8 @@ use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting};
 
 const CONTOUR: &str = "N10 G0 X30.|G1 Z-15. F0.1|X40. Z-25.|N20 X54.";
 
-/// A program of blocks between the usual ones, simulated: what it took away, and the lines with a stop.
-fn simulated(dialect: &str, blocks: &str) -> (f64, Vec<u64>) {
+/// A program of blocks between the usual ones, simulated: how many motions it made, and the lines with a stop.
+fn simulated(dialect: &str, blocks: &str) -> (u64, Vec<u64>) {
     let blocks = blocks.split('|');
     let text: Vec<&str> = match dialect {
         "fagor-8055-t" => FAGOR.into_iter().chain(blocks).chain(["G0 X100 Z50", "M30"]).collect(),
@@ -19,7 +19,7 @@ fn simulated(dialect: &str, blocks: &str) -> (f64, Vec<u64>) {
     assert_eq!(exit, 3, "{text}");
     let stops = document["findings"].as_array().unwrap().iter().filter(|one| one["grade"] == "stop");
     let lines = stops.map(|one| one["place"]["line"]["line"].as_u64().unwrap()).collect();
-    (document["totals"]["removed_volume_mm3"].as_f64().unwrap(), lines)
+    (document["motions"].as_u64().unwrap(), lines)
 }
 
 /// Without a stock rodete takes one, which no rejected cycle gives a size.
@@ -79,10 +79,11 @@ fn nothing_is_made_behind_a_rejected_cycle_whatever_it_is_rejected_for() {
             "fagor-8055-t" => format!("{cycle}|G0 X40 Z2|G1 Z-30 F0.1|X54"),
             _ => format!("{cycle}|{CONTOUR}|G0 Z2.|X48.|G1 Z-30. F0.1|X54."),
         };
-        let (removed, lines) = simulated(dialect, &blocks);
+        let (made, lines) = simulated(dialect, &blocks);
         let at = 6 + cycle.matches('|').count() as u64;
-        if removed != 0.0 || lines != [at] {
-            wrong.push(format!("{cycle}: removed {removed}, stops {lines:?}"));
+        // The one to the bar.
+        if made != 1 || lines != [at] {
+            wrong.push(format!("{cycle}: made {made}, stops {lines:?}"));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -91,20 +92,22 @@ fn nothing_is_made_behind_a_rejected_cycle_whatever_it_is_rejected_for() {
 #[test]
 fn a_rejected_repetition_of_a_cycle_of_one_pass_ends_what_is_made() {
     let one = simulated("fanuc-lathe-a", "G90 X46. Z-20. F0.2|G0 X54,1").0;
-    assert!(one > 0.0);
+    // To the bar, a pass of four, and away at the end.
+    assert_eq!(one, 6);
     for rejected in ["X44. A1.", "U-2. A1."] {
         let blocks = format!("G90 X46. Z-20. F0.2|{rejected}|X42.|G0 X40.|G1 Z-20.");
-        assert_eq!(simulated("fanuc-lathe-a", &blocks), (one, vec![7]), "{rejected}");
+        // Not even away.
+        assert_eq!(simulated("fanuc-lathe-a", &blocks), (one - 1, vec![7]), "{rejected}");
     }
     // Another block that is rejected leaves the cycle as it is.
-    let (removed, lines) = simulated("fanuc-lathe-a", "G90 X46. Z-20. F0.2|M3 M4|X44.");
-    assert!(removed > one && lines == [7], "{removed} {lines:?}");
+    let (made, lines) = simulated("fanuc-lathe-a", "G90 X46. Z-20. F0.2|M3 M4|X44.");
+    assert!(made >= one + 4 && lines == [7], "{made} {lines:?}");
 }
 
 /// G5 leaves the motion in doubt, and that Z is missing may follow from that: it is not told, and the cycle is not made all the same.
 #[test]
 fn a_cycle_whose_rejection_follows_from_another_is_not_made_either() {
-    assert_eq!(simulated("fanuc-lathe-a", "G5 X1.|G90 X46.|G1 X44. F0.2|Z-20."), (0.0, vec![6]));
+    assert_eq!(simulated("fanuc-lathe-a", "G5 X1.|G90 X46.|G1 X44. F0.2|Z-20."), (1, vec![6]));
 }
 
 #[test]
