@@ -185,9 +185,7 @@ impl Judge for BeamOnRoot<'_> {
             return vec![beam, branch, self.opened(program, name), self.crossing.check(program)];
         };
         let angle = degrees(errors.at_most(1)) + opening;
-        // Over a land nearly as high as the wall a groove is hardly there, and every angle opens it.
-        let design = self.design;
-        let thin = 2.0 * opening > angle && design.header.t - design.h < THIN * design.header.t;
+        let thin = 2.0 * opening > angle && self.thin();
         let key = if thin { H.key() } else { GAMMA.key() };
         let most = (angle * 1e3 - 1e-6).ceil() / 1e3;
         let value = Text::same(format!("≤ {}°", shown(most, 3)));
@@ -196,13 +194,19 @@ impl Judge for BeamOnRoot<'_> {
         let asked = errors.put(asked.of_parameters([key, ARC_TOLERANCE.key()]), 1);
         let bevel = asked.holds(angle <= BEVEL, |place| {
             let angle = Size::degrees(most, 2);
-            if thin { BevelOffOverLand { angle }.at(place) } else { BevelOff { angle }.at(place) }
+            if thin { BevelOffOverLand {}.at(place) } else { BevelOff { angle }.at(place) }
         });
         vec![beam, branch, bevel, self.crossing.check(program)]
     }
 }
 
 impl BeamOnRoot<'_> {
+    /// Over a land nearly as high as the wall a groove is hardly there, and every angle opens it.
+    fn thin(&self) -> bool {
+        let design = self.design;
+        design.header.t - design.h < THIN * design.header.t
+    }
+
     /// The check of the bevel where what neighbouring beams open it is not bounded: never passed.
     fn opened(&self, program: &Program, name: Text) -> Check {
         let [opening, alpha] = self.crossing.seen();
@@ -211,6 +215,10 @@ impl BeamOnRoot<'_> {
         let value = Text::same(format!("≥ {}°", shown(least, 3)));
         let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
         let asked = asked.comparing(Figures::of(angle, Some(Limit::AtMost(BEVEL))));
+        if self.thin() {
+            let asked = self.errors.put(asked.of_parameters([H.key()]), 1);
+            return asked.holds(false, |place| BevelOffOverLand {}.at(place));
+        }
         let asked = self.errors.put(asked.of_parameters([GAMMA.key(), E.key()]), 1);
         let told = BeamsOpen { alpha: Size::degrees(alpha.to_degrees(), 0), angle: Size::degrees(least, 3) };
         asked.holds(false, |place| told.at(place))

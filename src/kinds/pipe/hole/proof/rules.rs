@@ -86,9 +86,9 @@ crate::finding::rule::rules! {
         why "Desde el cruce cada chorro corta lo que su vecino debía dejar: queda más hueco que llenar de soldadura.",
             "Past the crossing each beam cuts what its neighbour should leave: there is more to fill with weld.";
         example Example::Slip { kind: "pipe-hole", cells: &[("gamma", "0"), ("h", "0"), ("e", "28"), ("D_max", "20")], program: "hole", from: "", to: "" };
-    "V0307" BevelOffOverLand Caution { angle: Size }
-        es "el bisel se desvía hasta {angle}, sobre un talón casi tan alto como la pared"
-        en "the bevel is off by up to {angle}, over a land nearly as high as the wall"
+    "V0307" BevelOffOverLand Caution {}
+        es "sobre un talón casi tan alto como la pared no se sabe cuánto se desvía el bisel"
+        en "over a land nearly as high as the wall it is not known how far the bevel is off"
         remedy "elija un talón h menor", "choose a smaller land h";
         why "Apenas hay bisel sobre un talón así, y donde los chorros vecinos casi se cruzan todo ángulo lo abre.",
             "There is hardly a groove over such a land, and where neighbouring beams nearly cross every angle opens it.";
