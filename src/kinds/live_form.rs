@@ -144,7 +144,7 @@ pub(crate) fn retract() -> LiveRow {
     let admitted = |number: &usize| {
         let code = |control: &Control| control.codes.get(10 * number);
         let of = |one: &&Control| matches!(code(one), Some(G::Rapid | G::MachineCoordinates | G::Absolute));
-        MILLING.iter().any(|control| of(control))
+        MILLING.iter().any(of)
     };
     let known: Vec<String> = (0..1000)
         .filter(admitted)

@@ -526,7 +526,7 @@ fn an_overcut_is_held_against_the_curve_and_not_the_pipe_round() {
     let with = |overcut: f64| typed(&[slanted(), vec![real("overcut", overcut)]].concat());
     let accepted = with(200.0).unwrap_or_else(|refusal| panic!("refused: {:?}", refusal.findings));
     assert!(!accepted.stopped(), "{:?}", accepted.findings);
-    let refusal = with(300.0).err().expect("more than once round");
+    let refusal = with(300.0).expect_err("more than once round");
     let told = refusal.findings.iter().find(|one| one.code() == "P2119").expect("told");
     let [Some(value), Some(limit)] = told.figures().missed() else { panic!("{told:?}") };
     assert!((value - 300.0).abs() < 1e-9 && (limit - 269.1).abs() < 1.0, "{limit}");
