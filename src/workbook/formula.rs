@@ -289,6 +289,7 @@ fn single(name: &str, found: &[Found]) -> Found {
     match (name, found) {
         ("ISERROR", [one]) => return Ok(Truth(one.is_err())),
         ("ISNUMBER", [one]) => return Ok(Truth(matches!(one, Ok(Number(_))))),
+        ("ISLOGICAL", [one]) => return Ok(Truth(matches!(one, Ok(Truth(_))))),
         _ => {}
     }
     let values = found.iter().cloned().collect::<Result<Vec<_>, _>>()?;
