@@ -309,6 +309,11 @@ fn single(name: &str, found: &[Found]) -> Found {
         ("MID", [text, from, most]) => {
             Text(text.text()?.chars().skip(count(from)?.checked_sub(1).ok_or(WRONG)?).take(count(most)?).collect())
         }
+        // Beyond ASCII the character hangs on the reader's code page.
+        ("CHAR", [code]) => {
+            let code = count(code)?.try_into().ok().filter(u8::is_ascii).ok_or(WRONG)?;
+            Text(char::from(code).to_string())
+        }
         ("REPT", [text, times]) => Text(text.text()?.repeat(count(times)?)),
         ("SUBSTITUTE", [text, old, new]) => Text(text.text()?.replace(&old.text()?, &new.text()?)),
         ("FIND", [wanted, text]) => {
