@@ -114,7 +114,7 @@ fn number_or_none(cell: &Data) -> Option<f64> {
 /// which `rodete check` rejects it.
 type Broken = (&'static str, &'static str, &'static [(&'static str, &'static str)], [&'static str; 2], &'static str);
 
-const BROKEN: [Broken; 63] = [
+const BROKEN: [Broken; 64] = [
     ("impeller", "full", &[("B_min", "120")], ["the minimum is not below", "el mínimo no es menor"], "P1010"),
     ("impeller", "full", &[("Y_min", "10"), ("Y_max", "5")], ["the minimum is not", "el mínimo no es"], "P1010"),
     ("impeller", "full", &[("blank_length_L_b", "10")], ["L_b must be larger", "L_b debe ser mayor"], "P1014"),
@@ -143,6 +143,13 @@ const BROKEN: [Broken; 63] = [
     ("pipe-insert", "square", &[("end_codes", "M5")], ["must be M2 or M30", "debe ser M2 o M30"], "C1005"),
     ("pipe-insert", "square", &[("end_codes", "M03 M30")], ["turns the torch on", "enciende la antorcha"], "P2008"),
     ("pipe-insert", "square", &[("torch_on", "M3 M5")], ["stands in torch_off", "en torch_off"], "P200"),
+    (
+        "pipe-insert",
+        "square",
+        &[("torch_on", "M3 M5"), ("torch_off", "M9")],
+        ["turns the torch off", "apaga la antorcha"],
+        "P2007",
+    ),
     ("pipe-insert", "square", &[("torch_off", "M4")], ["M3 and M4 turn", "M3 y M4 encienden"], "P2007"),
     (
         "pipe-insert",
