@@ -21,7 +21,7 @@ mod ticks;
 use std::fs;
 use std::path::Path;
 
-use crate::finding::Finding;
+use crate::finding::{Finding, Place, Raise};
 use crate::kind::Outcome;
 use crate::text::{Language, Text};
 use crate::typeset::compiler::Typst;
@@ -29,6 +29,7 @@ use crate::typeset::failure::ReportFailure;
 use crate::typeset::{MAIN, close};
 
 use self::contents::{Contents, Manuscript};
+use self::rules::TemplatesReplaceNothing;
 use self::stationery::{Stationery, Template};
 
 /// Where the bytes of an attachment are.
@@ -98,10 +99,13 @@ pub fn typeset(
 ) -> Result<Report, ReportFailure> {
     let Stationery { logo, templates } = stationery;
     let contents = |logo, found| Contents { outcome, attachments, logo, found, language };
-    let first = set(&contents(logo.as_ref(), Vec::new()), templates, typst);
+    let vain = !templates.is_empty() && templates::replace_nothing(outcome.kind, templates);
+    let mut found: Vec<_> = vain.then(|| TemplatesReplaceNothing {}.at(Place::File)).into_iter().collect();
+    let first = set(&contents(logo.as_ref(), found.clone()), templates, typst);
     let set = match (first, logo) {
         (Err(failure), Some(logo)) if failure.refused() => {
-            set(&contents(None, vec![outcome.fields.locate(logo.not_drawn())]), templates, typst)
+            found.push(outcome.fields.locate(logo.not_drawn()));
+            set(&contents(None, found), templates, typst)
         }
         (first, _) => first,
     };

@@ -65,4 +65,12 @@ rules! {
             "The compiler draws no printing colours (CMYK) and reads no other files, and a huge picture takes all of the memory.";
         example Example::Made { key: "cmyk-logo", how: t(
             "un libro que nombra como logotipo un JPEG en CMYK", "a workbook that names a JPEG in CMYK as its logo") };
+    "T0208" TemplatesReplaceNothing Caution {}
+        es "ningún archivo de la carpeta de --templates lleva el nombre de una plantilla de este informe, que va con las de rodete"
+        en "no file of the folder of --templates has the name of a template of this report, which is set with rodete's own"
+        remedy "dé a los archivos los nombres de las plantillas que sustituyen, como cover.typ; las de un tipo van en una carpeta con su nombre",
+            "give the files the names of the templates that they replace, such as cover.typ; those of a kind go into a folder with its name";
+        why "Un informe con otras plantillas que las pedidas pasaría por bueno.", "A report with other templates than those asked for would pass for the right one.";
+        example Example::Made { key: "misnamed-templates", how: t(
+            "build --templates con una carpeta que solo tiene cubierta.typ", "build --templates with a folder that has only cubierta.typ") };
 }

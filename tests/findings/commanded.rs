@@ -506,6 +506,10 @@ fn set(key: &str) -> Option<Vec<Finding>> {
             let stationery = Stationery { logo, ..Stationery::default() };
             report(&script(&format!("if [ -e logo.png ]; then exit 1; fi; {whole}")), "a", &stationery)
         }
+        "misnamed-templates" => {
+            let templates = &[Template { path: "cubierta.typ".to_owned(), bytes: Vec::new() }];
+            report(&script(whole), "a", &Stationery { templates, ..Stationery::default() })
+        }
         "large-attachment" => report(&script(whole), "a", &bare),
         "foreign-letters" => report(&script(whole), "\u{4e2d}", &bare),
         "wide-drawing" | "empty-drawing" => {
