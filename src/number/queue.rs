@@ -27,6 +27,7 @@ impl<T> PartialOrd for Waiting<T> {
     }
 
     // What a heap asks.
+    #[inline]
     fn le(&self, other: &Self) -> bool {
         self.cmp(other).is_le()
     }
@@ -34,6 +35,7 @@ impl<T> PartialOrd for Waiting<T> {
 
 impl<T> Ord for Waiting<T> {
     // The least bound is the greatest, so that the heap gives it first.
+    #[inline]
     fn cmp(&self, other: &Self) -> Ordering {
         other.bound.total_cmp(&self.bound).then(other.order.cmp(&self.order))
     }

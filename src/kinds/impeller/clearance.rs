@@ -212,6 +212,13 @@ impl Walls {
         Self { part, machine, radius, pieces: pieces.collect(), turns, spans: Mutex::default() }
     }
 
+    /// One face of each of them alone: of blades without thickness both are the same.
+    #[must_use]
+    pub fn one_face(mut self) -> Self {
+        self.pieces.retain(|piece| piece.face == Face::Obverse);
+        self
+    }
+
     /// The clearance of the tool along a way.
     #[must_use]
     pub fn clearance(&self, way: &[Stand], until: Until, budget: usize) -> Bounds {

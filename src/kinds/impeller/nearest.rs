@@ -322,9 +322,9 @@ impl Wall {
         let mut apart = [f64::INFINITY; ROW];
         let mut most = f64::INFINITY;
         let step = usize::from(APART);
-        for (apart, line) in apart.iter_mut().zip(&self.lines).step_by(step) {
-            *apart = line.apart(aside, &axis);
-            most = most.min(*apart);
+        for (line, apart) in apart.iter_mut().enumerate().step_by(step) {
+            *apart = self.lines[line].apart(aside, &axis);
+            most = lesser(most, *apart);
         }
         let reach = self.valley_reach();
         for first in (0..ROW - 1).step_by(step) {
@@ -334,7 +334,7 @@ impl Wall {
             let between = first + 1..first + step;
             for (apart, line) in apart[between.clone()].iter_mut().zip(&self.lines[between]) {
                 *apart = line.apart(aside, &axis);
-                most = most.min(*apart);
+                most = lesser(most, *apart);
             }
         }
         Scan { wall: self, aside, axis, apart, most, least: lesser(most - self.between, asked) }
@@ -470,7 +470,7 @@ impl Scan<'_> {
 }
 
 /// The distance of an axis from the stretch of the line from `foot` along the unit vector `down`, between two h.
-#[inline]
+#[inline(always)]
 fn stretches(foot: Vector3<f64>, down: Vector3<f64>, [low, high]: [f64; 2], axis: &Axis) -> f64 {
     let from = foot - axis.foot;
     let [near, far] = axis.range;

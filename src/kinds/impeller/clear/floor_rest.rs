@@ -150,24 +150,41 @@ impl Ground {
         (low..=high).contains(&psi) && self.floor.is_free(&(c + out * self.depths[1]), self.beside)
     }
 
-    /// What some poses leave at a place. The one that held the deepest place of the last line usually does for the next.
-    fn left(&self, poses: &Poses, last: &Cell<Option<usize>>, v: f64, psi: f64) -> f64 {
+    /// What some poses leave at a place, as far as that is more than told; else any that is no less and not more than told. The one that
+    /// held the deepest place of the last line usually does for the next.
+    fn left(&self, poses: &Poses, last: &Cell<Option<usize>>, [v, psi]: [f64; 2], over: f64) -> f64 {
         let ((c, out), [r, r_f]) = (self.line(v, psi), self.depths);
         let held = |pose: &Pose| reach(self.tool, pose, &c, &out, self.depths);
         let deepest = Cell::new(last.get().and_then(|last| poses.get(last)).map_or(r, held));
+        let enough = |deepest: f64| r_f - deepest <= over;
+        if enough(deepest.get()) {
+            return r_f - deepest.get();
+        }
         // Only what is deeper is looked for: from the middle of it no tool that holds some of it has its axis farther away than
         // this, nor its end higher up.
-        let far = poses.of(|bunch| {
+        let middle = || {
             let deepest = deepest.get();
-            let (middle, half) = (c + out * f64::midpoint(deepest, r_f), (r_f - deepest) / 2.0 + ARITHMETIC);
+            (c + out * f64::midpoint(deepest, r_f), (r_f - deepest) / 2.0 + ARITHMETIC)
+        };
+        let misses = |beside: f64, up: f64, half: f64| beside > self.tool.a() + half || up < -half;
+        let near = poses.of(|bunch| {
+            let (middle, half) = middle();
             let BunchBounds { beside, up } = bunch.bounds(&middle);
-            beside > self.tool.a() + half || up < -half
+            misses(beside, up, half)
         });
-        for (number, pose) in far {
+        for (number, pose) in near {
+            let (middle, half) = middle();
+            let [beside, up] = pose.seen(&middle);
+            if misses(beside, up, half) {
+                continue;
+            }
             let found = held(pose);
             if found > deepest.get() {
                 deepest.set(found);
                 last.set(Some(number));
+                if enough(found) {
+                    break;
+                }
             }
         }
         r_f - deepest.get()
@@ -187,11 +204,16 @@ impl<'a> Eye<'a> {
         Self { ground, cutters, last: vec![Cell::new(None); cutters.len()] }
     }
 
-    /// What is left at a place.
-    fn rest(&self, v: f64, psi: f64) -> f64 {
+    /// What is left at a place, as far as that is more than told; else any that is no less and not more than told.
+    fn rest(&self, place: [f64; 2], over: f64) -> f64 {
         let [r, r_f] = self.ground.depths;
-        let left = self.cutters.iter().zip(&self.last).map(|(poses, last)| self.ground.left(poses, last, v, psi));
-        left.fold(r_f - r, f64::min)
+        let mut rest = r_f - r;
+        for (poses, last) in self.cutters.iter().zip(&self.last) {
+            if rest > over {
+                rest = rest.min(self.ground.left(poses, last, place, over));
+            }
+        }
+        rest
     }
 
     /// The places across the floor at v.
@@ -218,7 +240,7 @@ impl<'a> Eye<'a> {
     }
 
     fn at(&self, v: f64, psi: f64, wall: f64) -> Sample {
-        Sample { rest: self.rest(v, psi), v, psi, wall }
+        Sample { rest: self.rest([v, psi], 0.0), v, psi, wall }
     }
 
     /// The place at v that is just as far from a wall as asked, between one that is free and one that is not.
@@ -235,8 +257,10 @@ impl<'a> Eye<'a> {
             for (up, aside) in AROUND {
                 let v = (top.v + up * by_v).clamp(within[0], within[1]);
                 let one = if top.wall == 0.0 {
+                    // Most have less left, which is known long before how much.
                     let psi = top.psi + aside * by_psi;
-                    self.ground.is_free(v, psi).then(|| self.at(v, psi, 0.0))
+                    let rest = self.rest([v, psi], best.rest);
+                    (rest > best.rest && self.ground.is_free(v, psi)).then_some(Sample { rest, v, psi, wall: 0.0 })
                 } else {
                     let sides = [-1.0, 1.0].map(|side| top.psi + side * top.wall * by_psi * WIDER);
                     (aside == 0.0 && self.ground.is_free(v, sides[0]) && !self.ground.is_free(v, sides[1]))
@@ -296,7 +320,7 @@ impl FloorLook {
     /// What some more poses leave at a place.
     #[must_use]
     pub fn left_by(&self, poses: &Poses, place: &FloorRest) -> f64 {
-        self.ground.left(poses, &Cell::new(None), place.v, place.psi)
+        self.ground.left(poses, &Cell::new(None), [place.v, place.psi], 0.0)
     }
 
     /// Looks at the same places when some more poses have cut. Where they have taken away more than told, what stays beside them
@@ -306,7 +330,7 @@ impl FloorLook {
         let mut cut: Option<[usize; 2]> = None;
         for (number, row) in self.rows.iter_mut().enumerate() {
             for one in &mut row.seen {
-                let left = self.ground.left(&poses, &last, one.v, one.psi);
+                let left = self.ground.left(&poses, &last, [one.v, one.psi], 0.0);
                 if left < one.rest {
                     if one.rest > over {
                         cut = Some([cut.map_or(number, |[first, _]| first), number]);

@@ -87,17 +87,17 @@ impl Tolerance {
     /// The same, looked at in more or fewer places.
     #[must_use]
     pub fn deviation(&self, way: &impl Fn(f64) -> Stand, x: [f64; 2], ends: [&Stand; 2], places: u8) -> f64 {
-        self.looked_at(way, x, ends, places, f64::INFINITY)
+        self.looked_at(way, x, ends, places, None)
     }
 
-    /// The same, up to where it is more than enough.
+    /// The same; or, where it is only asked whether it is more than enough, any that tells.
     fn looked_at(
         &self,
         way: &impl Fn(f64) -> Stand,
         [x_0, x_1]: [f64; 2],
         ends: [&Stand; 2],
         places: u8,
-        enough: f64,
+        enough: Option<f64>,
     ) -> f64 {
         let exact = |part: f64| tool(self.machine, &way(x_0 + (x_1 - x_0) * part));
         let mut evenly = evenly(self.machine, ends, places + 1);
@@ -112,10 +112,10 @@ impl Tolerance {
             let rim = tip.dot(&here[1]).abs() + turn.norm() * a;
             most = most.max(off).max(rim);
             // The end reaches no deeper by more than it has moved.
-            if tip.norm() + turn.norm() * (a + self.height) > most {
+            if tip.norm() + turn.norm() * (a + self.height) > most.max(enough.unwrap_or(0.0)) {
                 most = most.max(self.reach(&even) - self.reach(&here));
             }
-            if most > enough {
+            if enough.is_some_and(|enough| most > enough) {
                 break;
             }
             last = here;
@@ -145,7 +145,7 @@ impl Tolerance {
 
     fn holds(&self, way: &impl Fn(f64) -> Stand, x: [f64; 2], ends: [&Stand; 2]) -> bool {
         let enough = self.epsilon * KEPT;
-        let near = self.looked_at(way, x, ends, PLACES, enough) <= enough;
+        let near = self.looked_at(way, x, ends, PLACES, Some(enough)) <= enough;
         near && self.delta.is_none_or(|delta| self.feed_error(ends) <= delta)
     }
 

@@ -50,7 +50,7 @@ impl From<Axis> for Pose {
 
 impl Pose {
     /// How far a point is from the axis, and how high over the end.
-    fn seen(&self, point: &Vector3<f64>) -> [f64; 2] {
+    pub(super) fn seen(&self, point: &Vector3<f64>) -> [f64; 2] {
         let from = point - self.tip;
         let up = from.dot(&self.along);
         [(from.norm_squared() - up * up).max(0.0).sqrt(), up]

@@ -165,10 +165,15 @@ impl<'a> ClearCutting<'a> {
     fn inside(&self, offset: f64, from: f64) -> Option<(Bounds, At)> {
         let (design, half) = (self.design, self.design.e / 2.0);
         let middle = Part::with(design.torus, 0.0, design.a_p);
-        let walls = Walls::new(middle, design.machine, 0.0, self.turns(offset), from);
+        let walls = || Walls::new(middle, design.machine, 0.0, self.turns(offset), from);
+        let (one_face, walls) = (walls().one_face(), walls());
         let radius = design.mill(self.which).d / 2.0;
         let (mut least, mut work) = (None, WORK);
         for pass in &self.passes {
+            // That a way keeps off from a surface is known from one of its two faces with half the work.
+            if one_face.clearance(&pass.stands, Until::Decided(half), LESS / 2).lower >= half {
+                continue;
+            }
             let bounds = searched(&walls, &pass.stands, Until::Decided(half), &mut work);
             // A tool beside a face that it may enter by the limit keeps its axis farther off.
             if bounds.lower >= half {
