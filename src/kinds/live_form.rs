@@ -140,16 +140,20 @@ pub(crate) fn torch_codes(others: &[&'static str]) -> Vec<LiveRow> {
 pub(crate) fn retract() -> LiveRow {
     let block = spaced("retract", 'G');
     let counted = |word: &str| format!("(LEN({block})-LEN(SUBSTITUTE({block},\"{word}\",\"\")))/{}", word.len());
-    // What one control admits is left to check.
-    let admitted = |number: &usize| {
-        let code = |control: &Control| control.codes.get(10 * number);
-        let of = |one: &&Control| matches!(code(one), Some(G::Rapid | G::MachineCoordinates | G::Absolute));
-        MILLING.iter().any(of)
+    let admits = |control: &Control, number: usize| {
+        matches!(control.codes.get(10 * number), Some(G::Rapid | G::MachineCoordinates | G::Absolute))
     };
-    let known: Vec<String> = (0..1000)
-        .filter(admitted)
-        .map(|number| counted(&if number == 0 { " G ".to_owned() } else { format!(" G{number} ") }))
-        .collect();
+    let written = |number: usize| counted(&if number == 0 { " G ".to_owned() } else { format!(" G{number} ") });
+    let numbers: Vec<usize> =
+        (0..1000).filter(|&number| MILLING.iter().any(|control| admits(control, number))).collect();
+    let known: Vec<String> = numbers.iter().map(|&number| written(number)).collect();
+    // What another control admits.
+    let foreign = MILLING.iter().flat_map(|control| {
+        let others = numbers.iter().filter(|&&number| !admits(control, number));
+        others.map(|&number| format!("AND({},{}>0)", says("dialect", control.name), written(number)))
+    });
+    let outside: Vec<String> =
+        std::iter::once(format!("{}>{}", counted(" G"), known.join("+"))).chain(foreign).collect();
     let axis = |letter: char| format!("ISNUMBER(FIND(\" {letter}\",{block}))");
     let moves = format!("OR({},{},{})", axis('X'), axis('Y'), axis('Z'));
     let row = LiveRow::length(
@@ -161,7 +165,7 @@ pub(crate) fn retract() -> LiveRow {
     .always()
     .unit(Unit::None)
     .wrong(
-        format!("{}>{}", counted(" G"), known.join("+")),
+        format!("OR({})", outside.join(",")),
         t("lleva un código G que no va ahí", "a G code there does not belong there"),
         "retract",
     )

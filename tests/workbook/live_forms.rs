@@ -114,7 +114,7 @@ fn number_or_none(cell: &Data) -> Option<f64> {
 /// which `rodete check` rejects it.
 type Broken = (&'static str, &'static str, &'static [(&'static str, &'static str)], [&'static str; 2], &'static str);
 
-const BROKEN: [Broken; 64] = [
+const BROKEN: [Broken; 65] = [
     ("impeller", "full", &[("B_min", "120")], ["the minimum is not below", "el mínimo no es menor"], "P1010"),
     ("impeller", "full", &[("Y_min", "10"), ("Y_max", "5")], ["the minimum is not", "el mínimo no es"], "P1010"),
     ("impeller", "full", &[("blank_length_L_b", "10")], ["L_b must be larger", "L_b debe ser mayor"], "P1014"),
@@ -138,6 +138,13 @@ const BROKEN: [Broken; 64] = [
     ("impeller", "full", &[("start_codes", "M3 M4")], ["M3 or M4 alone", "solo M3 o M4"], "C1009"),
     ("impeller", "full", &[("coolant", "M8 M05")], ["are of the spindle", "mueven el husillo"], "C1009"),
     ("impeller", "full", &[("retract", "G1 G53 Z0")], ["does not belong there", "no va ahí"], "C1006"),
+    (
+        "impeller",
+        "full",
+        &[("dialect", "fagor-8070"), ("retract", "G0 G53 Z0")],
+        ["does not belong there", "no va ahí"],
+        "C1006",
+    ),
     ("impeller", "full", &[("retract", "G0 G53 X0")], ["axes, but not Z", "ejes, pero no Z"], "C1007"),
     ("impeller", "full", &[("retract", "G0 Z100")], ["G53 is missing", "falta G53"], "C1008"),
     ("pipe-insert", "square", &[("end_codes", "M5")], ["must be M2 or M30", "debe ser M2 o M30"], "C1005"),

@@ -187,12 +187,12 @@ fn surface_speed(line: &str) -> bool {
     has(&code, "G", "96") && word(&code, 'S')
 }
 
-/// True where a program feeds per revolution and has no word of Y, as far as its end.
+/// True where a program feeds per revolution and has no word of Y, as far as its end. One that sets the plane XY is a mill's.
 fn turns_without_y(text: &str) -> bool {
     let (mut per_turn, mut ends) = (false, false);
     for line in text.lines().skip_while(|line| line.trim().is_empty()).skip(1) {
         let code = code(line);
-        if word(&code, 'Y') {
+        if word(&code, 'Y') || has(&code, "G", "17") {
             return false;
         }
         per_turn |= has(&code, "G", "95");
@@ -369,6 +369,7 @@ mod tests {
             ("%200\r\nG92 X0 S1300\r\nG0 X200 Z200\r\n", "nc", "fagor-8070"),
             ("%200\r\nG0 G90 G96 X32 Y0 Z0 S120\r\n", "nc", "fagor-8070"),
             ("%200\r\nG0 G90 G95 X32 Y1 F.1\r\nM30\r\n", "nc", "fagor-8070"),
+            ("%200\r\nG71 G90 G17\r\nM6\r\nS500 M3\r\nG95 F.1\r\nG1 Z-5\r\nM30\r\n", "nc", "fagor-8070"),
             ("%200\r\nG192 S2000\r\nG96 S120\r\nG0 X32 Z0\r\nM30\r\n", "nc", "fagor-8070"),
             ("%200\r\n#RTCP ON\r\nG96 S120\r\nG0 X32 Z0\r\nM30\r\n", "nc", "fagor-8070"),
             ("%0001-A,MX--,\r\n;RODETE 0.1.0 - DIALECTO FAGOR-8055-T\r\nG71\r\n", "nc", "fagor-8055-t"),

@@ -41,11 +41,12 @@ pub(super) struct SpindleSeen {
 }
 
 /// What a program has done since an M3, M4 or M5. A laser is on with S and off with S0 while M3 or M4 stays: in one run it is put off, on and
-/// off again, or on, off and on. The spindle of a cutter never is.
+/// off again, or on, off and on. The spindle of a cutter never is. No laser goes down at feed without its beam, and none has a tool.
 #[derive(Clone, Copy, Debug, Default)]
 struct SpindleRun {
-    /// The first cut at a speed of 0.
+    /// The first cut at a speed of 0, and the first that goes down.
     still: Option<Spot>,
+    down: Option<Spot>,
     /// The last that was seen of S: true where a cut was made with it, false where it was 0.
     lit: Option<bool>,
     /// How often the one has come behind the other.
@@ -57,9 +58,9 @@ impl SpindleRun {
         self.switched += u32::from(self.lit.replace(lit) == Some(!lit));
     }
 
-    /// The first cut at a speed of 0, where the run is no laser's.
-    fn cut_still(self) -> Option<Spot> {
-        self.still.filter(|_| self.switched < 2)
+    /// The first cut at a speed of 0, where it is no laser's.
+    fn cut_still(self, cutter: bool) -> Option<Spot> {
+        if cutter || self.switched < 2 { self.still } else { self.down }
     }
 }
 
@@ -75,10 +76,9 @@ impl Reader<'_, '_> {
 
     /// A run of the spindle has ended.
     fn end_run_of_spindle(&mut self) {
-        // A lathe is no laser.
-        let turns = self.memory.control.turns();
-        let run = std::mem::take(&mut self.memory.seen.spindle.run);
-        let still = if turns { run.still } else { run.cut_still() };
+        let modal = &self.state.modal;
+        let cutter = self.memory.control.turns() || modal.tool != 0 || modal.lengthened;
+        let still = std::mem::take(&mut self.memory.seen.spindle.run).cut_still(cutter);
         self.memory.seen.spindle.cut_still = self.memory.seen.spindle.cut_still.or(still);
     }
 
@@ -158,10 +158,13 @@ impl Reader<'_, '_> {
     }
 
     /// Sees a cut for its speed.
-    fn see_cut_still(&mut self) {
+    fn see_cut_still(&mut self, to: &Pose) {
         if self.turns_without_speed() {
-            let spot = self.block.spot;
-            self.memory.seen.spindle.run.still.get_or_insert(spot);
+            let (spot, run) = (self.block.spot, &mut self.memory.seen.spindle.run);
+            run.still.get_or_insert(spot);
+            if to.get(Axis::Z) < self.state.at.get(Axis::Z) {
+                run.down.get_or_insert(spot);
+            }
         } else if self.state.modal.spindle != Spindle::Stopped && self.state.modal.speed > 0.0 {
             self.memory.seen.spindle.run.see(true);
         }
@@ -223,7 +226,7 @@ impl Reader<'_, '_> {
                 return;
             }
             MotionKind::Thread(thread) => {
-                self.see_cut_still();
+                self.see_cut_still(to);
                 self.see_waiting_cut();
                 self.see_thread(&thread, to);
                 return;
@@ -250,7 +253,7 @@ impl Reader<'_, '_> {
             let row = GreatFeedPerTurn { feed: Size { value: feed.value, unit: "mm/rev", decimals: 3 } };
             self.memory.remarks.row(&row, spot, None);
         }
-        self.see_cut_still();
+        self.see_cut_still(to);
         if turns {
             self.see_waiting_cut();
             self.see_turned();
@@ -405,8 +408,14 @@ mod tests {
             // A laser is put off by S0 while M3 or M4 stays.
             ("M4 S0|G0 X0|G1 X1 S500|G0 X2 S0|G1 X3 S500|G1 X4 S0|M5", &[]),
             ("M3 S0|G0 X0|G1 X1 S200|G1 X2 S0|G1 X3 S200|M5", &[]),
-            ("M3|S0|G0 X0|G1 Z-5|S900|G1 X1|S0|G0 Z6|G1 Z-5|S900|G1 X2|S0|G0 Z6", &[]),
-            ("M3 S0|G0 X0|G1 Z-5|S900|G1 X1|S0|M5", &[]),
+            ("M3|S0|G0 X0|G1 Y5|S900|G1 X1|S0|G0 Y6|G1 Y5|S900|G1 X2|S0|G0 Y6", &[]),
+            ("M3 S0|G0 X0|G1 Y5|S900|G1 X1|S0|M5", &[]),
+            // No laser goes down without its beam, or has a tool or its length.
+            ("M3|S0|G0 X0|G1 Z-5|S900|G1 X1|S0|G0 Z6|G1 Z-5|S900|G1 X2|S0|G0 Z6", &["G0538"]),
+            ("M3 S0|G0 X0|G1 Z-5|S900|G1 X1|S0|M5", &["G0538"]),
+            ("S900 M3|G1 X1|S0 M0|G0 X2|G1 Z-5|X3|G0 Z6|S900|G1 X4|M5", &["G0538"]),
+            ("T1 M6|M3 S900|G1 X1|S0|G1 X2|S900|G1 X3|M5", &["G0538"]),
+            ("G43.1 Z9|M3 S900|G1 X1|S0|G1 X2|S900|G1 X3|M5", &["G0538"]),
             ("M3 S0|G0 X0|G1 Z-5|S900|G1 X1|S0|M5|M3|G1 X2|M5", &["G0538"]),
             ("M3 S0|G0 X0|G1 Z-5|S900|G1 X1|S0 M5", &["G0538"]),
             ("M3|G0 X0|G1 Z-5|S900|G1 X1|S0|M5", &["G0538"]),

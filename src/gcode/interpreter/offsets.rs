@@ -227,6 +227,7 @@ impl Reader<'_, '_> {
 
     /// G92: this position gets the axis words as its coordinates.
     pub(super) fn set_position(&mut self) {
+        self.memory.seen.start_preset |= self.memory.seen.distances == [false; 2];
         let mut g92 = self.state.frame.g92;
         for axis in Axis::ALL {
             if let Some(value) = self.axis_word(axis) {
@@ -294,6 +295,7 @@ impl Reader<'_, '_> {
             _ => (true, registers, None),
         };
         self.memory.seen.placed.preset_ends();
+        self.memory.seen.start_preset &= code != G::ClearPosition;
         self.keep_g92(on, kept);
         self.reframe(ActiveOffsets { g92: in_force, ..self.state.frame });
     }
@@ -301,7 +303,8 @@ impl Reader<'_, '_> {
     /// The end of a program: G54, G17, G90, G94, spindle off; G92 stays unless the control does not keep it.
     pub(super) fn end_of_program(&mut self) {
         let (on, registers) = self.g92_registers();
-        let left = on && registers != Pose::default();
+        // At an assumed start of 0, G92 X0 shifts by nothing; on the machine by where it stands.
+        let left = on && (registers != Pose::default() || self.memory.seen.start_preset);
         if !self.memory.setting.keep_g92 {
             self.keep_g92(false, Some(Pose::default()));
             self.reframe(ActiveOffsets { g92: Pose::default(), ..self.state.frame });

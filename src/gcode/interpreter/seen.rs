@@ -28,6 +28,8 @@ pub(super) struct Seen {
     /// A block of a lathe has gone to a reference point, and one has moved in machine coordinates.
     pub(super) referred: bool,
     pub(super) in_machine: bool,
+    /// G92 has given coordinates to the place where the program began, which the text does not say.
+    pub(super) start_preset: bool,
     pub(super) spindle: SpindleSeen,
     pub(super) turned: TurnedSeen,
     /// The contours that cycles have read.

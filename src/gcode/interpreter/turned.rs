@@ -79,10 +79,12 @@ impl Reader<'_, '_> {
         let peak = peak(distance, thread);
         let known = self.memory.setting.rapid;
         let [x, z] = known.unwrap_or(EXAMPLE_RAPID);
-        let beyond = [(Axis::X, x), (Axis::Z, z)].into_iter().find_map(|(axis, rapid)| {
+        let fast = [(Axis::X, x), (Axis::Z, z)].into_iter().filter_map(|(axis, rapid)| {
             let feed = seconds.map_or(f64::INFINITY, |seconds| by(axis) * 60.0 / seconds * peak);
             (by(axis) > 0.0 && feed > rapid * (1.0 + 1e-9)).then_some((axis, feed, rapid))
         });
+        // The axis that allows the least speed.
+        let beyond = fast.max_by(|(one, _, x), (other, _, z)| (by(*one) * z).total_cmp(&(by(*other) * x)));
         if let Some((axis, feed, rapid)) = beyond
             && self.memory.seen.turned.fast.insert(self.state.modal.tool)
         {

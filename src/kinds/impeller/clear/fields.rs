@@ -97,8 +97,8 @@ pub(in crate::kinds::impeller) static STEP: Field<f64, Usual> = Field::real_or(
     [0.05, 0.95],
     t("Paso lateral del desbaste, en diámetros", "Sideways step of roughing, in diameters"),
     t(
-        "Solo con method = canal; vacía: 0.7; en metal duro, 0.4",
-        "Only with method = clear; empty: 0.7; in hard metal, 0.4",
+        "Solo con method = canal; vacía: 0.7; en material duro, como acero templado, 0.4",
+        "Only with method = clear; empty: 0.7; in a hard material, as hardened steel, 0.4",
     ),
 );
 pub(in crate::kinds::impeller) static SCALLOP: Field<f64, Usual> = Field::real_or(

@@ -321,7 +321,7 @@ fn quantities(design: &Design, stations: &[Station], account: &Account) -> Vec<Q
     let mut list = vec![
         derived("R_o", t("Radio exterior del tubo", "Outside radius of the header"), design.R_o(), mm, t("", ""))
             .by("derived_R_o", format!("{}/2", diameter(&HEADER, design.header.D))),
-        derived("R_i", t("Radio interior del tubo", "Bore of the header"), design.R_i(), mm, t("", "")).by(
+        derived("R_i", t("Radio interior del tubo", "Inside radius of the header"), design.R_i(), mm, t("", "")).by(
             "derived_R_i",
             format!(
                 "{}/2-{}",
