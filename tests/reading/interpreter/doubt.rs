@@ -335,3 +335,30 @@ fn codes_of_a_fagor_mill_are_told_by_their_names() {
         assert!(told.iter().any(|one| one.contains(part)), "{part}: {told:?}");
     }
 }
+
+#[test]
+fn g92_where_a_program_begins_stays_on_whatever_start_is_assumed() {
+    for (blocks, stays) in [
+        ("G92 X0 Y0\nG1 X1", true),
+        ("G92 X5\nG1 X1", true),
+        ("G1 X1\nG92 X1", false),
+        ("G92 X0 Y0\nG1 X1\nG92.1", false),
+        ("G92 X0 Y0\nG1 X1\nG92.2", false),
+        ("G92 X0 Y0\nG1 X1\nG92.2\nG92.3", true),
+    ] {
+        let program = format!("G21 G90 F100 M3 S900\n{blocks}\nM2\n");
+        let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(&LINUXCNC));
+        assert!((&mut interpreter).all(|item| item.is_ok()), "{blocks}");
+        assert_eq!(interpreter.remarks().iter().any(|remark| remark.code() == "G0424"), stays, "{blocks}");
+    }
+}
+
+#[test]
+fn of_two_axes_too_fast_for_a_thread_the_one_that_allows_less_is_told() {
+    let program = "G21 G99 T0101\nG96 S1000 M3\nG0 X6. Z6.\nG32 X11. Z-4. F2.\nM30\n";
+    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(&FANUC_LATHE_A));
+    assert!((&mut interpreter).all(|item| item.is_ok()));
+    let remarks = interpreter.remarks();
+    let told = remarks.iter().find(|remark| remark.code() == "G0591").expect("a caution").what.en.clone();
+    assert!(told.contains("above 5000 rpm the thread would move axis Z"), "{told}");
+}
