@@ -348,7 +348,7 @@ fn g92_where_a_program_begins_stays_on_whatever_start_is_assumed() {
     ] {
         let program = format!("G21 G90 F100 M3 S900\n{blocks}\nM2\n");
         let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(&LINUXCNC));
-        assert!((&mut interpreter).all(|item| item.is_ok()), "{blocks}");
+        assert!(interpreter.all(|item| item.is_ok()), "{blocks}");
         assert_eq!(interpreter.remarks().iter().any(|remark| remark.code() == "G0424"), stays, "{blocks}");
     }
 }
@@ -357,7 +357,7 @@ fn g92_where_a_program_begins_stays_on_whatever_start_is_assumed() {
 fn of_two_axes_too_fast_for_a_thread_the_one_that_allows_less_is_told() {
     let program = "G21 G99 T0101\nG96 S1000 M3\nG0 X6. Z6.\nG32 X11. Z-4. F2.\nM30\n";
     let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(&FANUC_LATHE_A));
-    assert!((&mut interpreter).all(|item| item.is_ok()));
+    assert!(interpreter.all(|item| item.is_ok()));
     let remarks = interpreter.remarks();
     let told = remarks.iter().find(|remark| remark.code() == "G0591").expect("a caution").what.en.clone();
     assert!(told.contains("above 5000 rpm the thread would move axis Z"), "{told}");
